@@ -7,11 +7,9 @@ use std::path::{Component, Path, PathBuf};
 /// Why a companion is not read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Refusal {
-    /// It is named by a URL or a network path.
     Remote,
     /// It is outside the folder that companions may come from.
     Outside,
-    /// It is not there.
     Missing,
     /// It is there, but a folder or a device.
     NoFile,
@@ -20,66 +18,57 @@ pub(super) enum Refusal {
 impl fmt::Display for Refusal {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         out.write_str(match self {
-            Refusal::Remote => "is on a network or named by a URL, and was not read",
-            Refusal::Outside => "is outside the input's folder and was not read (--root widens it)",
+            Refusal::Remote => "is a network path or URL and was not read",
+            Refusal::Outside => {
+                "is outside the input's folder and was not read (--root allows another folder)"
+            }
             Refusal::Missing => "was not found",
-            Refusal::NoFile => "is a folder or no regular file, and was not read",
+            Refusal::NoFile => "is not a regular file and was not read",
         })
     }
 }
 
-/// The folders that are searched for companion files.
-pub(super) struct Companions {
-    base: PathBuf,
-    /// Where they may be: the base, and the root of the options.
-    allowed: Vec<PathBuf>,
-}
-
-impl Companions {
-    /// Companions of a file in the folder `base`; from nowhere outside it and outside the root of the options.
-    pub fn new(base: &Path, options: &ReadOptions) -> Self {
-        // The folder of a bare file name is the empty path.
-        let base = if base.as_os_str().is_empty() { Path::new(".") } else { base };
-        let folders = [Some(base), options.root.as_deref()];
-        let allowed = folders.into_iter().flatten().filter_map(|folder| folder.canonicalize().ok());
-        Self { base: base.to_owned(), allowed: allowed.collect() }
+/// The file that a name refers to from `folder`, relative to the input's folder `base`. It must lie in that folder or in the
+/// root of the options; symbolic links are followed before the check.
+pub(super) fn find(
+    base: &Path,
+    folder: &Path,
+    name: &str,
+    options: &ReadOptions,
+) -> Result<PathBuf, Refusal> {
+    let scheme = name.split_once(':').map_or("", |(scheme, _)| scheme);
+    let is_url =
+        scheme.len() > 1 && scheme.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"+-.".contains(&byte));
+    if is_url || name.starts_with("//") || name.starts_with("\\\\") {
+        return Err(Refusal::Remote);
     }
-
-    /// The file that a name refers to from the folder `folder`, relative to the input's. Symbolic links are followed
-    /// before the location is checked.
-    pub fn find(&self, folder: &Path, name: &str) -> Result<PathBuf, Refusal> {
-        let scheme = name.split_once(':').map_or("", |(scheme, _)| scheme);
-        let is_url = scheme.len() > 1
-            && scheme.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"+-.".contains(&byte));
-        if is_url || name.starts_with("//") || name.starts_with("\\\\") {
-            return Err(Refusal::Remote);
-        }
-        let folder = self.base.join(folder);
-        let found = folder.join(name).canonicalize();
-        let path = found.or_else(|_| folder.join(name.replace('\\', "/")).canonicalize());
-        let path = path.map_err(|_| Refusal::Missing)?;
-        if !self.allowed.iter().any(|folder| path.starts_with(folder)) {
-            return Err(Refusal::Outside);
-        }
-        if path.is_file() { Ok(path) } else { Err(Refusal::NoFile) }
+    // The folder of a bare file name is the empty path.
+    let base = if base.as_os_str().is_empty() { Path::new(".") } else { base };
+    let folder = base.join(folder);
+    let found = folder.join(name).canonicalize();
+    let path = found.or_else(|_| folder.join(name.replace('\\', "/")).canonicalize());
+    let path = path.map_err(|_| Refusal::Missing)?;
+    let mut allowed = [Some(base), options.root.as_deref()].into_iter().flatten();
+    if !allowed.any(|folder| folder.canonicalize().is_ok_and(|folder| path.starts_with(folder))) {
+        return Err(Refusal::Outside);
     }
+    if path.is_file() { Ok(path) } else { Err(Refusal::NoFile) }
 }
 
 /// The file that a name refers to from the folder `base`, in which it must lie, or else within the root of the options.
 pub(crate) fn companion(base: &Path, name: &str, options: &ReadOptions) -> Result<PathBuf, ReadError> {
-    Companions::new(base, options).find(Path::new(""), name).map_err(|refusal| {
+    find(base, Path::new(""), name, options).map_err(|refusal| {
         let advice = match refusal {
             Refusal::Remote => "copy it to this machine",
             Refusal::Outside => "move it into that folder",
             Refusal::Missing => "check the name",
             Refusal::NoFile => "name a file",
         };
-        ReadError::new(Problem::Companion, Place::File, format!("it {refusal}"), advice)
+        ReadError::new(Problem::Companion, Place::File, format!("the file {refusal}"), advice)
     })
 }
 
-/// The name of a companion in the folder of the output, such that the output's reference finds it; `None` if that would be
-/// outside the output's folder.
+/// The name of a companion in the output's folder, such that the output's reference finds it; `None` if it is outside.
 pub(super) fn output_name(folder: &Path, name: &str) -> Option<String> {
     let path = folder.join(name.replace('\\', "/"));
     let mut parts = Vec::new();
@@ -115,11 +104,13 @@ mod tests {
         for name in ["out.mtl", "in/a b.mtl", "in/sub/c.mtl"] {
             fs::write(outer.path().join(name), "").unwrap();
         }
-        let companions = Companions::new(&inner, &ReadOptions::default());
-        let find = |name: &str| companions.find(Path::new(""), name);
+        let options = ReadOptions::default();
+        let find_in = |folder: &str, name: &str| find(&inner, Path::new(folder), name, &options);
+        let find_with = |name: &str, options: &ReadOptions| find(&inner, Path::new(""), name, options);
+        let find = |name: &str| find_in("", name);
         assert!(find("a b.mtl").is_ok() && find("sub/c.mtl").is_ok() && find("sub\\c.mtl").is_ok());
         assert!(find("./sub/../a b.mtl").is_ok());
-        assert_eq!(companions.find(Path::new("sub"), "../../out.mtl"), Err(Refusal::Outside));
+        assert_eq!(find_in("sub", "../../out.mtl"), Err(Refusal::Outside));
         assert_eq!(find("../out.mtl"), Err(Refusal::Outside));
         assert_eq!(find(outer.path().join("out.mtl").to_str().unwrap()), Err(Refusal::Outside));
         assert_eq!(find("none.mtl"), Err(Refusal::Missing));
@@ -129,13 +120,10 @@ mod tests {
             assert_eq!(find(name), Err(Refusal::Remote), "{name}");
         }
         let root = ReadOptions { root: Some(outer.path().to_owned()), ..ReadOptions::default() };
-        assert!(Companions::new(&inner, &root).find(Path::new(""), "../out.mtl").is_ok());
+        assert!(find_with("../out.mtl", &root).is_ok());
         let elsewhere = tempfile::tempdir().unwrap();
         let root = ReadOptions { root: Some(elsewhere.path().to_owned()), ..ReadOptions::default() };
-        assert!(
-            Companions::new(&inner, &root).find(Path::new(""), "a b.mtl").is_ok(),
-            "a root takes nothing away"
-        );
+        assert!(find_with("a b.mtl", &root).is_ok(), "a root takes nothing away");
     }
 
     #[test]
@@ -146,8 +134,8 @@ mod tests {
         fs::create_dir(&inner).unwrap();
         fs::write(outer.path().join("out.mtl"), "").unwrap();
         std::os::unix::fs::symlink(outer.path().join("out.mtl"), inner.join("link.mtl")).unwrap();
-        let companions = Companions::new(&inner, &ReadOptions::default());
-        assert_eq!(companions.find(Path::new(""), "link.mtl"), Err(Refusal::Outside));
+        let options = ReadOptions::default();
+        assert_eq!(find(&inner, Path::new(""), "link.mtl", &options), Err(Refusal::Outside));
     }
 
     #[test]

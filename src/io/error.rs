@@ -1,5 +1,6 @@
-//! Errors and notes with the place that they are about.
+//! Errors and notes, with the places that they are about.
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 /// A place in an input file.
@@ -18,7 +19,6 @@ pub enum Place {
 }
 
 impl Place {
-    /// Whether it is the file as a whole.
     fn is_file(&self) -> bool {
         *self == Place::File
     }
@@ -146,6 +146,13 @@ impl Note {
         Self::new(Severity::Note, Place::File, text)
     }
 
+    /// A warning about the file as a whole that starts with a count; `None` if that is 0.
+    pub(super) fn counted(count: usize, [one, many]: [&str; 2], text: impl fmt::Display) -> Option<Self> {
+        let noun = if count == 1 { one } else { many };
+        let warning = || Self::warning(Place::File, format!("{count} {noun} {text}"));
+        (count > 0).then(warning)
+    }
+
     /// The same note for `count` things, the first of which are at these places; `None` without any.
     pub(super) fn for_all(
         severity: Severity,
@@ -187,6 +194,78 @@ pub enum WriteError {
 impl WriteError {
     /// What was read, or kept of it, is not there to edit.
     pub(super) fn no_document() -> Self {
-        Self::Unsupported("no document was kept to edit; write a new file".to_owned())
+        Self::Unsupported("the file was not kept for editing; write another format".to_owned())
+    }
+}
+
+/// A kind of note: its rank among the kinds of its format, its severity and its text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct NoteKind(pub u8, pub Severity, pub &'static str);
+
+impl NoteKind {
+    pub const fn warning(rank: u8, text: &'static str) -> Self {
+        Self(rank, Severity::Warning, text)
+    }
+}
+
+/// How often each kind of note is due, and at which byte offsets first.
+#[derive(Clone, Debug, Default)]
+pub(super) struct RepeatedNotes(BTreeMap<NoteKind, Occurrences>);
+
+#[derive(Clone, Debug, Default)]
+struct Occurrences {
+    count: u64,
+    offsets: Vec<usize>,
+}
+
+impl RepeatedNotes {
+    /// Adds one occurrence.
+    pub fn add(&mut self, kind: NoteKind, offset: usize) {
+        self.add_all(kind, 1, [offset]);
+    }
+
+    /// Adds `count` occurrences, some of which are at these offsets.
+    pub fn add_all(&mut self, kind: NoteKind, count: u64, offsets: impl IntoIterator<Item = usize>) {
+        let known = self.0.entry(kind).or_default();
+        let room = (1 + Note::MOST_PLACES).saturating_sub(known.offsets.len());
+        known.offsets.extend(offsets.into_iter().take(room));
+        known.count += count;
+    }
+
+    /// Appends what was found further back in the file.
+    pub fn append(&mut self, other: Self) {
+        for (kind, found) in other.0 {
+            self.add_all(kind, found.count, found.offsets);
+        }
+    }
+
+    /// Whether there is any note of a kind.
+    pub fn has(&self, kind: NoteKind) -> bool {
+        self.0.contains_key(&kind)
+    }
+
+    /// The value, or zero and a note if it is not valid.
+    pub fn valid_or_zero<T: Default>(
+        &mut self,
+        kind: NoteKind,
+        offset: usize,
+        is_valid: bool,
+        value: T,
+    ) -> T {
+        if is_valid {
+            return value;
+        }
+        self.add(kind, offset);
+        T::default()
+    }
+
+    /// The notes by rank, each with its first offset; `places` converts ascending offsets.
+    pub fn notes(&self, places: impl Fn(&[usize]) -> Vec<Place>) -> impl Iterator<Item = (usize, Note)> {
+        self.0.iter().filter_map(move |(&NoteKind(_, severity, text), found)| {
+            let mut offsets = found.offsets.clone();
+            offsets.sort_unstable();
+            let note = Note::for_all(severity, found.count, places(&offsets), text)?;
+            Some((*offsets.first()?, note))
+        })
     }
 }

@@ -1,12 +1,12 @@
 //! A file as it was read.
 
-use super::gltf::{self, GltfDocument};
+use super::gltf::{GltfDocument, NodeTree};
 use super::obj::ObjDocument;
 use super::part::{FileNode, Part};
 use super::ply::PlyDocument;
 use super::stl::StlDocument;
-use super::{Appearance, FileMaterial, Format, Note};
-use glam::DMat4;
+use super::{Appearance, FileMaterial, Format, Note, gltf};
+use glam::{DMat4, DVec3, DVec4};
 
 /// A file, read.
 #[derive(Clone, Debug)]
@@ -72,6 +72,44 @@ impl Loaded {
         match &self.document {
             Document::Gltf(document) => gltf::appearance(document),
             document => Appearance { materials: document.materials().to_vec(), ..Appearance::default() },
+        }
+    }
+
+    /// The names of some nodes with those of all above them, from the root on, as `body/arm/hand`; nodes without a name are
+    /// given by their number, as `#7`. Empty strings for formats without nodes (all but glTF).
+    pub fn node_paths(&self, numbers: &[usize]) -> Vec<String> {
+        let tree = self.node_tree();
+        numbers.iter().map(|&node| tree.as_ref().map_or(String::new(), |tree| tree.path(node))).collect()
+    }
+
+    /// The nodes of the file; `None` for formats without nodes (all but glTF).
+    pub(crate) fn node_tree(&self) -> Option<NodeTree<'_>> {
+        match &self.document {
+            Document::Gltf(document) => document.node_tree(),
+            _ => None,
+        }
+    }
+
+    /// The tangents of a part's vertices with their handedness, where they have one; empty if no vertex has, and for
+    /// formats without tangents (all but glTF).
+    pub fn tangents(&self, part: usize) -> Vec<Option<DVec4>> {
+        match &self.document {
+            Document::Gltf(document) => {
+                document.attribute(part, 0, "TANGENT", |t: [f32; 4]| DVec4::from_array(t.map(f64::from)))
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// What a morph target adds to the normals of a part's vertices, where it has normals; empty if it has none, and for
+    /// formats without morph targets (all but glTF).
+    pub fn morph_normals(&self, part: usize, target: usize) -> Vec<Option<DVec3>> {
+        match &self.document {
+            Document::Gltf(document) => {
+                let value = |n: [f32; 3]| DVec3::from_array(n.map(f64::from));
+                document.attribute(part, target + 1, "NORMAL", value)
+            }
+            _ => Vec::new(),
         }
     }
 

@@ -1,17 +1,20 @@
-//! Checks that readers of all formats share: the size of the file, positions, faces.
+//! What readers and writers of all formats check: sizes, positions, faces, and features that a format does not have.
 
-use super::text::counted;
-use super::{NonFinite, Note, Part, Place, Problem, ReadError, ReadOptions};
-use crate::mesh::{Faces, Mesh, MeshBuilder, MeshError};
+use super::{Format, NonFinite, Note, Part, Place, Problem, ReadError, ReadOptions};
+use crate::mesh::{Columns, Faces, Mesh, MeshBuilder, MeshError, Storage};
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// Refuses a file that is larger than the limit.
+/// What to do about positions that are not finite.
+pub(super) const DROP_ADVICE: &str = "correct it, or drop the faces at such vertices with `crease normals --force` (`crease render --force` draws the others)";
+/// What to do about a file that contradicts itself.
+pub(super) const DAMAGED: &str = "the file is damaged; export it again";
+
 pub(super) fn check_size(bytes: &[u8], options: &ReadOptions) -> Result<(), ReadError> {
     if bytes.len() as u64 <= options.limits.bytes {
         return Ok(());
     }
-    let found = format!("{} bytes, more than the limit of {}", bytes.len(), options.limits.bytes);
+    let found = format!("the file has {} bytes (limit {})", bytes.len(), options.limits.bytes);
     Err(ReadError::new(Problem::Limit, Place::File, found, "raise the limit"))
 }
 
@@ -19,12 +22,12 @@ pub(super) fn check_size(bytes: &[u8], options: &ReadOptions) -> Result<(), Read
 pub(super) fn non_finite_note(positions: &[DVec3], non_finite: NonFinite) -> Option<Note> {
     let is_bad = |position: &DVec3| !position.is_finite();
     let first = positions.iter().position(is_bad).filter(|_| non_finite == NonFinite::DropFaces)?;
-    let count = counted(positions.iter().filter(|position| is_bad(position)).count(), "vertex", "vertices");
+    let count = positions.iter().filter(|position| is_bad(position)).count();
     let text = format!(
-        "no finite position: {count} (the first is vertex {first}, counted from 0); faces there are dropped, and what \
-         the file says stays where it is edited, but is the origin in a new file"
+        "no finite position (first: vertex {first}); their faces are dropped; an edited file keeps the stored \
+         positions, a new file has the origin instead"
     );
-    Some(Note::warning(Place::File, text))
+    Note::counted(count, ["vertex has", "vertices have"], text)
 }
 
 /// Builds a mesh; also returns the faces that use a vertex without a finite position.
@@ -44,12 +47,9 @@ pub(super) fn build_part(
 ) -> Result<Part, ReadError> {
     let (mesh, non_finite_faces) = build_mesh(builder, options.non_finite).map_err(|error| {
         let (problem, advice) = match error {
-            MeshError::NonFinite { .. } => (
-                Problem::NonFinite,
-                "correct it (text beyond 1.8e308 reads as infinite), or drop the faces that use such vertices with `crease normals --force` (`crease render --force` draws the others)",
-            ),
-            MeshError::TooLarge { .. } => (Problem::Limit, "divide the mesh"),
-            _ => (Problem::Range, "the file is damaged, or its writer is at fault"),
+            MeshError::NonFinite { .. } => (Problem::NonFinite, DROP_ADVICE),
+            MeshError::TooLarge { .. } => (Problem::Limit, "split the mesh"),
+            _ => (Problem::Range, DAMAGED),
         };
         ReadError::new(problem, place(&error), error.to_string(), advice)
     })?;
@@ -59,18 +59,14 @@ pub(super) fn build_part(
 /// Warnings about the faces of a file as a whole.
 pub(super) fn face_notes(parts: &[Part]) -> Vec<Note> {
     if parts.iter().all(|part| part.mesh.face_count() == 0) {
-        return vec![Note::warning(Place::File, "it has no faces, and so no normals")];
+        return vec![Note::warning(Place::File, "the file has no faces, so it has no normals")];
     }
-    let repeating: usize = parts.iter().map(|part| repeating(part.mesh.faces())).sum();
-    let text = || {
-        let polygons = counted(repeating as u64, "polygon passes", "polygons pass");
-        format!("{polygons} through a vertex more than once; what they enclose counts")
-    };
-    (repeating > 0).then(|| Note::warning(Place::File, text())).into_iter().collect()
+    let repeating = parts.iter().map(|part| repeating(part.mesh.faces())).sum();
+    let text = "through a vertex more than once; crease uses the enclosed area";
+    Note::counted(repeating, ["polygon passes", "polygons pass"], text).into_iter().collect()
 }
 
-/// How many faces of four corners or more pass through a vertex more than once. Triangles that do have no area and are
-/// counted as that.
+/// How many polygons pass through a vertex more than once. Triangles that do have no area and are counted as that.
 fn repeating(faces: &Faces) -> usize {
     if faces.is_triangles() {
         return 0;
@@ -84,6 +80,58 @@ fn repeating(faces: &Faces) -> usize {
     (0..faces.len()).into_par_iter().map_init(Vec::new, repeats).filter(|&repeats| repeats).count()
 }
 
+/// What a mesh may have: its name, the formats that cannot store it, and whether columns have it.
+type Feature = (&'static str, &'static [Format], fn(&Columns) -> bool);
+
+const FEATURES: [Feature; 9] = {
+    use Format::{Glb, Gltf, Obj, Ply, Stl};
+    [
+        ("texture coordinates", &[Stl], |columns| columns.uvs.is_some()),
+        ("colours", &[Stl], |columns| columns.colors.is_some()),
+        ("materials", &[Stl, Ply], |columns| columns.materials.is_some()),
+        ("objects and groups", &[Stl, Ply], |columns| columns.objects.is_some()),
+        ("smoothing groups", &[Stl, Ply], |columns| columns.smoothing.is_some()),
+        ("hard edges", &[Obj, Ply, Gltf, Glb], |columns| !columns.hard_edges.is_empty()),
+        ("morph targets", &Format::ALL, |columns| !columns.morph_targets.is_empty()),
+        ("points", &[Stl], |columns| !columns.points.is_empty()),
+        ("lines", &[Stl], |columns| !columns.lines.is_empty()),
+    ]
+};
+
+/// A warning for each feature of the parts that a new file of this format cannot store.
+pub(super) fn unsupported_notes(format: Format, parts: &[Part]) -> Vec<Note> {
+    let title = if format.is_gltf() { "glTF".to_owned() } else { format.extension().to_ascii_uppercase() };
+    let lost = FEATURES.iter().filter(|(_, without, has)| {
+        without.contains(&format) && parts.iter().any(|part| has(part.mesh.columns()))
+    });
+    let text = |name| format!("{title} has no {name}; they were omitted");
+    lost.map(|(name, ..)| Note::warning(Place::File, text(name))).collect()
+}
+
+/// Whether any position of a mesh is not an `f32`.
+pub(super) fn needs_f64(mesh: &Mesh) -> bool {
+    let is_rounded = |p: &DVec3| p.as_vec3().as_dvec3() != *p;
+    mesh.storage() == Storage::F64 && mesh.positions().iter().any(is_rounded)
+}
+
+/// A warning if rounding to `f32` moves vertices far compared with the size of the model: usually by at most 2⁻²⁵ of it.
+pub(super) fn displacement_note(mesh: &Mesh) -> Option<Note> {
+    if mesh.storage() != Storage::F64 {
+        return None;
+    }
+    let moved = mesh.positions().par_iter().map(|p| p.distance(p.as_vec3().as_dvec3()));
+    let largest = moved.reduce(|| 0.0, f64::max);
+    let size = mesh.bounds().map_or(0.0, |(low, high)| low.distance(high));
+    (size > 0.0 && largest > size / f64::from(1 << 20)).then(|| {
+        let text = format!(
+            "rounding positions to 32-bit floats moves vertices by up to {largest:.3e}, {:.1e} of the model's size; \
+             move the model closer to the origin, or write PLY or OBJ",
+            largest / size
+        );
+        Note::warning(Place::File, text)
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use crate::io::{Format, ReadOptions, read_bytes};
@@ -95,9 +143,9 @@ mod tests {
             let loaded = read_bytes(text.into(), Some(Format::Obj), None, &ReadOptions::default()).unwrap();
             loaded.notes.iter().map(|note| note.text.clone()).collect::<Vec<_>>()
         };
-        assert_eq!(notes(""), ["it has no faces, and so no normals"]);
+        assert_eq!(notes(""), ["the file has no faces, so it has no normals"]);
         assert_eq!(notes("f 1 2 3 4\nf 1 2 3\n"), [] as [&str; 0]);
-        let reported = "polygon passes through a vertex more than once; what they enclose counts";
+        let reported = "polygon passes through a vertex more than once; crease uses the enclosed area";
         assert_eq!(notes("f 1 2 3 4\nf 1 2 3 5 3 4\n"), [format!("1 {reported}")]);
     }
 }

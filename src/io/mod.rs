@@ -8,26 +8,20 @@
 mod format;
 // Errors and notes with their places.
 mod error;
-// Options of readers and writers.
+// Options of readers and writers, and what a writer returns.
 mod options;
-// What a writer returns.
-mod output;
 // Materials, cameras and lights of a file.
 mod appearance;
 // Text and numbers in text.
 mod text;
 // Files that an input refers to.
 mod companion_files;
-// Notes that are due for many places.
-mod repeated_notes;
 // One mesh of a file, and the edit of it.
 mod part;
 // A file as it was read.
 mod loaded;
-// Checks that all readers share.
+// What readers and writers of all formats check.
 mod mesh_checks;
-// Warnings about what a format cannot store.
-mod unsupported_features;
 // The formats.
 pub mod gltf;
 // Wavefront OBJ (appendix B1 of the Advanced Visualizer manual, and the practice of real files).
@@ -36,8 +30,6 @@ pub mod obj;
 pub mod ply;
 // Stereolithography, ascii and binary (3D Systems 1988, and the practice of real files).
 pub mod stl;
-// Files of any format.
-mod instances;
 // Reading a file of any format: opening it, detecting its format, calling its reader.
 mod read;
 // Writing a file of any format: edited in its own document, or new.
@@ -52,7 +44,7 @@ pub use format::Format;
 pub(crate) use gltf::NodeTree;
 pub use loaded::{Document, Loaded};
 pub use options::{Emit, Limits, NonFinite, NormalFormat, ReadOptions, TangentPolicy, WriteOptions};
-pub use output::{OutputContent, OutputFile, Written};
+pub use options::{OutputContent, OutputFile, Written};
 pub use part::{FileNode, Part, PartEdit};
 pub(crate) use read::read_whole;
 pub use read::{detect, read, read_bytes};

@@ -2,8 +2,7 @@
 
 use super::mesh_checks::face_notes;
 use super::text::without_byte_order_mark;
-use super::{Format, Limits, Loaded, Place, Problem, ReadError, ReadOptions};
-use super::{gltf, obj, ply, stl};
+use super::{Format, Limits, Loaded, Place, Problem, ReadError, ReadOptions, gltf, obj, ply, stl};
 #[cfg(unix)]
 use rayon::prelude::*;
 use std::fs;
@@ -51,19 +50,18 @@ pub fn read(path: &Path, format: Option<Format>, options: &ReadOptions) -> Resul
     read_bytes(bytes, format, Some(path.parent().unwrap_or(path)), options)
 }
 
-/// The bytes of a file.
 pub(crate) fn read_whole(path: &Path, limits: &Limits) -> Result<Vec<u8>, ReadError> {
     let metadata = fs::metadata(path).map_err(|error| io_error(&error))?;
     if !metadata.is_file() {
         let (found, advice) = match metadata.is_dir() {
-            true => ("it is a folder", "name a file in it"),
+            true => ("this is a folder", "name a file in it"),
             // Opening a pipe may wait for ever.
-            false => ("it is no regular file", "read a stream from standard input with -"),
+            false => ("this is not a regular file", "read a stream from standard input with -"),
         };
         return Err(ReadError::new(Problem::Io, Place::File, found, advice));
     }
     if metadata.len() > limits.bytes {
-        let found = format!("{} bytes, more than the limit of {}", metadata.len(), limits.bytes);
+        let found = format!("the file has {} bytes (limit {})", metadata.len(), limits.bytes);
         return Err(ReadError::new(Problem::Limit, Place::File, found, "raise the limit"));
     }
     read_length(path, metadata.len()).map_err(|error| io_error(&error))
@@ -103,8 +101,8 @@ fn read_in_pieces(path: &Path, length: u64) -> std::io::Result<Option<Vec<u8>>> 
 fn io_error(error: &std::io::Error) -> ReadError {
     let (found, advice) = match error.kind() {
         ErrorKind::NotFound => ("there is no such file".to_owned(), "check the name"),
-        ErrorKind::PermissionDenied => ("it may not be read".to_owned(), "check its permissions"),
-        ErrorKind::OutOfMemory => ("it does not fit into memory".to_owned(), "divide it"),
+        ErrorKind::PermissionDenied => ("no permission to read it".to_owned(), "check its permissions"),
+        ErrorKind::OutOfMemory => ("the file does not fit into memory".to_owned(), "split it"),
         _ => (error.to_string(), "check the path"),
     };
     ReadError::new(Problem::Io, Place::File, found, advice)
@@ -192,7 +190,7 @@ mod tests {
         let error = |path: &Path| read(path, None, &ReadOptions::default()).unwrap_err();
         assert!(error(folder.path()).found.contains("folder"));
         assert!(error(&folder.path().join("none")).found.contains("no such file"));
-        assert!(error(Path::new("/dev/null")).found.contains("no regular file"));
+        assert!(error(Path::new("/dev/null")).found.contains("not a regular file"));
         let path = folder.path().join("a.xyz");
         fs::write(&path, "???").unwrap();
         assert!(error(&path).found.contains("not a mesh file"));

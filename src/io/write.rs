@@ -1,11 +1,11 @@
 //! Writing a file of any format: edited in its own document, or new.
 
-use super::instances;
 use super::text::counted;
-use super::{Document, Emit, FileMaterial, Format, Loaded, NormalFormat, Note, Part, PartEdit};
-use super::{Place, WriteError, WriteOptions, Written};
-use super::{gltf, obj, ply, stl};
-use crate::mesh::{Column, Mesh, TransformFault};
+use super::{
+    Document, Emit, FileMaterial, Format, Loaded, NormalFormat, Note, Part, PartEdit, Place, WriteError,
+    WriteOptions, Written, gltf, obj, ply, stl,
+};
+use crate::mesh::{Column, FaceLabels, Mesh, TransformFault};
 use glam::DMat4;
 use std::borrow::Cow;
 
@@ -32,8 +32,7 @@ pub fn write<'a>(
     }
     let mut notes = Vec::new();
     if !format.is_gltf() && options.normal_format != NormalFormat::Same {
-        let text =
-            format!("only glTF has a choice of how normals are stored; here they are as {format} has them");
+        let text = format!("{format} has no choice of normal formats; only glTF has one");
         notes.push(Note::warning(Place::File, text));
     }
     if format == loaded.format || format.is_gltf() && loaded.format.is_gltf() {
@@ -44,7 +43,7 @@ pub fn write<'a>(
     let parts = placed(loaded, edits, format, options, &mut notes)?;
     let left = loaded.document.outside_meshes();
     if !left.is_empty() {
-        let text = format!("a new file is made of the meshes alone; left out: {}", left.join(", "));
+        let text = format!("a new file has only the meshes; omitted: {}", left.join(", "));
         notes.push(Note::warning(Place::File, text));
     }
     if let Document::Gltf(document) = &loaded.document {
@@ -76,7 +75,6 @@ pub fn write_new(parts: &[Part], format: Format, options: &WriteOptions) -> Resu
     write_parts(format, parts, &[], options)
 }
 
-/// Writes a file again in its own format. glTF may change its container.
 fn edit(
     loaded: &Loaded,
     edits: &[PartEdit],
@@ -100,13 +98,12 @@ fn write_parts(
 ) -> Result<Written, WriteError> {
     match format {
         Format::Obj => obj::write(parts, options),
-        Format::Gltf | Format::Glb => gltf::write_with_materials(parts, materials, format, options),
+        Format::Gltf | Format::Glb => gltf::write(parts, materials, format, options),
         Format::Stl => stl::write(parts, options),
         Format::Ply => ply::write(parts, options),
     }
 }
 
-/// The parts to write: edited, with the transforms of the nodes applied.
 fn placed(
     loaded: &Loaded,
     mut edits: Cow<'_, [PartEdit]>,
@@ -119,7 +116,7 @@ fn placed(
     for node in &loaded.nodes {
         uses[node.part] += 1;
     }
-    instances::check(loaded, &edits, &uses, format)?;
+    check_copies(loaded, &edits, &uses, format)?;
     let mut edited = |number: usize, is_last_use: bool| {
         let part = &loaded.parts[number];
         let mesh = match &mut edits {
@@ -134,10 +131,7 @@ fn placed(
         return Ok((0..loaded.parts.len()).map(|number| edited(number, true)).collect());
     }
     let unused = uses.iter().filter(|&&uses| uses == 0).count();
-    if unused > 0 {
-        let meshes = counted(unused, "mesh", "meshes");
-        notes.push(Note::warning(Place::File, format!("left out, because no node shows it: {meshes}")));
-    }
+    notes.extend(Note::counted(unused, ["mesh", "meshes"], "without a node omitted"));
     let mut flattened = 0;
     let mut parts = Vec::with_capacity(loaded.nodes.len());
     for node in &loaded.nodes {
@@ -147,9 +141,7 @@ fn placed(
             let had_normals = part.mesh.columns().normals.is_some();
             part.mesh = part.mesh.transformed(node.world_from_part).map_err(|TransformFault::Overflow| {
                 let name = &node.name;
-                let text = format!(
-                    "the node `{name}` moves a vertex beyond the range of numbers; correct its transform"
-                );
+                let text = format!("the transform of node `{name}` moves a vertex out of range; correct it");
                 WriteError::Unsupported(text)
             })?;
             flattened += usize::from(had_normals && part.mesh.columns().normals.is_none());
@@ -159,15 +151,11 @@ fn placed(
         }
         parts.push(part);
     }
-    if flattened > 0 {
-        let nodes = counted(flattened, "node", "nodes");
-        let text = format!("meshes that a node squeezes flat have no normals there: {nodes}");
-        notes.push(Note::warning(Place::File, text));
-    }
+    let transforms = ["node transform flattens its mesh", "node transforms flatten their meshes"];
+    notes.extend(Note::counted(flattened, transforms, "and make normals undefined"));
     Ok(parts)
 }
 
-/// The mesh with an edit applied.
 fn edited_mesh(mesh: &Mesh, edit: PartEdit, by_face: bool) -> Mesh {
     let normals = match edit.face_normals {
         Some(normals) if by_face => Some(Column::per_corner(normals, mesh.faces().owners())),
@@ -178,4 +166,70 @@ fn edited_mesh(mesh: &Mesh, edit: PartEdit, by_face: bool) -> Mesh {
         None => mesh.clone(),
     };
     if edit.faces.is_empty() { mesh } else { mesh.with_faces(&edit.faces) }
+}
+
+/// Memory for copies in any file, and for each byte of the file: an input of 16 MiB stays within 512 MiB.
+const FREE: u64 = 256 << 20;
+const PER_BYTE: u64 = 16;
+
+/// Refuses a file whose copies need too much memory; `uses` is how many nodes show each part.
+fn check_copies(
+    loaded: &Loaded,
+    edits: &[PartEdit],
+    uses: &[usize],
+    format: Format,
+) -> Result<(), WriteError> {
+    let (mut copies, mut faces, mut memory) = (0_u64, 0_u64, 0_u64);
+    for ((part, edit), &uses) in loaded.parts.iter().zip(edits).zip(uses).filter(|(_, uses)| **uses > 1) {
+        // The first one is not a copy.
+        let more = uses as u64 - 1;
+        copies += more;
+        faces = faces.saturating_add(more.saturating_mul(part.mesh.face_count() as u64));
+        memory = memory.saturating_add(more.saturating_mul(size_of_copy(&part.mesh, edit)));
+    }
+    let file = if let Document::Gltf(document) = &loaded.document { document.bytes() } else { 0 };
+    let limit = FREE.max(file.saturating_mul(PER_BYTE));
+    if memory <= limit {
+        return Ok(());
+    }
+    let nodes = counted(loaded.nodes.len(), "node", "nodes");
+    let meshes = counted(uses.iter().filter(|uses| **uses > 0).count(), "mesh", "meshes");
+    Err(WriteError::TooLarge(format!(
+        "{format} has no instances: {copies} copies with {faces} faces for {nodes} of {meshes} need about {} MB of \
+         memory (limit for a file of this size: {} MB); write .glb or .gltf, which keep instances, or split the scene",
+        memory.div_ceil(1_000_000),
+        limit / 1_000_000,
+    )))
+}
+
+/// Bytes of memory for one more copy of a mesh and its output; measured, it takes two thirds to nine tenths of this.
+fn size_of_copy(mesh: &Mesh, edit: &PartEdit) -> u64 {
+    /// Text of three numbers, and of a corner of a face.
+    const LINE: usize = 48;
+    const CORNER: usize = 16;
+    let columns = mesh.columns();
+    let corners = mesh.faces().corner_count();
+    let normals = edit.normals.as_ref().or(columns.normals.as_ref());
+    let labels = [&columns.materials, &columns.objects].into_iter().flatten();
+    let loose = columns.points.len() + columns.lines.iter().map(|line| 6 + line.len()).sum::<usize>();
+    let bytes = mesh.vertex_count() * (24 + LINE + 24 * columns.morph_targets.len())
+        + corners * (4 + CORNER)
+        + size_of_column(normals, corners, LINE)
+        + size_of_column(columns.uvs.as_ref(), corners, LINE)
+        + edit.face_normals.as_ref().map_or(0, |normals| normals.len() * 24 + corners * 4)
+        + columns.colors.as_ref().map_or(0, |colors| colors.len() * 16)
+        + columns.smoothing.as_ref().map_or(0, |groups| groups.of_face.len() * 4)
+        + labels.map(size_of_labels).sum::<usize>()
+        + loose * 16
+        // A part of its own, with its name.
+        + 1024;
+    bytes as u64
+}
+
+fn size_of_column<T>(column: Option<&Column<T>>, corners: usize, line: usize) -> usize {
+    column.map_or(0, |column| column.values.len() * (size_of::<T>() + line) + 4 * corners)
+}
+
+fn size_of_labels(labels: &FaceLabels) -> usize {
+    labels.of_face.len() * 4 + labels.names.iter().map(|name| 24 + 2 * name.len()).sum::<usize>()
 }

@@ -149,7 +149,7 @@ fn instances_are_copied_within_reason() {
     let many = scene(50_000);
     for to in [Format::Obj, Format::Ply, Format::Stl] {
         let error = io::write(&many, &[], to, &WriteOptions::default()).unwrap_err().to_string();
-        for piece in ["50000 nodes show 1 mesh", "49999 copies with 49999000 faces", "write .glb or .gltf"] {
+        for piece in ["50000 nodes of 1 mesh", "49999 copies with 49999000 faces", "write .glb or .gltf"] {
             assert!(error.contains(piece), "{error}");
         }
     }
@@ -199,13 +199,7 @@ fn objects_and_materials_of_obj_become_those_of_gltf() {
     );
     assert_eq!(json["materials"][1], serde_json::json!({"name": "plain"}));
     let said: Vec<String> = written.notes.iter().map(ToString::to_string).collect();
-    assert_eq!(
-        said,
-        [
-            "left out, though materials name them: 1 texture",
-            "left out, because no object uses them: 1 vertex"
-        ]
-    );
+    assert_eq!(said, ["1 texture of materials omitted", "1 vertex without an object omitted"]);
     assert_eq!(
         (written.vertices, written.added_vertices),
         (8, 1),
@@ -237,7 +231,7 @@ fn what_stays_behind_is_identified_by_name_and_only_then() {
     let load =
         |text: &str| io::read_bytes(text.as_bytes().to_vec(), None, None, &ReadOptions::default()).unwrap();
     let loaded = load(ply);
-    let left = "a new file is made of the meshes alone; left out: `quality` of the element `vertex`, `flags` of the \
+    let left = "a new file has only the meshes; omitted: `quality` of the element `vertex`, `flags` of the \
                 element `face`, the element `camera`";
     for to in [Format::Obj, Format::Glb] {
         assert_eq!(notes(&loaded, to), [left], "{to}");
@@ -262,14 +256,14 @@ fn what_stays_behind_is_identified_by_name_and_only_then() {
         "extensionsUsed":["KHR_texture_transform","KHR_mesh_quantization"],"#,
         r#","TEXCOORD_0":1,"TEXCOORD_1":1"#,
     );
-    let left = "a new file is made of the meshes alone; left out: colours and other properties of 1 material, 1 skin, 2 \
-                animations, the vertex attributes TEXCOORD_1, what the extensions KHR_texture_transform say";
-    let uvs = "texture coordinates are those of the file, without the KHR_texture_transform of its textures";
+    let left = "a new file has only the meshes; omitted: properties of 1 material, 1 skin, 2 animations, the vertex attributes \
+                TEXCOORD_1, the extensions KHR_texture_transform";
+    let uvs = "texture coordinates were written without KHR_texture_transform";
     assert_eq!(notes(&full, Format::Obj), [left, uvs]);
     assert!(!notes(&full, Format::Stl).iter().any(|note| note == uvs), "it has none");
 
     let smooth = load("v 0 0 0\nv 1 0 0\nv 0 1 0\ns 1\nf 1 2 3\n");
-    assert_eq!(notes(&smooth, Format::Glb), ["glTF has no smoothing groups: the normals keep what they say"]);
+    assert_eq!(notes(&smooth, Format::Glb), ["glTF has no smoothing groups; the normals keep their effect"]);
     assert!(notes(&smooth, Format::Ply)[0].contains("PLY has no smoothing groups"));
 }
 
@@ -280,7 +274,7 @@ fn positions_that_are_let_pass_are_reported() {
     let loaded = io::read_bytes(obj.as_bytes().to_vec(), None, None, &options).unwrap();
     let said = loaded.notes[0].to_string();
     assert!(
-        said.contains("no finite position: 1 vertex (the first is vertex 3") && said.contains("the origin"),
+        said.contains("1 vertex has no finite position (first: vertex 3") && said.contains("the origin"),
         "{said}"
     );
 }

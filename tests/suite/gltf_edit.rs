@@ -424,8 +424,7 @@ fn a_corner_without_a_normal_is_reported() {
         written
             .notes
             .iter()
-            .any(|note| note.text
-                == "without a normal to write, the stored one is kept, or +Z written: 1 corner"),
+            .any(|note| note.text == "1 corner has no new normal; the stored one was kept, or +Z written"),
         "{:?}",
         written.notes
     );

@@ -1,9 +1,9 @@
 //! glTF documents made for one point each.
 
 use super::gltf::{entries, load};
-use crease::io::gltf::{edit, read, write};
+use crease::io::gltf::{edit, read};
 use crease::io::{Document, Format, Loaded, NormalFormat, OutputContent, Part, PartEdit, ReadOptions};
-use crease::io::{TangentPolicy, WriteOptions, Written};
+use crease::io::{TangentPolicy, WriteOptions, Written, write_new};
 use crease::mesh::{Column, Columns, FaceLabels, Faces, MeshBuilder, NONE, Storage};
 use glam::{DVec2, DVec3};
 use std::path::Path;
@@ -336,7 +336,7 @@ fn new_files_have_normals_in_the_format_that_is_asked_for() {
         }
         for format in [Format::Obj, Format::Ply] {
             let written = crease::io::write(&obj, vec![], format, &options).unwrap();
-            let reported = written.notes.iter().any(|note| note.text.contains("only glTF has a choice"));
+            let reported = written.notes.iter().any(|note| note.text.contains("only glTF has one"));
             assert_eq!(reported, normal_format != NormalFormat::Same, "{format}");
         }
     }
@@ -388,7 +388,7 @@ fn a_new_file_has_all_that_meshes_have() {
     let mesh =
         MeshBuilder { positions: positions.to_vec(), storage: Storage::F64, faces, columns }.build().unwrap();
     let part = Part { name: "ü/part".into(), mesh, ..Part::default() };
-    let written = write(&[part, Part::default()], Format::Glb, &WriteOptions::default()).unwrap();
+    let written = write_new(&[part, Part::default()], Format::Glb, &WriteOptions::default()).unwrap();
     assert!(written.notes.is_empty(), "{:?}", written.notes);
     let json = parse(&written.bytes);
     let primitives = json["meshes"][0]["primitives"].as_array().unwrap();
@@ -417,23 +417,25 @@ fn nothing_points_and_far_away_things_are_written_right() {
         let mesh = MeshBuilder { positions, storage, ..MeshBuilder::default() }.build().unwrap();
         [Part { mesh, ..Part::default() }]
     };
-    let empty = write(&[], Format::Gltf, &WriteOptions::default()).unwrap();
+    let empty = write_new(&[], Format::Gltf, &WriteOptions::default()).unwrap();
     assert!(open(&empty.bytes).parts.is_empty());
     let points =
-        write(&cloud(vec![DVec3::ZERO, DVec3::ONE], Storage::F32), Format::Glb, &WriteOptions::default())
+        write_new(&cloud(vec![DVec3::ZERO, DVec3::ONE], Storage::F32), Format::Glb, &WriteOptions::default())
             .unwrap();
     assert_eq!(open(&points.bytes).parts[0].mesh.columns().points, [0, 1]);
-    let beyond = write(&cloud(vec![DVec3::X * 1e39], Storage::F64), Format::Glb, &WriteOptions::default());
+    let beyond =
+        write_new(&cloud(vec![DVec3::X * 1e39], Storage::F64), Format::Glb, &WriteOptions::default());
     assert!(beyond.unwrap_err().to_string().contains("1e39"));
     let near = [DVec3::new(0.1, 0.2, 0.3), DVec3::ONE];
     let far = near.map(|p| p + DVec3::splat(1e8));
     for (positions, warned) in [(near, false), (far, true)] {
         let written =
-            write(&cloud(positions.to_vec(), Storage::F64), Format::Glb, &WriteOptions::default()).unwrap();
+            write_new(&cloud(positions.to_vec(), Storage::F64), Format::Glb, &WriteOptions::default())
+                .unwrap();
         assert_eq!(!written.notes.is_empty(), warned, "{:?}", written.notes);
     }
     let options = WriteOptions { stem: Some("a b".into()), ..WriteOptions::default() };
-    let next_to = write(&cloud(near.to_vec(), Storage::F32), Format::Gltf, &options).unwrap();
+    let next_to = write_new(&cloud(near.to_vec(), Storage::F32), Format::Gltf, &options).unwrap();
     assert_eq!(next_to.companions[0].name, "a b.bin");
     assert_eq!(parse(&next_to.bytes)["buffers"][0]["uri"], "a%20b.bin");
 }
@@ -498,7 +500,7 @@ fn broken_normals_of_unused_vertices_do_not_stay_in_new_ones() {
     let faces = Faces::triangles(vec![0, 1, 2]);
     let mesh = MeshBuilder { positions, storage: Storage::F32, faces, columns }.build().unwrap();
     let part = Part { mesh, ..Part::default() };
-    let loaded = open(&write(&[part], Format::Glb, &WriteOptions::default()).unwrap().bytes);
+    let loaded = open(&write_new(&[part], Format::Glb, &WriteOptions::default()).unwrap().bytes);
     assert_eq!(loaded.parts[0].mesh.columns().uvs.as_ref().unwrap().values[0], DVec2::ZERO);
     let edit =
         PartEdit { normals: Some(Column::per_corner(vec![DVec3::Y], vec![0; 3])), ..PartEdit::default() };

@@ -1,6 +1,6 @@
 //! Extensions: which may be required, and which refer to the order of vertices or triangles.
 
-use crate::io::gltf::json::fields::Fields;
+use super::fields::Fields;
 use crate::io::{Note, Place, Problem, ReadError};
 use std::borrow::Cow;
 
@@ -49,23 +49,21 @@ pub fn check(root: &Fields<'_>, notes: &mut Vec<Note>) -> Result<(), ReadError> 
     let required = names("extensionsRequired")?;
     if let Some(number) = required.iter().position(|name| !is_harmless(name)) {
         let advice = match required[number].as_ref() {
-            DRACO => "decode it first, for example with `gltf-transform copy`",
-            _ => "it may change what the geometry means; convert the file to plain glTF 2.0 first",
+            DRACO => "decompress the file first, for example with `gltf-transform copy`",
+            _ => "convert the file to plain glTF 2.0 first",
         };
-        let found =
-            format!("the document requires the extension {}, which is not supported", required[number]);
+        let found = format!("unsupported required extension {}", required[number]);
         let place = Place::Json(format!("/extensionsRequired/{number}"));
         return Err(ReadError::new(Problem::Unsupported, place, found, advice));
     }
     if names("extensionsUsed")?.iter().any(|name| name == "EXT_mesh_gpu_instancing") {
-        let text = "EXT_mesh_gpu_instancing: instances are kept, but stand only once where another format is written";
+        let text = "EXT_mesh_gpu_instancing: only one of the instances is written to other formats";
         notes.push(Note::warning(Place::File, text));
     }
     Ok(())
 }
 
-/// The extensions of a primitive or mesh that refer to vertices by number, so that none may be split, and whether they also
-/// refer to triangles or their corners, so that none may be dropped or flipped.
+/// Extensions that refer to vertices by number, so that none may be split, and whether they also refer to triangles.
 pub const ORDERED: [(&str, bool); 3] = [
     ("CESIUM_primitive_outline", false),
     ("EXT_mesh_primitive_edge_visibility", true),

@@ -7,25 +7,50 @@
 //!
 //! Standard: Khronos, *glTF 2.0 Specification*, 2021, with `KHR_mesh_quantization`.
 
-// JSON with the position of every value.
+// JSON with the byte span of every value.
 mod json;
+// Typed access to JSON objects, with errors that name the position.
+mod fields;
+// Changes to a JSON text that leave every other byte alone.
+mod splice;
+// The GLB container.
+mod glb;
+// The bytes of buffers, and their addresses.
+mod buffers;
 // Known extensions.
 mod extensions;
-// GLB chunks, buffers and their addresses.
-mod container;
-// The typed records of a file, and what they describe.
+// The typed records that geometry needs.
+mod records;
+// Accessors to numbers.
+mod accessor;
+// A document that is kept for editing.
 mod document;
+// Primitives and meshes to parts.
+mod mesh;
+// The vertex columns of a part.
+mod columns;
+// The node tree.
+mod nodes;
+// Materials, cameras and lights.
+mod appearance;
 // Reading a file.
-mod reader;
-// New files from meshes.
-mod writer;
+mod read;
+// New binary data, and the JSON that describes them.
+mod data;
+// Triangles and vertices of a new file.
+mod vertices;
+// Materials of other formats.
+mod material;
+// Objects as nodes.
+mod objects;
+// A new file from meshes.
+mod new_file;
 // Changes to a document.
 mod edit;
 
-pub(super) use document::appearance::appearance;
-pub use document::gltf_document::GltfDocument;
-pub(crate) use document::nodes::NodeTree;
+pub(super) use appearance::appearance;
+pub use document::GltfDocument;
 pub use edit::apply::edit;
-pub use reader::read;
-pub use writer::new_file::write;
-pub(super) use writer::new_file::write_with_materials;
+pub(super) use new_file::write;
+pub(crate) use nodes::NodeTree;
+pub use read::read;

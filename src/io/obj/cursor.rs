@@ -4,7 +4,9 @@
 //! backslash at its end continues it on the next. Comments start at `#` and end with their line: one that ends
 //! in a backslash (a Windows path, say) does not swallow the statement after it. Lines end with LF, CR LF or CR.
 
-use crate::io::text::{integer_prefix, line_end_length};
+use crate::io::text::{at_byte, counted, float, float_prefix, integer_prefix, line_end_length, shown};
+use crate::io::{Problem, ReadError};
+use glam::DVec3;
 use memchr::{memchr2, memchr3};
 use std::ops::Range;
 
@@ -80,7 +82,6 @@ impl<'a> Cursor<'a> {
         is_line_end(byte) || byte == b'#'
     }
 
-    /// Whether a token may end here.
     #[inline]
     pub fn at_token_end(&self) -> bool {
         let byte = self.peek();
@@ -103,7 +104,6 @@ impl<'a> Cursor<'a> {
         (!self.at_statement_end()).then_some(self.at)
     }
 
-    /// Takes the token that starts here; empty at the end of a statement.
     pub fn token(&mut self) -> &'a [u8] {
         let start = self.at;
         while !self.at_token_end() {
@@ -112,7 +112,6 @@ impl<'a> Cursor<'a> {
         &self.text[start..self.at]
     }
 
-    /// Goes to the next statement.
     #[inline]
     pub fn skip_statement(&mut self) {
         match self.peek() {
@@ -147,8 +146,7 @@ impl<'a> Cursor<'a> {
         self.at += line_end_length(&self.text[self.at..]);
     }
 
-    /// Takes the rest of the statement as a name: whole, with blanks and `#` inside, because names of real files
-    /// have both. Blanks around it are not part of it.
+    /// Takes the rest of the statement as a name. Real names have blanks and `#` inside; blanks around it are not part of it.
     pub fn name(&mut self) -> Range<usize> {
         self.skip_blanks();
         let start = self.at;
@@ -162,8 +160,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Reads a corner, `v`, `v/vt`, `v//vn` or `v/vt/vn` (a number after a slash may be missing); `None` if there
-    /// is something else; the cursor is then somewhere in it.
+    /// Reads `v`, `v/vt`, `v//vn` or `v/vt/vn` (a number after a slash may be missing); `None` if there is something else.
     #[inline]
     pub fn corner(&mut self) -> Option<CornerSpelling> {
         let vertex = self.index()?;
@@ -179,7 +176,6 @@ impl<'a> Cursor<'a> {
         self.at_token_end().then_some(CornerSpelling { vertex, uv, normal })
     }
 
-    /// Reads an index; the cursor stays if there is none.
     #[inline]
     pub fn index(&mut self) -> Option<i64> {
         let (value, length) = integer_prefix(&self.text[self.at..])?;
@@ -205,4 +201,91 @@ pub(super) fn name_text(name: &[u8]) -> String {
     let lines: Vec<&str> =
         text.split(['\n', '\r']).map(|line| line.trim_end().trim_end_matches('\\').trim()).collect();
     lines.join(" ")
+}
+
+/// Whether the control points of a free-form surface have the form v/vt/vn.
+pub(super) fn refers_to_normals(cursor: &mut Cursor<'_>) -> bool {
+    while cursor.next_argument().is_some() {
+        if cursor.token().iter().filter(|&&byte| byte == b'/').count() == 2 {
+            return true;
+        }
+    }
+    false
+}
+
+/// A count as a 32-bit number. One statement can be as long as the file, so the length of a piece does not bound it.
+pub(super) fn checked_end(total: usize, offset: usize) -> Result<u32, ReadError> {
+    u32::try_from(total).map_err(|_| too_many("corners", total, offset))
+}
+
+pub(super) fn too_many(what: &str, count: usize, offset: usize) -> ReadError {
+    let found = format!("{count} {what}, more than 32-bit indices can count");
+    at_byte(Problem::Limit, offset, found, "split the file")
+}
+
+/// Reads the next corner of a face, or vertex of a line or of points; `None` at the end of the statement.
+#[inline]
+pub(super) fn next_corner(cursor: &mut Cursor<'_>) -> Result<Option<CornerSpelling>, ReadError> {
+    let Some(at) = cursor.next_argument() else { return Ok(None) };
+    match cursor.corner() {
+        Some(corner) if corner.vertex != 0 => Ok(Some(corner)),
+        corner => Err(bad_corner(cursor, at, corner.is_some())),
+    }
+}
+
+#[cold]
+fn bad_corner(cursor: &mut Cursor<'_>, at: usize, is_zero: bool) -> ReadError {
+    if is_zero {
+        let advice = "indices start at 1, or count back from -1; correct the index";
+        return at_byte(Problem::Range, at, "vertex 0 does not exist", advice);
+    }
+    cursor.at = at;
+    let found = format!("`{}` is not a vertex reference", shown(cursor.token()));
+    at_byte(Problem::Syntax, at, found, "write v, v/vt, v//vn or v/vt/vn with integers")
+}
+
+#[inline]
+pub(super) fn three_numbers(cursor: &mut Cursor<'_>, what: &'static str) -> Result<DVec3, ReadError> {
+    let mut values = [0.0; 3];
+    for (count, value) in values.iter_mut().enumerate() {
+        if cursor.next_argument().is_none() {
+            return Err(too_few(cursor, what, count, "3 are needed"));
+        }
+        *value = number(cursor)?;
+    }
+    Ok(DVec3::from_array(values))
+}
+
+#[inline]
+pub(super) fn number(cursor: &mut Cursor<'_>) -> Result<f64, ReadError> {
+    let start = cursor.at;
+    if let Some((value, length)) = float_prefix(&cursor.text[start..]) {
+        cursor.at += length;
+        if cursor.at_token_end() {
+            return Ok(value);
+        }
+    }
+    unusual_number(cursor, start)
+}
+
+#[cold]
+fn unusual_number(cursor: &mut Cursor<'_>, start: usize) -> Result<f64, ReadError> {
+    cursor.at = start;
+    let token = cursor.token();
+    float(token).ok_or_else(|| {
+        let advice = match token {
+            [.., b','] => "separate numbers by blanks only",
+            _ if token.contains(&b',') => "write decimals with a point",
+            _ if token.contains(&b'd') || token.contains(&b'D') => "write exponents with an e",
+            _ => "correct it, or remove the line",
+        };
+        at_byte(Problem::Syntax, start, format!("`{}` is not a number", shown(token)), advice)
+    })
+}
+
+#[cold]
+pub(super) fn too_few(cursor: &Cursor<'_>, what: &str, count: usize, needed: &str) -> ReadError {
+    let found = format!("{what} has {}, but {needed}", counted(count, "number", "numbers"));
+    let advice = "complete or remove the line; the file may be cut off";
+    at_byte(Problem::Syntax, cursor.at, found, advice)
 }

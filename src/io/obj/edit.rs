@@ -17,11 +17,7 @@ use std::iter::Peekable;
 use std::ops::Range;
 use std::slice;
 
-/// The document with the edit applied.
-///
-/// # Errors
-/// [`WriteError::Unsupported`] for one normal a face, which OBJ does not have, and where free-form surfaces refer to
-/// normals by number.
+/// The document with the edit applied. Fails if free-form surfaces refer to normals by number, or for normals of faces.
 pub(in crate::io) fn edit(
     document: &ObjDocument,
     loaded: &Loaded,
@@ -41,10 +37,9 @@ pub(in crate::io) fn edit(
         written.companions.clone_from(companions);
     } else if let Some(first) = companions.first() {
         let files = counted(companions.len(), "file", "files");
-        written.notes.push(Note::remark(format!(
-            "a stream has no folder for what the output refers to: {files}, such as `{}`",
-            first.name
-        )));
+        let text =
+            format!("{files} that the output refers to not copied to a stream (first: `{}`)", first.name);
+        written.notes.push(Note::remark(text));
     }
     Ok(written)
 }
@@ -71,7 +66,7 @@ fn edited(
     edit: &PartEdit,
 ) -> Result<Vec<u8>, WriteError> {
     if edit.normals.is_some() && document.surface_normals {
-        let text = "free-form surfaces of this OBJ refer to normals by number; write another format";
+        let text = "free-form surfaces of this OBJ refer to normals by number, and these would change; write another format";
         return Err(WriteError::Unsupported(text.to_owned()));
     }
     let (insertion, before) = document.insertion;
@@ -169,8 +164,7 @@ impl Editor<'_> {
         }
     }
 
-    /// Writes the tokens of a face line with their new normals, or without normals if the mesh does not have the corners. A
-    /// reversed face keeps its first corner.
+    /// Writes a face line with its new normals, or without any if the mesh does not have it. A reversed face keeps its first corner.
     fn rewrite(&mut self, first_corner: Option<usize>, reversed: bool) {
         for (place, token) in self.tokens.iter().enumerate() {
             self.copy.skip(token.span.clone());

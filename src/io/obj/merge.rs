@@ -1,20 +1,19 @@
 //! The content of a whole file, checked and made into a mesh.
 
-use super::arguments::too_many;
-use super::bad_references::{Counts, Target, arguments_of, bad_references};
-use super::cursor::Cursor;
-use super::face_labels::Labels;
+use super::cursor::{Cursor, name_text, too_many};
 use super::notes;
-use super::piece::Content;
+use super::notes::{SMOOTHING_NAME, arguments_of, bad_references};
+use super::piece::{Content, Label};
 use super::statements::{Keyword, statements};
-use crate::io::mesh_checks::{build_mesh, non_finite_note};
-use crate::io::text::{Fault, float, restore_singles, shown};
-use crate::io::{NonFinite, Note, Place, Problem};
-use crate::mesh::{Column, Columns, Faces, Mesh, MeshBuilder, MeshError, NONE};
+use crate::io::error::RepeatedNotes;
+use crate::io::mesh_checks::{DROP_ADVICE, build_mesh, non_finite_note};
+use crate::io::text::{at_byte, float, integer_prefix, restore_singles, shown};
+use crate::io::{NonFinite, Note, Problem, ReadError};
+use crate::mesh::{Column, Columns, FaceLabels, Faces, Mesh, MeshBuilder, MeshError, NONE, SmoothingGroups};
 use glam::DVec2;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 
-/// A whole file.
 pub(super) struct Merged {
     pub mesh: Mesh,
     pub non_finite_faces: Vec<u32>,
@@ -23,12 +22,9 @@ pub(super) struct Merged {
     pub libraries: Vec<Range<usize>>,
 }
 
-/// Checks the whole file and makes the mesh.
-pub(super) fn merge(mut content: Content, text: &[u8], non_finite: NonFinite) -> Result<Merged, Fault> {
-    let counts =
-        Counts { vertices: content.positions.len(), uvs: content.uvs.len(), normals: content.normals.len() };
-    check_vertices(&content, text, counts)?;
-    remove_bad_attributes(&mut content, text, counts);
+pub(super) fn merge(mut content: Content, text: &[u8], non_finite: NonFinite) -> Result<Merged, ReadError> {
+    check_vertices(&content, text)?;
+    remove_bad_attributes(&mut content, text);
     let corner_count = content.corners.values.len();
     let labels = Labels { text, faces: content.face_count(), all: std::mem::take(&mut content.labels) };
     let smoothing = labels.smoothing(&mut content.notes);
@@ -53,33 +49,42 @@ pub(super) fn merge(mut content: Content, text: &[u8], non_finite: NonFinite) ->
     let storage = restore_singles(&mut [&mut positions]);
     let builder = MeshBuilder { positions, storage, faces, columns };
     let (mesh, non_finite_faces) =
-        build_mesh(builder, non_finite).map_err(|error| mesh_fault(text, &error))?;
+        build_mesh(builder, non_finite).map_err(|error| mesh_error(text, &error))?;
     let libraries = labels.all.into_iter().filter(|label| label.keyword == Keyword::Library);
     let libraries = libraries.map(|label| label.name).collect();
     Ok(Merged { mesh, non_finite_faces, notes: file_notes, libraries })
 }
 
-fn check_vertices(content: &Content, text: &[u8], counts: Counts) -> Result<(), Fault> {
+fn check_vertices(content: &Content, text: &[u8]) -> Result<(), ReadError> {
+    let count = content.positions.len();
     let indices = content.corners.values.iter().chain(&content.points.values);
     let highest = indices.chain(content.polylines.iter().flatten()).max();
-    if highest.is_none_or(|&vertex| (vertex as usize) < counts.vertices) {
+    if highest.is_none_or(|&vertex| (vertex as usize) < count) {
         return Ok(());
     }
-    let first = bad_references(text, counts, Target::Vertex, 1).pop();
-    Err(first
-        .map_or_else(|| too_many("vertices", counts.vertices, 0), |reference| reference.into_fault(counts)))
+    let first = bad_references(text, count, Keyword::Vertex, 1).pop();
+    Err(first.map_or_else(|| too_many("vertices", count, 0), |reference| reference.into_error(count)))
 }
 
-/// References to texture coordinates and normals that do not exist, and to texture coordinates that are not
-/// finite, become absent. Normals that are not finite stay: to find and replace them is this program's job.
-fn remove_bad_attributes(content: &mut Content, text: &[u8], counts: Counts) {
+/// References to missing attributes and to texture coordinates that are not finite become absent. Such normals stay.
+fn remove_bad_attributes(content: &mut Content, text: &[u8]) {
     for (index, count, target, kind) in [
-        (&mut content.corner_uvs.values, counts.uvs, Target::Uv, notes::UV_OUT_OF_RANGE),
-        (&mut content.corner_normals.values, counts.normals, Target::Normal, notes::NORMAL_OUT_OF_RANGE),
+        (
+            &mut content.corner_uvs.values,
+            content.uvs.len(),
+            Keyword::TextureCoordinate,
+            notes::UV_OUT_OF_RANGE,
+        ),
+        (
+            &mut content.corner_normals.values,
+            content.normals.len(),
+            Keyword::Normal,
+            notes::NORMAL_OUT_OF_RANGE,
+        ),
     ] {
         let bad = remove(index, |slot| slot as usize >= count);
         if bad > 0 {
-            let places = bad_references(text, counts, target, 1 + Note::MOST_PLACES);
+            let places = bad_references(text, count, target, 1 + Note::MOST_PLACES);
             content.notes.add_all(kind, bad, places.iter().map(|bad| bad.offset));
         }
     }
@@ -118,18 +123,16 @@ fn finish_colors(mut colors: Vec<[f32; 4]>, notes: &mut Vec<Note>) -> Option<Vec
     let is_missing = |color: &[f32; 4]| color.iter().all(|value| value.is_nan());
     let missing = colors.iter().filter(|color| is_missing(color)).count();
     if missing > 0 {
-        let text = format!("vertices without a colour get white: {missing} of {}", colors.len());
+        let text = format!("{missing} of {} vertices have no colour and are white", colors.len());
         notes.push(Note::remark(text));
     }
     let components = colors.iter_mut().filter(|color| !is_missing(color)).flatten();
     let not_finite = components.filter(|value| !value.is_finite()).map(|value| *value = 0.0).count();
-    if not_finite > 0 {
-        let text = format!("components of vertex colours that are not finite were read as 0: {not_finite}");
-        notes.push(Note::warning(Place::File, text));
-    }
+    let nouns = ["colour component is", "colour components are"];
+    notes.extend(Note::counted(not_finite, nouns, "not finite and read as 0"));
     let is_bytes = colors.iter().flatten().any(|&value| value > 1.0);
     if is_bytes {
-        notes.push(Note::remark("vertex colours go beyond 1 and are taken as 0 to 255"));
+        notes.push(Note::remark("vertex colours exceed 1 and were read as 0 to 255"));
     }
     for value in colors.iter_mut().flatten() {
         *value = match *value {
@@ -141,9 +144,9 @@ fn finish_colors(mut colors: Vec<[f32; 4]>, notes: &mut Vec<Note>) -> Option<Vec
     Some(colors)
 }
 
-fn mesh_fault(text: &[u8], error: &MeshError) -> Fault {
+fn mesh_error(text: &[u8], error: &MeshError) -> ReadError {
     let MeshError::NonFinite { vertex, .. } = *error else {
-        return Fault::new(Problem::Limit, 0, error.to_string(), "split the file");
+        return at_byte(Problem::Limit, 0, error.to_string(), "split the file");
     };
     let offset = arguments_of(text, Keyword::Vertex, vertex).unwrap_or(0);
     let mut cursor = Cursor::new(text, offset);
@@ -158,6 +161,86 @@ fn mesh_fault(text: &[u8], error: &MeshError) -> Fault {
     }
     let what = if overflows { "beyond the range of doubles (1.8e308)" } else { "not finite" };
     let found = format!("vertex {} is at ({}), which is {what}", vertex + 1, spelled.join(", "));
-    let advice = "correct it, or drop the faces at such vertices with `crease normals --force` (`crease render --force` draws the others)";
-    Fault::new(Problem::NonFinite, offset, found, advice)
+    at_byte(Problem::NonFinite, offset, found, DROP_ADVICE)
+}
+
+/// All label statements of a file, in order, with the faces of the whole file counted.
+pub(super) struct Labels<'a> {
+    pub text: &'a [u8],
+    pub all: Vec<Label>,
+    pub faces: usize,
+}
+
+impl<'a> Labels<'a> {
+    fn of(&self, keyword: Keyword) -> impl Iterator<Item = &Label> + Clone + '_ {
+        self.all.iter().filter(move |label| label.keyword == keyword)
+    }
+
+    fn name(&self, label: &Label) -> &'a [u8] {
+        &self.text[label.name.clone()]
+    }
+
+    /// The label of each face: `number` gives that of a statement, and faces before the first one get `none`.
+    fn of_faces(&self, keyword: Keyword, none: u32, mut number: impl FnMut(&Label) -> u32) -> Vec<u32> {
+        let (mut of_face, mut current) = (Vec::with_capacity(self.faces), none);
+        for label in self.of(keyword) {
+            of_face.resize(label.face as usize, current);
+            current = number(label);
+        }
+        of_face.resize(self.faces, current);
+        of_face
+    }
+
+    /// The materials, objects or groups of faces; `None` if no face has one. An empty name sets none.
+    pub fn names(&self, keyword: Keyword) -> Option<FaceLabels> {
+        self.of(keyword).find(|label| !label.name.is_empty())?;
+        let (mut numbers, mut names) = (FxHashMap::default(), Vec::new());
+        let of_face = self.of_faces(keyword, NONE, |label| match self.name(label) {
+            [] => NONE,
+            name => *numbers.entry(name).or_insert_with(|| {
+                names.push(name_text(name));
+                names.len() as u32 - 1
+            }),
+        });
+        of_face.iter().any(|&label| label != NONE).then_some(FaceLabels { of_face, names })
+    }
+
+    /// The object of each face: that of `o` if the file has any, else that of `g`.
+    pub fn objects(&self) -> Option<FaceLabels> {
+        self.names(Keyword::Object).or_else(|| self.names(Keyword::Group))
+    }
+
+    /// The smoothing groups; `None` if the file has none. Groups are names: `off`, 0 and an empty name mean none, a number that fits
+    /// is itself, and any other word (`on`, a fraction, 2³² or more) is a group of its own, numbered from the top down.
+    pub fn smoothing(&self, notes: &mut RepeatedNotes) -> Option<SmoothingGroups> {
+        let statements = self.of(Keyword::Smoothing);
+        let before_first = statements.clone().next()?.face as usize;
+        let numbers: FxHashSet<u32> = statements.filter_map(|label| group_number(self.name(label))).collect();
+        let mut free = (0..NONE).rev().filter(|id| !numbers.contains(id));
+        let mut names: FxHashMap<&[u8], u32> = FxHashMap::default();
+        let of_face = self.of_faces(Keyword::Smoothing, 0, |label| {
+            let token = self.name(label);
+            group_number(token).unwrap_or_else(|| {
+                notes.add(SMOOTHING_NAME, label.name.start);
+                match token {
+                    [] => 0,
+                    // A file cannot name more groups than there are numbers.
+                    name => *names.entry(name).or_insert_with(|| free.next().unwrap_or(0)),
+                }
+            })
+        });
+        Some(SmoothingGroups { of_face, before_first })
+    }
+}
+
+fn group_number(token: &[u8]) -> Option<u32> {
+    if token.eq_ignore_ascii_case(b"off") {
+        return Some(0);
+    }
+    match integer_prefix(token)? {
+        (value, length) if length == token.len() && token[0].is_ascii_digit() => {
+            u32::try_from(value).ok().filter(|&id| id != NONE)
+        }
+        _ => None,
+    }
 }

@@ -9,32 +9,20 @@
 //! comments anywhere; all line ends; any encoding that keeps ASCII. Forward references are accepted. Everything
 //! else is kept in the document and noted.
 
-// Bytes to tokens and statements.
+// Bytes to tokens and numbers.
 mod cursor;
 // Bytes to statements: keywords, statements in order, and the pieces that are parsed in parallel.
 mod statements;
-// The notes on a file.
+// The notes on a file, and the offsets of bad references.
 mod notes;
-// Arguments, indices, and a piece of the file.
-mod arguments;
-// Indices as a piece of the file has them, before the items of earlier pieces are counted.
-mod indices;
 // One piece of the file, parsed on its own.
 mod piece;
-// The labels of faces, and the offsets of bad references.
-mod bad_references;
-// Label statements to labels of faces.
-mod face_labels;
-// All pieces together.
+// All pieces together, and the labels of faces.
 mod merge;
 // Material libraries.
-mod mtl_files;
-// The materials of MTL libraries, parsed by `tobj`.
-mod mtl_materials;
-// The file as it was read.
+mod mtl;
+// The file as it was read, and its line numbers.
 mod document;
-// The line numbers of faces and vertices.
-mod line_numbers;
 // Bytes to an OBJ document and its mesh.
 mod read;
 // Writing.
@@ -44,9 +32,8 @@ mod new_file;
 // The numbers of normals in an OBJ that is edited or new.
 mod normal_numbers;
 
-pub use document::ObjDocument;
+pub use document::{ObjDocument, ObjLines};
 pub(super) use edit::edit;
-pub use line_numbers::ObjLines;
 pub(super) use new_file::write;
 pub use read::read;
 

@@ -1,18 +1,13 @@
 //! A new OBJ from any meshes.
 
 use super::normal_numbers::NormalNumbers;
+use crate::io::mesh_checks::unsupported_notes;
 use crate::io::text::{push_integer, push_row};
-use crate::io::unsupported_features::{Feature, unsupported_notes};
-use crate::io::{Emit, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
+use crate::io::{Emit, Format, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
 use crate::mesh::{FaceLabels, Mesh, NONE, Storage};
 use std::slice;
 
-/// An OBJ of all parts, each an object of its own, with `vn` shared where a mesh shares them.
-///
-/// Numbers are written with the digits that bring back the `f32` that positions were, or else the `f64`.
-///
-/// # Errors
-/// [`WriteError::Unsupported`] for one normal a face, which OBJ does not have.
+/// An OBJ of all parts, each an object of its own, with `vn` shared where a mesh shares them. Fails for normals of faces.
 pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Written, WriteError> {
     check_emit(options)?;
     let mut writer = Writer::default();
@@ -23,21 +18,20 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
     Ok(Written { bytes: writer.out, notes: notes(parts), vertices: writer.vertices, ..Written::default() })
 }
 
-/// Refuses one normal a face.
 pub(super) fn check_emit(options: &WriteOptions) -> Result<(), WriteError> {
-    let text = "OBJ has no normals of faces; write those of corners";
+    let text = "OBJ has no face normals; use --emit corner or --emit vertex";
     if options.emit == Emit::Face { Err(WriteError::Unsupported(text.to_owned())) } else { Ok(()) }
 }
 
 /// What OBJ cannot store.
 fn notes(parts: &[Part]) -> Vec<Note> {
-    let mut notes = unsupported_notes("OBJ", &[Feature::MorphTargets, Feature::HardEdges], parts);
+    let mut notes = unsupported_notes(Format::Obj, parts);
     let has_opacity = |mesh: &Mesh| mesh.columns().colors.iter().flatten().any(|color| color[3] != 1.0);
     if parts.iter().any(|part| has_opacity(&part.mesh)) {
-        notes.push(Note::warning(Place::File, "OBJ colours have no opacity: it was left out"));
+        notes.push(Note::warning(Place::File, "OBJ colours have no opacity; it was omitted"));
     }
     if parts.iter().any(|part| part.mesh.columns().materials.is_some()) {
-        notes.push(Note::remark("materials are named by usemtl; no material library was written"));
+        notes.push(Note::remark("usemtl names the materials, but no material library was written"));
     }
     notes
 }
@@ -53,7 +47,6 @@ struct Writer {
     labels: Option<Labels>,
 }
 
-/// Label statements that are in force.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Labels {
     object: u32,

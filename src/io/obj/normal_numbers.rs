@@ -5,13 +5,11 @@ use crate::io::text::push_row;
 use crate::mesh::{Column, Mesh, Storage};
 use glam::DVec3;
 use rustc_hash::FxHashMap;
-use std::hash::Hash;
 use std::ops::Range;
 
-/// Which `vn` lines stay, which are new, and the number that each value gets.
+/// Which `vn` lines stay, which are new, and the number of each value: the index of its line in the output, from 1.
 ///
-/// The file's own normals that are still referred to keep their lines; the others are removed. New ones are put in
-/// one block among them, equal ones once. A number is the index of a line in the output, counted from 1.
+/// The file's own normals keep their lines while corners refer to them. New ones are one block among them, equal ones once.
 pub(super) struct NormalNumbers<'a> {
     mesh: &'a Mesh,
     normals: &'a Column<DVec3>,
@@ -40,12 +38,7 @@ impl<'a> NormalNumbers<'a> {
         let is_used = numbering.used(edit);
         let before = before.min(kept);
         let next = numbering.number_kept(0..before, &is_used, 1);
-        let next = match storage {
-            Storage::F32 => {
-                numbering.number_new(&is_used, next, |n| n.as_vec3().to_array().map(f32::to_bits))
-            }
-            Storage::F64 => numbering.number_new(&is_used, next, |n| n.to_array().map(f64::to_bits)),
-        };
+        let next = numbering.number_new(&is_used, next);
         numbering.number_kept(before..kept, &is_used, next);
         numbering
     }
@@ -75,16 +68,16 @@ impl<'a> NormalNumbers<'a> {
         next
     }
 
-    /// Values of which `written` is the same share a line.
-    fn number_new<K: Hash + Eq>(
-        &mut self,
-        is_used: &[bool],
-        first: u32,
-        written: impl Fn(DVec3) -> K,
-    ) -> u32 {
-        let mut known: FxHashMap<K, u32> = FxHashMap::default();
+    /// Values that are written alike share a line.
+    fn number_new(&mut self, is_used: &[bool], first: u32) -> u32 {
+        let mut known: FxHashMap<[u64; 3], u32> = FxHashMap::default();
         for slot in (self.kept..is_used.len()).filter(|&slot| is_used[slot]) {
-            self.numbers[slot] = *known.entry(written(self.normals.values[slot])).or_insert_with(|| {
+            let normal = self.normals.values[slot];
+            let written = match self.storage {
+                Storage::F32 => normal.as_vec3().as_dvec3(),
+                Storage::F64 => normal,
+            };
+            self.numbers[slot] = *known.entry(written.to_array().map(f64::to_bits)).or_insert_with(|| {
                 self.new.push(slot as u32);
                 first + self.new.len() as u32 - 1
             });
@@ -97,17 +90,14 @@ impl<'a> NormalNumbers<'a> {
         normal < self.kept && self.numbers[normal] != 0
     }
 
-    /// The number of a corner's normal, if it has one.
     pub fn of_corner(&self, corner: usize) -> Option<u32> {
         self.slot(corner).map(|slot| self.numbers[slot])
     }
 
-    /// How many lines the new normals need.
     pub fn new_lines(&self) -> u64 {
         self.new.len() as u64
     }
 
-    /// Appends the lines of the new normals.
     pub fn push_lines(&self, line_end: &[u8], out: &mut Vec<u8>) {
         for &slot in &self.new {
             push_row(out, "vn", self.storage, &self.normals.values[slot as usize].to_array());

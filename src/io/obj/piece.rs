@@ -3,14 +3,15 @@
 //! A piece starts and ends at statements. What it cannot know (how many vertices come before it, which group
 //! and material it starts in) is added by [`merge`](super::merge) when all pieces are parsed.
 
-use super::arguments::{checked_end, next_corner, number, refers_to_normals};
-use super::arguments::{three_numbers, too_few, too_many, vertex_list};
-use super::cursor::Cursor;
-use super::indices::{Indices, NOWHERE};
+use super::cursor::{
+    Cursor, checked_end, next_corner, number, refers_to_normals, three_numbers, too_few, too_many,
+};
 use super::notes;
 use super::statements::Keyword;
-use crate::io::repeated_notes::RepeatedNotes;
-use crate::io::text::Fault;
+use crate::io::ReadError;
+use crate::io::error::RepeatedNotes;
+
+use crate::mesh::NONE;
 use glam::{DVec2, DVec3};
 use std::ops::Range;
 
@@ -20,7 +21,6 @@ pub(super) struct Label {
     pub keyword: Keyword,
     /// The number of faces before it.
     pub face: u32,
-    /// The bytes of its name in the file.
     pub name: Range<usize>,
 }
 
@@ -59,7 +59,7 @@ pub(super) struct Content {
 pub(super) const NO_COLOR: [f32; 4] = [f32::NAN; 4];
 
 /// Parses the statements of `text` that start in `range`, which must begin and end at line starts.
-pub(super) fn parse(text: &[u8], range: Range<usize>) -> Result<Content, Fault> {
+pub(super) fn parse(text: &[u8], range: Range<usize>) -> Result<Content, ReadError> {
     let mut content = Content::default();
     let mut cursor = Cursor::new(&text[..range.end], range.start);
     while !cursor.is_done() {
@@ -76,7 +76,12 @@ pub(super) fn parse(text: &[u8], range: Range<usize>) -> Result<Content, Fault> 
 
 impl Content {
     #[inline]
-    fn statement(&mut self, cursor: &mut Cursor<'_>, keyword: Keyword, start: usize) -> Result<(), Fault> {
+    fn statement(
+        &mut self,
+        cursor: &mut Cursor<'_>,
+        keyword: Keyword,
+        start: usize,
+    ) -> Result<(), ReadError> {
         match keyword {
             Keyword::Vertex => self.vertex(cursor)?,
             Keyword::Face => {
@@ -106,7 +111,7 @@ impl Content {
     }
 
     #[inline]
-    fn vertex(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
+    fn vertex(&mut self, cursor: &mut Cursor<'_>) -> Result<(), ReadError> {
         let start = cursor.at;
         let position = three_numbers(cursor, "a vertex")?;
         self.positions.push(position);
@@ -120,7 +125,7 @@ impl Content {
     }
 
     /// What may follow x y z: `w`, a weight of rational curves; or `r g b`, or `r g b a`.
-    fn rest_of_vertex(&mut self, cursor: &mut Cursor<'_>, start: usize) -> Result<(), Fault> {
+    fn rest_of_vertex(&mut self, cursor: &mut Cursor<'_>, start: usize) -> Result<(), ReadError> {
         let (mut rest, mut count) = ([0.0; 4], 0);
         while cursor.next_argument().is_some() {
             let value = number(cursor)?;
@@ -149,7 +154,7 @@ impl Content {
         Ok(())
     }
 
-    fn uv(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
+    fn uv(&mut self, cursor: &mut Cursor<'_>) -> Result<(), ReadError> {
         if cursor.next_argument().is_none() {
             return Err(too_few(cursor, "a texture coordinate", 0, "1 to 3 are needed"));
         }
@@ -160,7 +165,7 @@ impl Content {
     }
 
     #[inline]
-    fn face(&mut self, cursor: &mut Cursor<'_>, start: usize) -> Result<(), Fault> {
+    fn face(&mut self, cursor: &mut Cursor<'_>, start: usize) -> Result<(), ReadError> {
         let first = self.corners.values.len();
         while let Some(corner) = next_corner(cursor)? {
             let place = self.corners.values.len();
@@ -193,7 +198,7 @@ impl Content {
         Ok(())
     }
 
-    fn line(&mut self, cursor: &mut Cursor<'_>, start: usize) -> Result<(), Fault> {
+    fn line(&mut self, cursor: &mut Cursor<'_>, start: usize) -> Result<(), ReadError> {
         let first = self.lines.values.len();
         vertex_list(cursor, &mut self.lines, self.positions.len())?;
         if self.lines.values.len() - first < 2 {
@@ -221,14 +226,13 @@ impl Content {
         self.face_offsets.len().checked_sub(1).unwrap_or(self.corners.values.len() / 3)
     }
 
-    /// Where new normals go, and how many `vn` lines are before that: behind the last one before the first face, or else
-    /// before that face.
+    /// Where new normals go, and how many `vn` lines are before that: after the last one before the first face, or before that face.
     pub fn insertion(&self) -> (usize, usize) {
         self.leading_normals.unwrap_or((self.first_face.unwrap_or(0), 0))
     }
 
     /// Appends the piece that follows in the file.
-    pub fn append(&mut self, mut next: Content) -> Result<(), Fault> {
+    pub fn append(&mut self, mut next: Content) -> Result<(), ReadError> {
         let (vertices, corners) = (self.positions.len(), self.corners.values.len());
         check_count("vertices", vertices + next.positions.len())?;
         check_count("corners", corners + next.corners.values.len())?;
@@ -275,6 +279,14 @@ impl Content {
     }
 }
 
+/// Reads the vertices of a line or of points; the document keeps the texture coordinates of lines.
+fn vertex_list(cursor: &mut Cursor<'_>, into: &mut Indices, count: usize) -> Result<(), ReadError> {
+    while let Some(corner) = next_corner(cursor)? {
+        into.push(corner.vertex, count);
+    }
+    Ok(())
+}
+
 /// Appends the face offsets of so many `more` corners to those of so many `corners`.
 fn append_face_offsets(all: &mut Vec<u32>, next: &[u32], corners: usize, more: usize) {
     if next.is_empty() && all.is_empty() {
@@ -299,6 +311,101 @@ fn append<T>(all: &mut Vec<T>, mut more: Vec<T>) {
 }
 
 /// Two indices are reserved: [`NOWHERE`] and the one above it, [`NONE`](crate::mesh::NONE).
-fn check_count(what: &str, count: usize) -> Result<(), Fault> {
+fn check_count(what: &str, count: usize) -> Result<(), ReadError> {
     if count < NOWHERE as usize { Ok(()) } else { Err(too_many(what, count, 0)) }
+}
+
+/// In a list of indices: a reference to something that cannot exist. No count of a mesh reaches it.
+pub(super) const NOWHERE: u32 = NONE - 1;
+
+/// Zero-based indices. Negative ones are kept relative to the start of the piece, as two's complement, in listed ranges.
+#[derive(Debug, Default)]
+pub(super) struct Indices {
+    pub values: Vec<u32>,
+    relative: Vec<Range<u32>>,
+}
+
+impl Indices {
+    /// Appends an index as it is spelled, `count` items of its kind being defined in this piece so far.
+    #[inline]
+    pub fn push(&mut self, spelled: i64, count: usize) {
+        if spelled > 0 {
+            self.values.push((spelled - 1).min(i64::from(NOWHERE)) as u32);
+        } else {
+            self.push_relative(spelled, count);
+        }
+    }
+
+    fn push_relative(&mut self, spelled: i64, count: usize) {
+        let at = self.values.len() as u32;
+        match i32::try_from(spelled.saturating_add(count as i64)) {
+            Ok(value) if spelled < 0 => {
+                self.values.push(value as u32);
+                match self.relative.last_mut() {
+                    Some(run) if run.end == at => run.end += 1,
+                    _ => self.relative.push(at..at + 1),
+                }
+            }
+            _ => self.values.push(NOWHERE),
+        }
+    }
+
+    /// Fills up with absent entries.
+    #[inline]
+    pub fn pad(&mut self, length: usize) {
+        if self.values.len() < length {
+            self.values.resize(length, NONE);
+        }
+    }
+
+    pub fn truncate(&mut self, length: usize) {
+        self.values.truncate(length);
+        let length = length as u32;
+        while let Some(run) = self.relative.last_mut() {
+            if run.start < length {
+                run.end = run.end.min(length);
+                return;
+            }
+            self.relative.pop();
+        }
+    }
+
+    /// Makes all indices absolute, `base` items of their kind being defined in earlier pieces.
+    pub fn resolve(&mut self, base: usize) {
+        for run in self.relative.drain(..) {
+            for value in &mut self.values[run.start as usize..run.end as usize] {
+                let absolute = i64::from(*value as i32) + base as i64;
+                *value = u32::try_from(absolute).unwrap_or(NOWHERE).min(NOWHERE);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn relative_indices_wait_for_the_count_before_them() {
+        let mut indices = Indices::default();
+        for (spelled, count) in [(3, 0), (-1, 2), (-5, 2), (-9, 2), (0, 2), (i64::MIN, 2), (i64::MAX, 2)] {
+            indices.push(spelled, count);
+        }
+        indices.resolve(4);
+        assert_eq!(indices.values, [2, 5, 1, NOWHERE, NOWHERE, NOWHERE, NOWHERE]);
+    }
+
+    #[test]
+    fn truncation_forgets_relative_places() {
+        let mut indices = Indices::default();
+        for spelled in [-1, -1, 7, -1, -1] {
+            indices.push(spelled, 1);
+        }
+        indices.truncate(4);
+        indices.push(9, 1);
+        indices.truncate(1);
+        indices.pad(3);
+        indices.resolve(10);
+        assert_eq!(indices.values, [10, NONE, NONE]);
+    }
 }

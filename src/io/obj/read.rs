@@ -3,11 +3,11 @@
 use super::cursor::Cursor;
 use super::document::ObjDocument;
 use super::merge::merge;
-use super::mtl_files;
-use super::piece::{self, Content};
+use super::piece::Content;
 use super::statements::{Keyword, pieces, statements};
+use super::{mtl, piece};
 use crate::io::mesh_checks::check_size;
-use crate::io::text::{Fault, line_and_column, line_place, shown};
+use crate::io::text::{line_and_column, line_place, shown};
 use crate::io::{Document, Format, Loaded, Part, Place, Problem, ReadError, ReadOptions};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -17,24 +17,23 @@ use std::sync::OnceLock;
 /// Pieces that are parsed before they are appended.
 const BATCH: usize = 8;
 
-/// Reads an OBJ file. `base` is the folder that is searched for material libraries.
-///
-/// The mesh is one part, with positions in `f64`, or in `f32` where the digits show that they were printed from it
-/// ([`Storage`](crate::mesh::Storage)), and every `vn` of the file, referenced or not, in file order.
+/// Reads an OBJ file. `base` is the folder that is searched for material libraries. The mesh is one part, with every `vn` of the
+/// file in file order, and positions in `f32` if the digits show that they were printed from it.
 ///
 /// # Errors
-/// With the line: words that are not numbers, too few numbers, vertex indices out of range or 0, positions that are not
-/// finite (unless [`ReadOptions::non_finite`] allows them). Without: UTF-16 and UTF-32, and bytes that are not OBJ.
+/// With the line: words that are not numbers, vertex indices out of range, positions that are not finite (unless
+/// [`ReadOptions::non_finite`] allows them). Without: UTF-16 and UTF-32, and bytes that are not OBJ.
 pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
     check_encoding(&bytes)?;
     check_size(&bytes, options)?;
-    let place = |fault: Fault| {
-        let (line, column) = line_and_column(&bytes, fault.offset);
-        let found = match fault.problem {
-            Problem::Syntax => format!("column {column}: {}", fault.found),
-            _ => fault.found,
+    let place = |error: ReadError| {
+        let Place::Byte(offset) = error.place else { return error };
+        let (line, column) = line_and_column(&bytes, offset as usize);
+        let found = match error.problem {
+            Problem::Syntax => format!("column {column}: {}", error.found),
+            _ => error.found,
         };
-        Fault { found, ..fault }.at(Place::Line(line))
+        ReadError { found, place: Place::Line(line), ..error }
     };
     let content = parse(&bytes).map_err(place)?;
     if !content.has_statements {
@@ -46,9 +45,9 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
     let mut libraries = match base.or(options.root.as_deref()) {
         Some(base) => {
             let used = mesh.columns().materials.as_ref();
-            mtl_files::find(&bytes, &merged.libraries, used, base, options)
+            mtl::find(&bytes, &merged.libraries, used, base, options)
         }
-        None => mtl_files::out_of_reach(&bytes, &merged.libraries),
+        None => mtl::out_of_reach(&bytes, &merged.libraries),
     };
     notes.append(&mut libraries.notes);
     let name = match &mesh.columns().objects {
@@ -63,8 +62,8 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
 }
 
 /// Parses a batch of pieces on all threads while those parsed before are appended, so that memory holds little more than the mesh.
-fn parse(text: &[u8]) -> Result<Content, Fault> {
-    let parse_all = |pieces: &[Range<usize>]| -> Vec<Result<Content, Fault>> {
+fn parse(text: &[u8]) -> Result<Content, ReadError> {
+    let parse_all = |pieces: &[Range<usize>]| -> Vec<Result<Content, ReadError>> {
         pieces.par_iter().map(|piece| piece::parse(text, piece.clone())).collect()
     };
     let mut content = Content::default();
@@ -96,7 +95,7 @@ fn check_encoding(bytes: &[u8]) -> Result<(), ReadError> {
         _ => return Ok(()),
     };
     let found = format!("the file is {name} text");
-    Err(ReadError::new(Problem::Unsupported, Place::File, found, "save it as UTF-8 or plain ASCII"))
+    Err(ReadError::new(Problem::Unsupported, Place::File, found, "save it as UTF-8 or ASCII"))
 }
 
 /// Refuses a file that has statements, but none of OBJ.
@@ -106,11 +105,11 @@ fn check_is_blank(text: &[u8]) -> Result<(), ReadError> {
     let mut cursor = Cursor::new(text, unknown.start);
     cursor.skip_blanks();
     let word = shown(cursor.token());
-    let found = format!("no OBJ statement in the whole file; it starts with `{word}`");
+    let found = format!("not an OBJ file; it starts with `{word}`");
     Err(ReadError::new(
         Problem::Syntax,
         line_place(text, unknown.start),
         found,
-        "check that the file is an OBJ, or name its format",
+        "name the format with --format",
     ))
 }

@@ -58,7 +58,6 @@ impl Keyword {
         }
     }
 
-    /// Reads the keyword of the statement that starts at the cursor.
     #[inline]
     pub fn read(cursor: &mut Cursor<'_>) -> Self {
         // Nearly all lines of a large file are one of these two.
@@ -76,24 +75,18 @@ impl Keyword {
     }
 }
 
-/// A statement of the text.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Statement {
     pub keyword: Keyword,
-    /// Where its line starts.
     pub start: usize,
-    /// Where its arguments start.
     pub arguments: usize,
-    /// Where the next statement's line starts.
     pub end: usize,
 }
 
-/// Where the first statement starts.
 fn text_start(text: &[u8]) -> usize {
     text.len() - without_byte_order_mark(text).len()
 }
 
-/// The statements of a text, in order.
 pub(super) fn statements(text: &[u8]) -> impl Iterator<Item = Statement> + '_ {
     statements_in(text, text_start(text)..text.len())
 }

@@ -1,26 +1,20 @@
 //! Writing a PLY back into its own bytes.
 
-use super::document::PlyDocument;
+use super::document::{FaceRole, PlyDocument};
 use super::header::{Element, Kind, Property};
 use super::normal_properties::NormalProperties;
-use super::property_roles::FaceRole;
 use super::rows::{Row, Rows, damaged, read_corners};
 use super::scalar::{Encoding, Scalar};
-use crate::io::text::{Changes, Fault};
-use crate::io::{Emit, Loaded, Note, PartEdit, Place, Problem, WriteError, WriteOptions, Written};
+use crate::io::text::Changes;
+use crate::io::{Emit, Loaded, Note, PartEdit, Place, Problem, ReadError, WriteError, WriteOptions, Written};
 use crate::mesh::{Column, ColumnIndex, Faces, Mesh, NONE, VertexSplit, split_vertices};
 use glam::DVec3;
 
-/// The document with the edit applied. Header lines, properties and elements that do not change, known or not, stay byte for
-/// byte.
+/// The document with the edit applied. Everything that does not change stays byte for byte.
 ///
-/// Normals are replaced where the file has them, in its own type, or added after `z`, as doubles if positions are.
-/// Types that cannot hold unit normals well (8-bit integers, integers that are not normalised) become floats.
-/// With [`Emit::Face`] the faces get [`PartEdit::face_normals`] instead of the vertices. New vertices
-/// of splits come after the others, with all of their properties.
-///
-/// # Errors
-/// [`WriteError::Unsupported`] if only some of `nx`, `ny`, `nz` are there.
+/// Normals are replaced where the file has them, or added after `z`. Types that cannot hold unit normals well become floats.
+/// With [`Emit::Face`] the faces get [`PartEdit::face_normals`] instead. New vertices of splits come after the others, with all
+/// of their properties. Fails if only some of `nx`, `ny`, `nz` are there.
 pub(in crate::io) fn edit(
     document: &PlyDocument,
     loaded: &Loaded,
@@ -28,7 +22,7 @@ pub(in crate::io) fn edit(
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
     let (Some(part), unchanged) = (loaded.parts.first(), PartEdit::default()) else {
-        return Err(WriteError::Unsupported("a PLY file has one part".to_owned()));
+        return Err(WriteError::Unsupported("a PLY file has exactly one mesh".to_owned()));
     };
     let (mesh, edit) = (&part.mesh, edits.first().unwrap_or(&unchanged));
     let by_face = options.emit == Emit::Face;
@@ -61,8 +55,8 @@ pub(in crate::io) fn edit(
         body: Vec::with_capacity(document.bytes.len() + document.bytes.len() / 4),
         notes: Vec::new(),
     };
-    // The rows were read before, so a fault is an unsupported feature.
-    editor.run().map_err(|fault| WriteError::Unsupported(format!("{}; convert the file first", fault.found)))
+    // The rows were read before, so an error is an unsupported feature.
+    editor.run().map_err(|error| WriteError::Unsupported(format!("{}; convert the file first", error.found)))
 }
 
 struct Editor<'a> {
@@ -82,7 +76,7 @@ struct Editor<'a> {
 }
 
 impl Editor<'_> {
-    fn run(mut self) -> Result<Written, Fault> {
+    fn run(mut self) -> Result<Written, ReadError> {
         let document = self.document;
         let roles = &document.roles;
         let mut rows = Rows::new(&document.bytes, &document.header, document.shared_lines);
@@ -126,7 +120,7 @@ impl Editor<'_> {
         }
     }
 
-    fn write_vertices(&mut self, rows: &mut Rows<'_>, element: &Element) -> Result<(), Fault> {
+    fn write_vertices(&mut self, rows: &mut Rows<'_>, element: &Element) -> Result<(), ReadError> {
         let role = &self.document.roles.vertex;
         let [.., z] = role.position;
         let packed = self.document.packed.vertices;
@@ -200,8 +194,7 @@ impl Editor<'_> {
         splits || !self.edit.faces.is_empty() || self.face_normals.is_some()
     }
 
-    /// The type of vertex numbers: that of the file if it can hold the added vertices, else `int`, else `uint`. An ascii
-    /// word can be any number, but its readers may use the type of the header.
+    /// The type of vertex indices: that of the file if it can hold the added vertices, else `int`, else `uint`.
     fn index_type(&mut self, list: &Property, item: Scalar) -> Scalar {
         let largest = (self.split.source.len().saturating_sub(1)) as f64;
         let holds = |scalar: &Scalar| scalar.largest() >= largest;
@@ -213,7 +206,12 @@ impl Editor<'_> {
         new
     }
 
-    fn write_faces(&mut self, rows: &mut Rows<'_>, element: &Element, role: &FaceRole) -> Result<(), Fault> {
+    fn write_faces(
+        &mut self,
+        rows: &mut Rows<'_>,
+        element: &Element,
+        role: &FaceRole,
+    ) -> Result<(), ReadError> {
         let list = &element.properties[role.list];
         let Kind::List { count, item } = list.kind else { return Ok(()) };
         let index_type = self.index_type(list, item);
@@ -272,12 +270,11 @@ impl Editor<'_> {
         Ok(())
     }
 
-    /// Replaces strips by faces.
-    fn replace_strips(&mut self, element: &Element, role: &FaceRole) -> Result<(), Fault> {
+    fn replace_strips(&mut self, element: &Element, role: &FaceRole) -> Result<(), ReadError> {
         let list = &element.properties[role.list];
         let Kind::List { count, item } = list.kind else { return Ok(()) };
         if element.properties.len() > 1 || self.face_normals.is_some() {
-            let found = "triangle strips cannot have normals or other properties of single faces";
+            let found = "triangle strips cannot store normals or other properties of faces";
             return Err(damaged(Problem::Unsupported, 0, found));
         }
         let index_type = self.index_type(list, item);
@@ -289,13 +286,12 @@ impl Editor<'_> {
             push_list(&mut self.body, corners, count, index_type, self.document.header.encoding);
             self.end_line();
         }
-        let text = "triangle strips were made into faces, because these changed";
+        let text = "triangle strips became faces, because faces changed";
         self.notes.push(Note::warning(Place::Line(element.line), text));
         Ok(())
     }
 }
 
-/// Appends a list.
 fn push_list(out: &mut Vec<u8>, values: &[u32], count: Scalar, item: Scalar, encoding: Encoding) {
     count.push(out, values.len() as f64, encoding);
     for &value in values {
@@ -306,8 +302,7 @@ fn push_list(out: &mut Vec<u8>, values: &[u32], count: Scalar, item: Scalar, enc
     }
 }
 
-/// Reverses a list of two numbers a corner, as [`FaceEdit`](crate::mesh::FaceEdit) reverses corners: the first stays.
-/// A list of another length is not changed.
+/// Reverses a list of two numbers a corner, except the first corner. A list of another length is not changed.
 fn reverse_pairs(rows: &Rows<'_>, row: &Row, list: usize, kind: Kind, corners: usize, changes: &mut Changes) {
     let items: Vec<_> = rows.items(&row.fields[list], kind).collect();
     if items.len() != 2 * corners {

@@ -5,7 +5,6 @@ use crate::io::text::{next_word, shown};
 use crate::io::{Place, Problem, ReadError};
 use std::ops::Range;
 
-/// The header of a file.
 #[derive(Clone, Debug)]
 pub(super) struct Header {
     pub encoding: Encoding,
@@ -16,16 +15,13 @@ pub(super) struct Header {
     pub body: usize,
 }
 
-/// An element: a table of rows.
 #[derive(Clone, Debug)]
 pub(super) struct Element {
     pub name: String,
     pub name_at: Range<usize>,
-    /// The number of rows in the header.
     pub count: u64,
     pub count_at: Range<usize>,
     pub properties: Vec<Property>,
-    /// The line of the header.
     pub line: u64,
 }
 
@@ -59,7 +55,6 @@ impl Kind {
 }
 
 impl Element {
-    /// The first property of a name.
     pub fn property(&self, name: &str) -> Option<usize> {
         self.properties.iter().position(|property| property.name == name)
     }
@@ -111,15 +106,20 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Header, ReadError> {
         _ => None,
     };
     let Some(line_end) = line_end else {
-        let advice = "check that the file is a PLY, or name its format";
-        return Err(ReadError::new(Problem::Syntax, Place::File, "the first line is not `ply`", advice));
+        let advice = "name the format with --format";
+        return Err(ReadError::new(
+            Problem::Syntax,
+            Place::File,
+            "not a PLY file: the first line is not `ply`",
+            advice,
+        ));
     };
     let (mut encoding, mut elements) = (None, Vec::<Element>::new());
     let (mut at, mut number) = (0, 0);
     loop {
         let Some(line) = next_line(bytes, at, number + 1, line_end) else {
-            let (place, found) = (Place::Line(number), "the header has no line `end_header`");
-            return Err(ReadError::new(Problem::Truncated, place, found, "the file was cut off"));
+            let (place, found) = (Place::Line(number), "the header has no `end_header` line");
+            return Err(ReadError::new(Problem::Truncated, place, found, "the file is cut off"));
         };
         (at, number) = (line.end, line.number);
         let keyword = line.words.first().map_or(&b""[..], |(word, _)| word);
@@ -130,19 +130,21 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Header, ReadError> {
             b"element" => elements.push(element(&line)?),
             b"property" => {
                 let Some(element) = elements.last_mut() else {
-                    return Err(line.fault("a property before the first element", "correct the header"));
+                    return Err(
+                        line.fault("this property comes before the first element", "correct the header")
+                    );
                 };
                 element.properties.push(property(&line)?);
             }
             b"end_header" => break,
             word => {
-                let found = format!("`{}` is no line of a PLY header", shown(word));
+                let found = format!("unknown header line `{}`", shown(word));
                 return Err(line.fault(found, "correct the line, or make it a comment"));
             }
         }
     }
     let Some(encoding) = encoding else {
-        let found = "the header has no line `format`";
+        let found = "the header has no `format` line";
         return Err(ReadError::new(Problem::Syntax, Place::Line(number), found, "add it"));
     };
     Ok(Header { encoding, elements, line_end, body: at })
@@ -176,19 +178,19 @@ fn format(line: &Line<'_>) -> Result<Encoding, ReadError> {
         Some(b"binary_little_endian") => Ok(Encoding::Little),
         Some(b"binary_big_endian") => Ok(Encoding::Big),
         other => {
-            let found = format!("the format `{}` is not known", shown(other.unwrap_or_default()));
-            Err(line.fault(found, "it must be ascii, binary_little_endian or binary_big_endian"))
+            let found = format!("unknown format `{}`", shown(other.unwrap_or_default()));
+            Err(line.fault(found, "use ascii, binary_little_endian or binary_big_endian"))
         }
     }
 }
 
 fn element(line: &Line<'_>) -> Result<Element, ReadError> {
     let [_, (name, name_at), (count, count_at), ..] = &line.words[..] else {
-        return Err(line.fault("an element without a name and a count", "correct the line"));
+        return Err(line.fault("the element has no name or no count", "correct the line"));
     };
     let text = str::from_utf8(count).ok();
     let Some(number) = text.and_then(|text| text.parse::<u64>().ok()) else {
-        let found = format!("`{}` is no number of rows", shown(count));
+        let found = format!("`{}` is not a number of rows", shown(count));
         return Err(line.fault(found, "correct the count"));
     };
     Ok(Element {
@@ -205,8 +207,8 @@ fn property(line: &Line<'_>) -> Result<Property, ReadError> {
     let scalar = |at: usize| {
         let (word, place) = &line.words[at];
         let Some((scalar, sized)) = Scalar::from_name(word) else {
-            let found = format!("`{}` is no type of numbers", shown(word));
-            let advice = "it must be char, uchar, short, ushort, int, uint, float or double";
+            let found = format!("unknown number type `{}`", shown(word));
+            let advice = "use char, uchar, short, ushort, int, uint, float or double";
             return Err(line.fault(found, advice));
         };
         Ok((scalar, sized, place.clone()))
@@ -215,7 +217,7 @@ fn property(line: &Line<'_>) -> Result<Property, ReadError> {
         [_, (b"list", _), _, _, (name, _), ..] => {
             let ((count, ..), item) = (scalar(2)?, scalar(3)?);
             if !count.is_integer() {
-                return Err(line.fault("a list whose count is no whole number", "correct the type"));
+                return Err(line.fault("the count of the list is not an integer type", "correct the type"));
             }
             (Kind::List { count, item: item.0 }, item, name)
         }
@@ -223,7 +225,7 @@ fn property(line: &Line<'_>) -> Result<Property, ReadError> {
             let scalar = scalar(1)?;
             (Kind::Scalar(scalar.0), scalar, name)
         }
-        _ => return Err(line.fault("a property without a type and a name", "correct the line")),
+        _ => return Err(line.fault("the property has no type or no name", "correct the line")),
     };
     let name = String::from_utf8_lossy(name).into_owned();
     Ok(Property { name, kind, type_at, sized_name, line_end: line.end })

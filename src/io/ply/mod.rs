@@ -6,16 +6,14 @@
 //! Ascii rows have a line each in nearly all files, so extra words on a line behind a row are skipped with a warning;
 //! if the file then ends too early, it is read again as one stream of words.
 
-// The number types, and the header.
-mod header;
 // The number types of PLY.
 mod scalar;
-// The roles of elements and properties.
-mod property_roles;
+// The header.
+mod header;
+// The file as it was read, and the roles of elements and properties.
+mod document;
 // The body, row by row.
 mod rows;
-// The file as it was read.
-mod document;
 // Bytes to a PLY document and its mesh.
 mod read;
 // Writing.

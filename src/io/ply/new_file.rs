@@ -1,29 +1,22 @@
 //! A new PLY from any meshes.
 
 use super::scalar::{Encoding, Scalar};
-use crate::io::unsupported_features::{Feature, needs_f64, unsupported_notes};
-use crate::io::{Emit, Note, Part, Place, WriteError, WriteOptions, Written};
+use crate::io::mesh_checks::{needs_f64, unsupported_notes};
+use crate::io::{Emit, Format, Note, Part, Place, WriteError, WriteOptions, Written};
 use crate::mesh::{Column, ColumnIndex, Mesh, NONE, VertexSplit, split_vertices};
 use glam::{DVec2, DVec3, DVec4};
 
-const UNSUPPORTED: [Feature; 5] =
-    [Feature::Materials, Feature::Objects, Feature::Smoothing, Feature::HardEdges, Feature::MorphTargets];
-
-/// A binary little-endian PLY of all parts in one, with polygons as they are and lines as edges.
+/// A binary little-endian PLY of all parts in one, with polygons unchanged and lines as edges.
 ///
 /// Positions and normals are floats, or doubles if floats would change a position. Vertices are split where corners differ in
-/// normal or uv. With [`Emit::Face`] normals are those of faces, which the corners of each must share. If only some parts have
-/// normals, the others get +Z.
-///
-/// # Errors
-/// [`WriteError::TooLarge`] for more vertices than 32 bits count.
+/// normal or uv. With [`Emit::Face`] normals are those of faces. If only some parts have normals, the others get +Z.
 pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Written, WriteError> {
     let layout = Layout::of(parts, options);
     let by_face = options.emit == Emit::Face;
     let split: Vec<Split<'_>> = parts.iter().map(|part| Split::of(&part.mesh, by_face)).collect();
     let vertices: usize = split.iter().map(|part| part.split.source.len()).sum();
     if vertices >= NONE as usize {
-        let text = format!("{vertices} vertices are more than PLY's indices can count");
+        let text = format!("{vertices} vertices, more than the indices of PLY can count");
         return Err(WriteError::TooLarge(text));
     }
     let mut writer = Writer { out: layout.header(parts, vertices).into_bytes(), layout, without_normal: 0 };
@@ -172,7 +165,7 @@ struct Writer {
     out: Vec<u8>,
     layout: Layout,
     /// Used vertices or faces without a normal, for which +Z was written.
-    without_normal: u64,
+    without_normal: usize,
 }
 
 impl Writer {
@@ -187,7 +180,7 @@ impl Writer {
     }
 
     fn normal_or_z(&mut self, normal: Option<DVec3>, is_used: bool) -> DVec3 {
-        self.without_normal += u64::from(normal.is_none() && is_used);
+        self.without_normal += usize::from(normal.is_none() && is_used);
         normal.unwrap_or(DVec3::Z)
     }
 
@@ -234,17 +227,14 @@ impl Writer {
 }
 
 /// What PLY cannot store.
-fn notes(parts: &[Part], without_normal: u64) -> Vec<Note> {
-    let mut notes = unsupported_notes("PLY", &UNSUPPORTED, parts);
+fn notes(parts: &[Part], without_normal: usize) -> Vec<Note> {
+    let mut notes = unsupported_notes(Format::Ply, parts);
     if parts.len() > 1 {
-        let text =
-            format!("PLY has no parts: all {} were put into one mesh, their names left out", parts.len());
+        let text = format!("a PLY has one mesh: {} meshes were merged, and their names omitted", parts.len());
         notes.push(Note::warning(Place::File, text));
     }
-    if without_normal > 0 {
-        let text = format!("0 0 1 was written for normals that are not there: {without_normal}");
-        notes.push(Note::warning(Place::File, text));
-    }
+    let nouns = ["missing normal was", "missing normals were"];
+    notes.extend(Note::counted(without_normal, nouns, "written as 0 0 1"));
     let is_coarse = |value: &f32| {
         let byte = value * 255.0;
         (byte - byte.round()).abs() > 0.01 || !(0.0..=255.0).contains(&byte)

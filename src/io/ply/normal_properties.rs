@@ -4,8 +4,8 @@ use super::document::PlyDocument;
 use super::header::Element;
 use super::rows::{Row, Rows, damaged};
 use super::scalar::{Encoding, Scalar};
-use crate::io::text::{Changes, Fault};
-use crate::io::{Note, Place, Problem};
+use crate::io::text::Changes;
+use crate::io::{Note, Place, Problem, ReadError};
 use glam::DVec3;
 
 /// Where the normals of an element are, and the types that they have and get.
@@ -31,14 +31,17 @@ impl NormalProperties {
         behind: usize,
         header: &mut Changes,
         notes: &mut Vec<Note>,
-    ) -> Result<Self, Fault> {
+    ) -> Result<Self, ReadError> {
         let vertex = &document.roles.vertex;
         let position = &document.header.elements[vertex.element].properties[vertex.position[0]];
         let float = if position.kind.scalar() == Scalar::F64 { Scalar::F64 } else { Scalar::F32 };
         let Some(at) = present else {
             if let Some(part) = ["nx", "ny", "nz"].iter().find_map(|name| element.property(name)) {
                 let name = &element.properties[part].name;
-                let found = format!("`{}` has `{name}`, but not all of nx, ny, nz as numbers", element.name);
+                let found = format!(
+                    "element `{}` has `{name}`, but not all of nx, ny and nz as scalars",
+                    element.name
+                );
                 return Err(damaged(Problem::Unsupported, 0, found));
             }
             let place = element.properties[behind].line_end;
@@ -61,21 +64,20 @@ impl NormalProperties {
                 header.replace(property.type_at.clone(), |out| out.extend_from_slice(name.as_bytes()));
             }
             let (old, new) = (old[0].name(false), new.name(false));
-            let text = format!("normals of the type {old} are too coarse and were written as {new}");
+            let text = format!("normals of type {old} are too coarse and were written as {new}");
             notes.push(Note::warning(Place::Line(element.line), text));
         }
         Ok(Self { present, old, old_unit: largest(old[0]), new, new_unit: largest(new), behind })
     }
 
-    /// Changes the normal in a row; `None` keeps the stored one, or is +Z where there is none. Equal numbers
-    /// keep their bytes.
+    /// Changes the normal in a row; `None` keeps the stored one, or is +Z where there is none. Equal numbers keep their bytes.
     pub fn change(
         &self,
         normal: Option<DVec3>,
         row: &Row,
         rows: &Rows<'_>,
         changes: &mut Changes,
-    ) -> Result<(), Fault> {
+    ) -> Result<(), ReadError> {
         let Some(present) = self.present else {
             let place = row.fields[self.behind].end;
             changes.replace(place..place, |out| {

@@ -1,33 +1,29 @@
 //! Bytes to a PLY document and its mesh.
 
-use super::document::{Packed, PlyDocument};
-use super::header::{self, Element, Header, Kind};
-use super::property_roles::{FaceRole, Roles, VertexRole};
+use super::document::{FaceRole, Packed, PlyDocument, Roles, VertexRole};
+use super::header;
+use super::header::{Element, Header, Kind};
 use super::rows::{OVERLONG, Row, Rows, place, places, read_corners, vertex_index};
 use super::scalar::{Encoding, Scalar};
+use crate::io::error::{NoteKind, RepeatedNotes};
 use crate::io::mesh_checks::{build_part, check_size, non_finite_note};
-use crate::io::repeated_notes::{NoteKind, RepeatedNotes};
-use crate::io::text::{Fault, counted, restore_singles};
+use crate::io::text::{counted, in_text, restore_singles};
 use crate::io::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions, Severity};
 use crate::mesh::{Column, Faces, MeshBuilder, MeshError, NONE, Storage};
 use glam::{DVec2, DVec3};
 use std::collections::BTreeSet;
 use std::path::Path;
 
-const SHORT_FACE: NoteKind =
-    NoteKind(0, Severity::Warning, "a face with fewer than three corners was skipped");
+const SHORT_FACE: NoteKind = NoteKind::warning(0, "a face with fewer than 3 corners was skipped");
 const NOT_FINITE: NoteKind =
-    NoteKind(1, Severity::Warning, "a colour or texture coordinate that is not finite was read as 0");
+    NoteKind::warning(1, "a colour or texture coordinate that is not finite was read as 0");
 
-/// Reads a PLY file. It has no companion files, so the folder is not used.
-///
-/// Normals that are stored as whole numbers count as parts of the type's largest, if one of them is over 1. Colours
-/// are brought to 0..=1. Vertices without faces or edges are points.
+/// Reads a PLY file, which has no companion files. Normals stored as integers are divided by the largest of their type if one of
+/// them is over 1. Vertices without faces or edges are points.
 ///
 /// # Errors
-/// With the line (header, ascii) or the byte: an invalid header, a body that ends too early, words that are not
-/// numbers, faces that refer to vertices that do not exist, positions that are not finite (unless
-/// [`ReadOptions::non_finite`] allows them).
+/// With the line or the byte: an invalid header, a body that ends too early, words that are not numbers, vertex indices out of
+/// range, positions that are not finite (unless [`ReadOptions::non_finite`] allows them).
 pub fn read(bytes: Vec<u8>, _base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
     check_size(&bytes, options)?;
     let header = header::parse(&bytes)?;
@@ -35,16 +31,16 @@ pub fn read(bytes: Vec<u8>, _base: Option<&Path>, options: &ReadOptions) -> Resu
     let place = |offset: usize| place(&bytes, header.encoding, offset);
     let mut rows = Rows::new(&bytes, &header, false);
     let mut reading = Reading::of(&mut rows, &header, &roles);
-    if reading.as_ref().is_err_and(|fault| fault.problem == Problem::Truncated) && rows.notes.has(OVERLONG) {
+    if reading.as_ref().is_err_and(|error| error.problem == Problem::Truncated) && rows.notes.has(OVERLONG) {
         // What was skipped behind rows may be rows.
         let mut shared = Rows::new(&bytes, &header, true);
         if let Ok(other) = Reading::of(&mut shared, &header, &roles) {
             (reading, rows) = (Ok(other), shared);
         }
     }
-    let reading = reading.map_err(|fault| {
-        let place = place(fault.offset);
-        fault.at(place)
+    let reading = reading.map_err(|error| match header.encoding {
+        Encoding::Ascii => in_text(error, &bytes),
+        _ => error,
     })?;
     let mut notes = notes(&reading, &rows, &header);
     notes.extend(non_finite_note(&reading.mesh.positions, options.non_finite));
@@ -75,7 +71,7 @@ struct Reading {
 }
 
 impl Reading {
-    fn of(rows: &mut Rows<'_>, header: &Header, roles: &Roles) -> Result<Self, Fault> {
+    fn of(rows: &mut Rows<'_>, header: &Header, roles: &Roles) -> Result<Self, ReadError> {
         let mut reading = Self::default();
         let vertex = &roles.vertex;
         let count = header.elements[vertex.element].count;
@@ -97,7 +93,12 @@ impl Reading {
         Ok(reading)
     }
 
-    fn vertices(&mut self, rows: &mut Rows<'_>, element: &Element, role: &VertexRole) -> Result<(), Fault> {
+    fn vertices(
+        &mut self,
+        rows: &mut Rows<'_>,
+        element: &Element,
+        role: &VertexRole,
+    ) -> Result<(), ReadError> {
         let kinds: Vec<Scalar> = element.properties.iter().map(|property| property.kind.scalar()).collect();
         let count = rows.plausible_count(element);
         let (mesh, notes, non_finite) = (&mut self.mesh, &mut self.notes, &mut self.non_finite);
@@ -156,7 +157,7 @@ impl Reading {
         role: &FaceRole,
         vertex: &VertexRole,
         vertex_count: u64,
-    ) -> Result<(), Fault> {
+    ) -> Result<(), ReadError> {
         let kind = element.properties[role.list].kind;
         let (mut corners, mut normals, mut uvs) = (Vec::new(), Vec::new(), CornerUvs::default());
         let mesh = &mut self.mesh;
@@ -194,7 +195,7 @@ impl Reading {
         Ok(())
     }
 
-    fn strips(&mut self, rows: &mut Rows<'_>, element: &Element, role: &FaceRole) -> Result<(), Fault> {
+    fn strips(&mut self, rows: &mut Rows<'_>, element: &Element, role: &FaceRole) -> Result<(), ReadError> {
         let kind = element.properties[role.list].kind;
         rows.each(element, |_, row, rows| {
             // The last two vertices, and whether the next triangle is reversed.
@@ -220,7 +221,7 @@ impl Reading {
         })
     }
 
-    fn edges(&mut self, rows: &mut Rows<'_>, element: &Element, ends: [usize; 2]) -> Result<(), Fault> {
+    fn edges(&mut self, rows: &mut Rows<'_>, element: &Element, ends: [usize; 2]) -> Result<(), ReadError> {
         rows.each(element, |_, row, rows| {
             let [a, b] = ends.map(|at| {
                 let field = &row.fields[at];
@@ -250,7 +251,7 @@ impl CornerUvs {
         kind: Kind,
         corners: usize,
         notes: &mut RepeatedNotes,
-    ) -> Result<(), Fault> {
+    ) -> Result<(), ReadError> {
         let first = self.values.len();
         let mut pending = None;
         for item in rows.items(&row.fields[at], kind) {
@@ -291,14 +292,14 @@ fn notes(reading: &Reading, rows: &Rows<'_>, header: &Header) -> Vec<Note> {
     let rest = &rows.bytes[rows.at..];
     if !rest.trim_ascii().is_empty() {
         let bytes_left = counted(rest.len(), "byte", "bytes");
-        let text = format!("not read, because it is behind the last row: {bytes_left}");
+        let text = format!("{bytes_left} after the last row ignored");
         notes.push(Note::warning(place(rows.bytes, header.encoding, rows.at), text));
     }
     let mut names = BTreeSet::new();
     let repeated: Vec<&Element> =
         header.elements.iter().filter(|element| !names.insert(&element.name)).collect();
     let lines = repeated.iter().map(|element| Place::Line(element.line));
-    let text = "an element with a name that another has is only carried along";
+    let text = "a second element with the same name is kept, but not read";
     notes.extend(Note::for_all(Severity::Warning, repeated.len() as u64, lines, text));
     notes
 }

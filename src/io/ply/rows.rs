@@ -2,23 +2,24 @@
 
 use super::header::{Element, Header, Kind};
 use super::scalar::{Encoding, Scalar};
-use crate::io::repeated_notes::{NoteKind, RepeatedNotes};
-use crate::io::text::{Fault, counted, line_end_length, line_place, line_places, next_word, shown};
-use crate::io::{Place, Problem, Severity};
+use crate::io::error::{NoteKind, RepeatedNotes};
+use crate::io::mesh_checks::DAMAGED;
+use crate::io::text::{at_byte, counted, line_end_length, line_place, line_places, next_word, shown};
+use crate::io::{Place, Problem, ReadError};
 use crate::mesh::NONE;
 use std::ops::Range;
 
 /// A row of ascii that has more words than properties.
 pub(super) const OVERLONG: NoteKind =
-    NoteKind(2, Severity::Warning, "a row has more values than the header says; they were skipped");
+    NoteKind::warning(2, "a row has more values than the header defines; they were skipped");
 
 /// An error in the body.
-pub(super) fn damaged(problem: Problem, offset: usize, found: impl Into<String>) -> Fault {
-    Fault::new(problem, offset, found, "the file is damaged, or its writer is at fault")
+pub(super) fn damaged(problem: Problem, offset: usize, found: impl Into<String>) -> ReadError {
+    at_byte(problem, offset, found, DAMAGED)
 }
 
-fn truncated(offset: usize, found: impl Into<String>) -> Fault {
-    Fault::new(Problem::Truncated, offset, found, "the file was cut off, or its header counts wrong")
+fn truncated(offset: usize, found: impl Into<String>) -> ReadError {
+    at_byte(Problem::Truncated, offset, found, "the file is cut off, or a count in its header is wrong")
 }
 
 /// Where an offset is: a line in ascii, a byte in binary.
@@ -76,15 +77,15 @@ impl<'a> Rows<'a> {
     pub fn each(
         &mut self,
         element: &Element,
-        mut each: impl FnMut(usize, &Row, &Self) -> Result<(), Fault>,
-    ) -> Result<(), Fault> {
+        mut each: impl FnMut(usize, &Row, &Self) -> Result<(), ReadError>,
+    ) -> Result<(), ReadError> {
         let rest = (self.bytes.len() - self.at) as u64;
         let needed = element.count.saturating_mul(element.smallest_row(self.encoding));
         // The last line may have no end.
         let needed = needed.saturating_sub(u64::from(self.encoding == Encoding::Ascii));
         if needed > rest {
             let found = format!(
-                "{} of `{}` need {} or more, where {rest} are left",
+                "{} of `{}` need at least {}, but only {rest} remain",
                 counted(element.count, "row", "rows"),
                 element.name,
                 counted(needed, "byte", "bytes"),
@@ -122,8 +123,7 @@ impl<'a> Rows<'a> {
         self.at += stride;
     }
 
-    /// Reads one row.
-    pub fn next(&mut self, element: &Element, row: &mut Row) -> Result<(), Fault> {
+    pub fn next(&mut self, element: &Element, row: &mut Row) -> Result<(), ReadError> {
         let start = self.at;
         row.fields.clear();
         for property in &element.properties {
@@ -131,11 +131,11 @@ impl<'a> Rows<'a> {
                 Encoding::Ascii => self.ascii_field(property.kind),
                 _ => self.binary_field(property.kind),
             };
-            row.fields.push(field.map_err(|fault| match fault.problem {
+            row.fields.push(field.map_err(|error| match error.problem {
                 Problem::Truncated => {
-                    Fault { found: format!("the file ends inside a row of `{}`", element.name), ..fault }
+                    ReadError { found: format!("the file ends inside a row of `{}`", element.name), ..error }
                 }
-                _ => fault,
+                _ => error,
             })?);
         }
         if self.encoding == Encoding::Ascii {
@@ -145,12 +145,12 @@ impl<'a> Rows<'a> {
         Ok(())
     }
 
-    fn cut_off(&self) -> Fault {
+    fn cut_off(&self) -> ReadError {
         truncated(self.bytes.len(), "")
     }
 
     #[inline]
-    fn take(&mut self, length: usize) -> Result<Range<usize>, Fault> {
+    fn take(&mut self, length: usize) -> Result<Range<usize>, ReadError> {
         let end = self.at.checked_add(length).filter(|&end| end <= self.bytes.len());
         let end = end.ok_or_else(|| self.cut_off())?;
         let start = std::mem::replace(&mut self.at, end);
@@ -158,23 +158,23 @@ impl<'a> Rows<'a> {
     }
 
     #[inline]
-    fn binary_field(&mut self, kind: Kind) -> Result<Range<usize>, Fault> {
+    fn binary_field(&mut self, kind: Kind) -> Result<Range<usize>, ReadError> {
         let Kind::List { count, item } = kind else { return self.take(kind.scalar().size()) };
         let counted = self.take(count.size())?;
         let number = count.read(&self.bytes[counted.clone()], self.encoding).unwrap_or(0.0);
         if number < 0.0 {
-            return Err(damaged(Problem::Range, counted.start, format!("a list of {number} numbers")));
+            return Err(damaged(Problem::Range, counted.start, format!("a list has {number} items")));
         }
         let items = self.take((number as usize).saturating_mul(item.size()))?;
         Ok(counted.start..items.end)
     }
 
-    fn ascii_field(&mut self, kind: Kind) -> Result<Range<usize>, Fault> {
+    fn ascii_field(&mut self, kind: Kind) -> Result<Range<usize>, ReadError> {
         let first = self.word()?;
         let Kind::List { count, .. } = kind else { return Ok(first) };
         let word = &self.bytes[first.clone()];
         let Some(number) = count.read(word, Encoding::Ascii).filter(|n| *n >= 0.0 && n.fract() == 0.0) else {
-            let found = format!("`{}` is no number of list items", shown(word));
+            let found = format!("`{}` is not a number of list items", shown(word));
             return Err(damaged(Problem::Syntax, first.start, found));
         };
         // Each number takes two bytes or more.
@@ -187,8 +187,7 @@ impl<'a> Rows<'a> {
         Ok(first.start..self.at)
     }
 
-    /// Takes the next word, on whatever line.
-    fn word(&mut self) -> Result<Range<usize>, Fault> {
+    fn word(&mut self) -> Result<Range<usize>, ReadError> {
         let word = next_word(self.bytes, self.at).ok_or_else(|| self.cut_off())?;
         self.at = word.end;
         Ok(word)
@@ -210,9 +209,8 @@ impl<'a> Rows<'a> {
         self.at += length + line_end_length(&rest[length..]);
     }
 
-    /// The number in a field.
     #[inline]
-    pub fn scalar(&self, field: &Range<usize>, scalar: Scalar) -> Result<f64, Fault> {
+    pub fn scalar(&self, field: &Range<usize>, scalar: Scalar) -> Result<f64, ReadError> {
         let bytes = &self.bytes[field.clone()];
         scalar.read(bytes, self.encoding).ok_or_else(|| {
             let found = format!("`{}` is not a number", shown(bytes));
@@ -269,7 +267,7 @@ pub(super) fn read_corners(
     list: usize,
     kind: Kind,
     corners: &mut Vec<u32>,
-) -> Result<(), Fault> {
+) -> Result<(), ReadError> {
     corners.clear();
     let scalar = kind.scalar();
     for item in rows.items(&row.fields[list], kind) {
@@ -280,10 +278,10 @@ pub(super) fn read_corners(
 
 /// A number as that of a vertex.
 #[inline]
-pub(super) fn vertex_index(value: f64, offset: usize) -> Result<u32, Fault> {
+pub(super) fn vertex_index(value: f64, offset: usize) -> Result<u32, ReadError> {
     let number = value as u32;
     if f64::from(number) == value && number != NONE {
         return Ok(number);
     }
-    Err(damaged(Problem::Range, offset, format!("{value} is no number of a vertex")))
+    Err(damaged(Problem::Range, offset, format!("{value} is not a vertex index")))
 }

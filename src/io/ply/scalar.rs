@@ -1,6 +1,7 @@
 //! The number types of PLY.
 
 use crate::io::text::{float, push_f32, push_f64, push_integer};
+use Scalar::{F32, F64, I8, I16, I32, U8, U16, U32};
 
 /// How the body of a file is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -10,7 +11,6 @@ pub(super) enum Encoding {
     Big,
 }
 
-/// A number type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Scalar {
     I8,
@@ -22,8 +22,6 @@ pub(super) enum Scalar {
     F32,
     F64,
 }
-
-use Scalar::{F32, F64, I8, I16, I32, U8, U16, U32};
 
 /// Both styles of names: those of the first readers, and those with sizes.
 const NAMES: [(Scalar, &str, &str); 8] = [
@@ -74,7 +72,6 @@ impl Scalar {
         if sized { with_size } else { plain }
     }
 
-    /// Bytes of a binary number.
     pub fn size(self) -> usize {
         with_type!(self, Number => size_of::<Number>())
     }

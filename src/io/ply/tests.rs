@@ -300,26 +300,26 @@ fn rows_that_do_not_fit_the_header() {
     let notes: Vec<_> = long.notes.iter().map(ToString::to_string).collect();
     assert_eq!(
         notes,
-        ["line 20: a row has more values than the header says; they were skipped (and 1 more like it)"]
+        ["line 20: a row has more values than the header defines; they were skipped (and 1 more like it)"]
     );
     for (from, to, expected) in [
         ("0 1 0 10", "0 1 x 10", "line 21: `x` is not a number"),
         ("3 0 1 2 100", "3 0 1 4 100", "line 22: face 0 refers to vertex 4, but there are only 4"),
-        ("3 0 1 2 100", "3 0 1 -2 100", "line 22: -2 is no number of a vertex"),
-        ("3 0 1 2 100", "-3 0 1 2 100", "line 22: `-3` is no number of list items"),
+        ("3 0 1 2 100", "3 0 1 -2 100", "line 22: -2 is not a vertex index"),
+        ("3 0 1 2 100", "-3 0 1 2 100", "line 22: `-3` is not a number of list items"),
         ("3 0 1 2 100", "3000000000 0 1 2 100", "line 25: the file ends inside a row of `face`"),
         ("1.0 0 0 8", "inf 0 0 8", "line 18: vertex 1 has the position (inf, 0, 0)"),
-        ("2 0.5 0.25\n", "", "line 24: 1 row of `camera` need 1 byte or more"),
+        ("2 0.5 0.25\n", "", "line 24: 1 row of `camera` need at least 1 byte"),
         ("2 0.5 0.25\n", "2 0.5", "line 24: the file ends inside a row of `camera`"),
-        ("element vertex 4", "element vertex -4", "line 5: `-4` is no number of rows"),
-        ("property int id", "property list float int id", "line 12: a list whose count"),
-        ("property int id", "property text id", "line 12: `text` is no type"),
-        ("vertex_indices", "vertices", "line 10: the element `face` has no list"),
-        ("float x", "float w", "line 5: the vertices have no properties"),
-        ("element vertex", "element points", "there is no element `vertex`"),
-        ("end_header", "end", "line 16: `end` is no line of a PLY header"),
-        ("format ascii", "format text", "line 2: the format `text`"),
-        ("ply\n", "plywood\n", "the first line is not `ply`"),
+        ("element vertex 4", "element vertex -4", "line 5: `-4` is not a number of rows"),
+        ("property int id", "property list float int id", "line 12: the count of the list"),
+        ("property int id", "property text id", "line 12: unknown number type `text`"),
+        ("vertex_indices", "vertices", "line 10: the element `face` has no integer list"),
+        ("float x", "float w", "line 5: the vertices have no scalar properties"),
+        ("element vertex", "element points", "the header has no element `vertex`"),
+        ("end_header", "end", "line 16: unknown header line `end`"),
+        ("format ascii", "format text", "line 2: unknown format `text`"),
+        ("ply\n", "plywood\n", "not a PLY file: the first line is not `ply`"),
     ] {
         let error = error(ASCII.replace(from, to)).to_string();
         assert!(error.starts_with(expected), "{error}");
@@ -353,7 +353,7 @@ fn vertices_alone_are_points() {
         element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n2 0 1\n";
     let loaded = load(text);
     assert_eq!(loaded.parts[0].mesh.columns().points, [0, 1]);
-    assert!(loaded.notes[0].text.contains("fewer than three corners"));
+    assert!(loaded.notes[0].text.contains("fewer than 3 corners"));
 }
 
 #[test]

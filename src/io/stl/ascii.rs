@@ -1,11 +1,11 @@
 //! Ascii STL: words in any case, between blanks and line ends of any kind, with comments from `#` to the line's end.
 
+use crate::io::error::{NoteKind, RepeatedNotes};
 use crate::io::mesh_checks::{build_part, non_finite_note};
-use crate::io::repeated_notes::{NoteKind, RepeatedNotes};
 use crate::io::text::{
-    Fault, Words, counted, float, is_blank, line_place, line_places, restore_singles, shown,
+    Words, at_byte, float, in_text, is_blank, line_place, line_places, restore_singles, shown,
 };
-use crate::io::{Note, Part, Place, Problem, ReadError, ReadOptions, Severity};
+use crate::io::{Note, Part, Place, Problem, ReadError, ReadOptions};
 use crate::mesh::{Column, Columns, Faces, MeshBuilder, MeshError, NONE, Storage};
 use glam::DVec3;
 use std::ops::Range;
@@ -13,12 +13,11 @@ use std::ops::Range;
 /// The most solids of a file. Each becomes a part, which takes far more memory than the words that make one.
 const MOST_SOLIDS: usize = 1 << 16;
 
-const NO_SOLID: NoteKind = NoteKind(0, Severity::Warning, "no `solid` line before this");
-const NO_ENDSOLID: NoteKind = NoteKind(1, Severity::Warning, "a solid begins before `endsolid`");
-const UNKNOWN: NoteKind = NoteKind(2, Severity::Warning, "a line that is no STL was skipped");
-const NO_NORMAL: NoteKind = NoteKind(3, Severity::Warning, "a facet without a normal of three numbers");
-const POLYGON: NoteKind =
-    NoteKind(4, Severity::Warning, "a facet with more than three vertices was read as a polygon");
+const NO_SOLID: NoteKind = NoteKind::warning(0, "there is no `solid` line before this line");
+const NO_ENDSOLID: NoteKind = NoteKind::warning(1, "a solid begins before the `endsolid` of the last one");
+const UNKNOWN: NoteKind = NoteKind::warning(2, "a line that is not STL was skipped");
+const NO_NORMAL: NoteKind = NoteKind::warning(3, "a facet has no normal of three numbers");
+const POLYGON: NoteKind = NoteKind::warning(4, "a facet with more than 3 vertices was read as a polygon");
 
 /// Where the parts of a facet are in the text.
 #[derive(Clone, Debug, Default)]
@@ -44,13 +43,9 @@ pub(super) struct SolidText {
     normals: Vec<Option<DVec3>>,
 }
 
-/// Reads an ascii file.
 pub(super) fn read(text: &[u8], options: &ReadOptions) -> Result<(Vec<Part>, Vec<Note>), ReadError> {
     let mut parser = Parser::new(text);
-    parser.run().map_err(|fault| {
-        let place = line_place(text, fault.offset);
-        fault.at(place)
-    })?;
+    parser.run().map_err(|error| in_text(error, text))?;
     let Parser { notes, mut solids, .. } = parser;
     let mut notes: Vec<Note> =
         notes.notes(|offsets| line_places(text, offsets)).map(|(_, note)| note).collect();
@@ -96,8 +91,6 @@ struct Parser<'a> {
     words: Words<'a>,
     solids: Vec<SolidText>,
     solid: Solid,
-    /// The loops of the facet that is open.
-    facet: Option<Loops>,
     notes: RepeatedNotes,
 }
 
@@ -110,65 +103,55 @@ enum Solid {
     Named,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Loops {
-    None,
-    Open,
-    Closed,
-}
+const KEYWORDS: [&[u8]; 7] = [b"solid", b"endsolid", b"facet", b"outer", b"vertex", b"endloop", b"endfacet"];
 
 impl<'a> Parser<'a> {
     fn new(text: &'a [u8]) -> Self {
         let (solids, notes) = (Vec::new(), RepeatedNotes::default());
-        Self { text, words: Words::new(text), solids, solid: Solid::None, facet: None, notes }
+        Self { text, words: Words::new(text), solids, solid: Solid::None, notes }
     }
 
-    fn run(&mut self) -> Result<(), Fault> {
-        while let Some(word) = self.words.next() {
-            self.statement(word)?;
+    fn run(&mut self) -> Result<(), ReadError> {
+        while let Some((keyword, word)) = self.keyword() {
+            match keyword {
+                b"solid" => self.begin_solid(word.start)?,
+                b"endsolid" => {
+                    self.words.rest_of_line();
+                    if self.solid == Solid::None {
+                        self.notes.add(NO_SOLID, word.start);
+                    }
+                    self.solid = Solid::None;
+                }
+                b"facet" => self.facet(word)?,
+                _ => return Err(self.unexpected(word)),
+            }
         }
-        if self.facet.is_some() || self.solid == Solid::Named {
-            let found =
-                if self.facet.is_some() { "the file ends inside a facet" } else { "`endsolid` is missing" };
-            let advice = "the file was cut off; if nothing is missing, add the line `endsolid`";
-            return Err(Fault::new(Problem::Truncated, self.text.len(), found, advice));
-        }
-        Ok(())
+        if self.solid == Solid::Named { Err(self.truncated("`endsolid` is missing")) } else { Ok(()) }
     }
 
-    fn statement(&mut self, word: Range<usize>) -> Result<(), Fault> {
-        let keyword = self.text[word.clone()].to_ascii_lowercase();
-        match (&keyword[..], self.facet) {
-            (b"solid", None) => self.begin_solid(word.start)?,
-            (b"endsolid", None) => {
-                self.words.rest_of_line();
-                if self.solid == Solid::None {
-                    self.notes.add(NO_SOLID, word.start);
+    /// The next keyword and its bytes. Lines that start with another word, such as colours, are skipped.
+    fn keyword(&mut self) -> Option<(&'static [u8], Range<usize>)> {
+        loop {
+            let word = self.words.next()?;
+            let known =
+                KEYWORDS.into_iter().find(|known| self.text[word.clone()].eq_ignore_ascii_case(known));
+            match known {
+                Some(keyword) => return Some((keyword, word)),
+                None => {
+                    self.notes.add(UNKNOWN, word.start);
+                    self.words.rest_of_line();
                 }
-                self.solid = Solid::None;
-            }
-            (b"facet", None) => self.begin_facet(word),
-            (b"outer", Some(Loops::None)) => {
-                if !self.next_is(b"loop") {
-                    let found = format!("`{}` without `loop` behind it", shown(&self.text[word.clone()]));
-                    return Err(damaged(word.start, found, "the line is damaged"));
-                }
-                self.facet = Some(Loops::Open);
-            }
-            (b"vertex", Some(Loops::Open)) => self.vertex(word)?,
-            (b"endloop", Some(Loops::Open)) => self.facet = Some(Loops::Closed),
-            (b"endfacet", Some(Loops::Closed)) => self.end_facet(word)?,
-            (b"solid" | b"endsolid" | b"facet" | b"outer" | b"vertex" | b"endloop" | b"endfacet", _) => {
-                let found = format!("`{}` does not belong here", shown(&self.text[word.clone()]));
-                return Err(damaged(word.start, found, "a line before it is missing or damaged"));
-            }
-            // Colours and the like, each on a line of its own.
-            _ => {
-                self.notes.add(UNKNOWN, word.start);
-                self.words.rest_of_line();
             }
         }
-        Ok(())
+    }
+
+    fn keyword_in_facet(&mut self) -> Result<(&'static [u8], Range<usize>), ReadError> {
+        self.keyword().ok_or_else(|| self.truncated("the file ends inside a facet"))
+    }
+
+    fn expect(&mut self, expected: &[u8]) -> Result<Range<usize>, ReadError> {
+        let (keyword, word) = self.keyword_in_facet()?;
+        if keyword == expected { Ok(word) } else { Err(self.unexpected(word)) }
     }
 
     /// Passes the next word if it is the expected one.
@@ -181,10 +164,20 @@ impl<'a> Parser<'a> {
         is_next
     }
 
-    fn begin_solid(&mut self, start: usize) -> Result<(), Fault> {
+    fn unexpected(&self, word: Range<usize>) -> ReadError {
+        let found = format!("unexpected `{}`", shown(&self.text[word.clone()]));
+        damaged(word.start, found, "a line before this one is missing or damaged")
+    }
+
+    fn truncated(&self, found: &str) -> ReadError {
+        let advice = "the file is cut off; if nothing is missing, add the line `endsolid`";
+        at_byte(Problem::Truncated, self.text.len(), found, advice)
+    }
+
+    fn begin_solid(&mut self, start: usize) -> Result<(), ReadError> {
         if self.solids.len() == MOST_SOLIDS {
-            let found = format!("more than {MOST_SOLIDS} solids");
-            return Err(Fault::new(Problem::Limit, start, found, "divide the file"));
+            let found = format!("too many solids (limit {MOST_SOLIDS})");
+            return Err(at_byte(Problem::Limit, start, found, "split the file"));
         }
         if self.solid == Solid::Named {
             self.notes.add(NO_ENDSOLID, start);
@@ -195,7 +188,7 @@ impl<'a> Parser<'a> {
         Ok(())
     }
 
-    fn begin_facet(&mut self, word: Range<usize>) {
+    fn facet(&mut self, word: Range<usize>) -> Result<(), ReadError> {
         if self.solid == Solid::None {
             self.notes.add(NO_SOLID, word.start);
             self.solids.push(SolidText::default());
@@ -212,11 +205,33 @@ impl<'a> Parser<'a> {
         if value.is_none() {
             self.notes.add(NO_NORMAL, word.start);
         }
+        let outer = self.expect(b"outer")?;
+        if !self.next_is(b"loop") {
+            let found = format!("`{}` has no `loop` after it", shown(&self.text[outer.clone()]));
+            return Err(damaged(outer.start, found, "correct the line"));
+        }
+        let first = self.solid().vertices.len();
+        loop {
+            match self.keyword_in_facet()? {
+                (b"vertex", word) => self.vertex(word)?,
+                (b"endloop", _) => break,
+                (_, word) => return Err(self.unexpected(word)),
+            }
+        }
+        let end = self.expect(b"endfacet")?;
+        let vertices = first..self.solid().vertices.len();
+        match vertices.len() {
+            3 => {}
+            4.. => self.notes.add(POLYGON, end.start),
+            few => {
+                let found = format!("a facet needs 3 vertices, but has {few}");
+                return Err(damaged(end.start, found, "correct the facet"));
+            }
+        }
         let solid = self.solid();
-        let vertices = solid.vertices.len()..solid.vertices.len();
-        solid.facets.push(FacetText { span: word, normal, lead, vertices });
+        solid.facets.push(FacetText { span: word.start..end.end, normal, lead, vertices });
         solid.normals.push(value);
-        self.facet = Some(Loops::None);
+        Ok(())
     }
 
     /// Up to three numbers and their bytes.
@@ -234,11 +249,11 @@ impl<'a> Parser<'a> {
         (span, values)
     }
 
-    fn vertex(&mut self, word: Range<usize>) -> Result<(), Fault> {
+    fn vertex(&mut self, word: Range<usize>) -> Result<(), ReadError> {
         let (span, values) = self.numbers();
         let Ok(values) = <[f64; 3]>::try_from(values) else {
             let next = self.words.next().map_or(String::new(), |next| shown(&self.text[next]));
-            let found = format!("a vertex needs three numbers, and `{next}` is none");
+            let found = format!("a vertex needs 3 numbers, but `{next}` is not a number");
             return Err(damaged(word.start, found, "correct the line"));
         };
         let solid = self.solid();
@@ -247,32 +262,13 @@ impl<'a> Parser<'a> {
         Ok(())
     }
 
-    fn end_facet(&mut self, word: Range<usize>) -> Result<(), Fault> {
-        self.facet = None;
-        let solid = self.solid();
-        let count = solid.vertices.len();
-        let Some(facet) = solid.facets.last_mut() else { return Ok(()) };
-        facet.span.end = word.end;
-        facet.vertices.end = count;
-        match facet.vertices.len() {
-            3 => {}
-            4.. => self.notes.add(POLYGON, word.start),
-            few => {
-                let found = format!("a facet with {}; it needs 3", counted(few, "vertex", "vertices"));
-                return Err(damaged(word.start, found, "correct the facet"));
-            }
-        }
-        Ok(())
-    }
-
-    /// The solid that is open.
     fn solid(&mut self) -> &mut SolidText {
         self.solids.last_mut().expect("a facet opens a solid")
     }
 }
 
-fn damaged(offset: usize, found: String, advice: &'static str) -> Fault {
-    Fault::new(Problem::Syntax, offset, found, advice)
+fn damaged(offset: usize, found: String, advice: &'static str) -> ReadError {
+    at_byte(Problem::Syntax, offset, found, advice)
 }
 
 /// The name behind `solid`, without the comment behind that.

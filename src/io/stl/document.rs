@@ -9,7 +9,6 @@ pub struct StlDocument {
     pub(super) layout: Layout,
 }
 
-/// The two kinds of STL.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Layout {
     Ascii,
@@ -18,13 +17,10 @@ pub(super) enum Layout {
 
 /// Bytes of a binary header, behind which the number of facets is.
 pub(super) const HEADER: usize = 80;
-/// Where the first binary facet starts.
 pub(super) const FIRST: usize = 84;
-/// Bytes of a binary facet.
 pub(super) const FACET: usize = 50;
 
 impl StlDocument {
-    /// The file as it was read.
     pub(in crate::io) fn source(&self) -> &[u8] {
         &self.bytes
     }

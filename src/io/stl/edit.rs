@@ -1,84 +1,89 @@
 //! Writing an STL back into its own bytes.
 
 use super::ascii::{FacetText, SolidText, solids};
-use super::binary::VECTOR;
 use super::document::{FACET, FIRST, HEADER, Layout, StlDocument};
-use super::facet_edits::{FacetEdit, facet_edits};
-use super::new_file::vertex_normals_note;
+use super::new_file::{stored, vertex_normals_note};
+use super::read::VECTOR;
 use crate::io::text::{Copier, line_end_length, push_f32};
 use crate::io::{Loaded, PartEdit, WriteError, WriteOptions, Written};
+use crate::mesh::Mesh;
 use std::ops::Range;
 
-/// The document with the edit applied: facet normals, facets dropped and reversed. Everything else keeps its bytes.
-///
-/// A facet's normal is [`PartEdit::face_normals`]; if the corners keep the normal of the file in [`PartEdit::normals`], the
-/// facet keeps its own.
+/// The document with the edit applied. Facets whose corners keep the normal of the file keep it; all else keeps its bytes.
 pub(in crate::io) fn edit(
     document: &StlDocument,
     loaded: &Loaded,
     edits: &[PartEdit],
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
-    let facets = facet_edits(loaded, edits);
-    let kept = facets.iter().flatten().filter(|facet| !facet.dropped).count();
-    let bytes = match document.layout {
-        Layout::Binary { .. } => edit_binary(&document.bytes, facets.first().map_or(&[], Vec::as_slice)),
-        Layout::Ascii => edit_ascii(&document.bytes, &facets),
+    let unchanged = PartEdit::default();
+    let edits = || edits.iter().chain(std::iter::repeat(&unchanged));
+    let meshes = || loaded.parts.iter().map(|part| &part.mesh).zip(edits());
+    let bytes = match (document.layout, meshes().next()) {
+        (Layout::Ascii, _) => edit_ascii(&document.bytes, meshes()),
+        (Layout::Binary { .. }, Some((mesh, edit))) => edit_binary(&document.bytes, mesh, edit),
+        (Layout::Binary { .. }, None) => document.bytes.clone(),
     };
-    let mut notes = Vec::new();
-    if edits.iter().any(|edit| edit.normals.is_some() || edit.face_normals.is_some()) {
-        notes.extend(vertex_normals_note(options));
-    }
+    let kept: usize = meshes().map(|(mesh, edit)| mesh.face_count() - edit.faces.dropped.len()).sum();
+    let has_normals = meshes().any(|(_, edit)| edit.normals.is_some() || edit.face_normals.is_some());
+    let notes = vertex_normals_note(options).filter(|_| has_normals).into_iter().collect();
     Ok(Written { bytes, notes, vertices: 3 * kept as u64, ..Written::default() })
 }
 
-/// The file with its facets edited; the bytes before and behind them stay.
-fn edit_binary(bytes: &[u8], facets: &[FacetEdit]) -> Vec<u8> {
+/// The file with its facets edited; the bytes before and after them stay.
+fn edit_binary(bytes: &[u8], mesh: &Mesh, edit: &PartEdit) -> Vec<u8> {
     let mut out = Vec::with_capacity(bytes.len());
     out.extend_from_slice(&bytes[..FIRST]);
-    let end = FIRST + facets.len() * FACET;
-    for (edit, record) in facets.iter().zip(bytes[FIRST..end].chunks_exact(FACET)) {
-        if edit.dropped {
+    let end = FIRST + mesh.face_count() * FACET;
+    for (face, record) in bytes[FIRST..end].chunks_exact(FACET).enumerate() {
+        if !edit.faces.keeps(face as u32) {
             continue;
         }
         let start = out.len();
         out.extend_from_slice(record);
-        if let Some(normal) = edit.normal {
+        if let Some(normal) = new_normal(mesh, edit, face) {
             out[start..start + VECTOR].copy_from_slice(normal.map(f32::to_le_bytes).as_flattened());
         }
-        if edit.reversed {
+        if edit.faces.reverses(face as u32) {
             // The first corner stays the first.
             let (second, third) = out[start + 2 * VECTOR..start + 4 * VECTOR].split_at_mut(VECTOR);
             second.swap_with_slice(third);
         }
     }
     out.extend_from_slice(&bytes[end..]);
-    let dropped = facets.iter().filter(|facet| facet.dropped).count();
+    let dropped = edit.faces.dropped.len();
     if dropped > 0 {
-        let count = (facets.len() - dropped) as u32;
+        let count = (mesh.face_count() - dropped) as u32;
         out[HEADER..FIRST].copy_from_slice(&count.to_le_bytes());
     }
     out
 }
 
-/// The text with its facets edited, one list a solid. Only numbers change, and dropped facets are removed with the
-/// lines that nothing else is on.
-fn edit_ascii(text: &[u8], edits: &[Vec<FacetEdit>]) -> Vec<u8> {
+/// The text with its facets edited. Dropped facets are removed with the lines that nothing else is on.
+fn edit_ascii<'a>(text: &[u8], edits: impl Iterator<Item = (&'a Mesh, &'a PartEdit)>) -> Vec<u8> {
     let mut copy = Copier::new(text, 8);
-    for (solid, edits) in solids(text).iter().zip(edits) {
-        for (facet, edit) in solid.facets.iter().zip(edits) {
-            edit_facet(&mut copy, solid, facet, edit);
+    for (solid, (mesh, edit)) in solids(text).iter().zip(edits) {
+        for (face, facet) in solid.facets.iter().enumerate() {
+            if edit.faces.keeps(face as u32) {
+                let reverses = edit.faces.reverses(face as u32);
+                edit_facet(&mut copy, solid, facet, new_normal(mesh, edit, face), reverses);
+            } else {
+                copy.skip(facet_lines(&copy, facet));
+            }
         }
     }
     copy.copy_to(text.len());
     copy.out
 }
 
-fn edit_facet(copy: &mut Copier<'_>, solid: &SolidText, facet: &FacetText, edit: &FacetEdit) {
-    if edit.dropped {
-        return copy.skip(facet_lines(copy, facet));
-    }
-    if let Some(normal) = edit.normal {
+fn edit_facet(
+    copy: &mut Copier<'_>,
+    solid: &SolidText,
+    facet: &FacetText,
+    normal: Option<[f32; 3]>,
+    reverses: bool,
+) {
+    if let Some(normal) = normal {
         copy.skip(facet.normal.clone());
         copy.out.extend_from_slice(facet.lead.as_bytes());
         for (k, value) in normal.into_iter().enumerate() {
@@ -88,7 +93,7 @@ fn edit_facet(copy: &mut Copier<'_>, solid: &SolidText, facet: &FacetText, edit:
             push_f32(&mut copy.out, value);
         }
     }
-    if edit.reversed {
+    if reverses {
         // The first corner stays the first.
         let spans = &solid.vertices[facet.vertices.clone()];
         for (here, there) in spans[1..].iter().zip(spans[1..].iter().rev()) {
@@ -108,4 +113,15 @@ fn facet_lines(copy: &Copier<'_>, facet: &FacetText) -> Range<usize> {
     let line_end = line_end_length(&behind[blanks..]);
     let starts_line = start == 0 || matches!(copy.text[start - 1], b'\n' | b'\r');
     if starts_line && line_end > 0 { start..facet.span.end + blanks + line_end } else { facet.span.clone() }
+}
+
+/// The new normal of a facet; `None` if the stored one stays: the corners keep it, or the number is equal.
+fn new_normal(mesh: &Mesh, edit: &PartEdit, face: usize) -> Option<[f32; 3]> {
+    let normal = stored(*edit.face_normals.as_ref()?.get(face)?);
+    let corner = mesh.faces().range(face).start;
+    let vertex = mesh.faces().corners()[corner];
+    let slot = edit.normals.as_ref().and_then(|normals| normals.slot(corner, vertex));
+    let keeps = slot.is_some_and(|slot| (slot as usize) < edit.kept);
+    let current = mesh.columns().normals.as_ref().and_then(|normals| normals.get(corner, vertex));
+    (!keeps && current.copied().map(stored) != Some(normal)).then_some(normal)
 }

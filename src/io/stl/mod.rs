@@ -6,18 +6,14 @@
 
 // The file as it was read, and the detection of its layout.
 mod document;
-// Reading.
+// Ascii STL.
 mod ascii;
-// Binary STL.
-mod binary;
-// Bytes to an STL document and its meshes.
+// Bytes to an STL document and its meshes; binary STL.
 mod read;
-// Writing.
-mod edit;
-// The edit of each facet.
-mod facet_edits;
 // A new binary STL from any meshes.
 mod new_file;
+// Writing an STL back into its own bytes.
+mod edit;
 
 pub use document::StlDocument;
 pub(super) use document::is_certain;

@@ -1,33 +1,26 @@
 //! A new binary STL from any meshes.
 
 use super::document::{FACET, FIRST, HEADER};
-use super::facet_edits::stored;
-use crate::io::unsupported_features::{Feature, displacement_note, needs_f64, unsupported_notes};
-use crate::io::{Emit, Note, Part, Place, WriteError, WriteOptions, Written};
+use crate::io::mesh_checks::{displacement_note, needs_f64, unsupported_notes};
+use crate::io::{Emit, Format, Note, Part, Place, WriteError, WriteOptions, Written};
 use crate::mesh::{Mesh, triangulate};
 use glam::DVec3;
 
-/// A binary STL of all parts, cut into triangles.
-///
-/// The normal of a facet is the one that the corners of its face share. Where they do not share one, 0 0 0 is
-/// written, by which the format leaves it to the reader.
-///
-/// # Errors
-/// [`WriteError::Unsupported`] for a position beyond the range of `f32`, [`WriteError::TooLarge`] for more facets
-/// than 32 bits count.
+/// A binary STL of all parts, cut into triangles. Facets without a normal that all corners of their face share have 0 0 0.
+/// Fails for a position beyond the range of `f32`, and for more facets than 32 bits count.
 pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Written, WriteError> {
     let mut bytes = header(parts);
     let mut count = 0_u64;
-    let mut without_normal = 0_u64;
+    let mut without_normal = 0;
     for part in parts {
         let mesh = &part.mesh;
         let is_far = |p: &DVec3| p.abs().max_element() > f64::from(f32::MAX);
         if let Some(vertex) = mesh.positions().iter().position(is_far) {
             let DVec3 { x, y, z } = mesh.positions()[vertex];
             let text = format!(
-                "vertex {vertex}, counted from 0, at ({x:e}, {y:e}, {z:e}) is beyond the range of the 32-bit floats of STL"
+                "vertex {vertex} at ({x:e}, {y:e}, {z:e}) is out of the range of 32-bit floats; scale the model, or write PLY or OBJ"
             );
-            return Err(WriteError::Unsupported(format!("{text}; scale the model, or write PLY or OBJ")));
+            return Err(WriteError::Unsupported(text));
         }
         // One a face: a polygon has as many triangles as it takes to look at all of its corners.
         let normals: Vec<Option<DVec3>> =
@@ -37,7 +30,7 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
         bytes.reserve(triangulation.triangles.len() * FACET);
         for (triangle, face) in triangulation.triangles.into_iter().zip(triangulation.source_face) {
             let normal = normals[face as usize];
-            without_normal += u64::from(normal.is_none());
+            without_normal += usize::from(normal.is_none());
             let corners = triangle.map(|corner| mesh.faces().corners()[corner as usize] as usize);
             let [a, b, c] = corners.map(|vertex| stored(mesh.positions()[vertex]));
             let vectors = [normal.map_or([0.0; 3], stored), a, b, c];
@@ -47,7 +40,7 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
         }
     }
     let counted = u32::try_from(count)
-        .map_err(|_| WriteError::TooLarge(format!("{count} facets are more than STL can count")))?;
+        .map_err(|_| WriteError::TooLarge(format!("{count} facets, more than STL can count")))?;
     bytes[HEADER..FIRST].copy_from_slice(&counted.to_le_bytes());
     let notes = notes(parts, without_normal, options);
     Ok(Written { bytes, notes, vertices: 3 * count, ..Written::default() })
@@ -77,43 +70,35 @@ fn shared_normal(mesh: &Mesh, face: usize) -> Option<DVec3> {
     slots.all(|slot| slot == Some(first)).then(|| normals.values[first as usize])
 }
 
-const UNSUPPORTED: [Feature; 8] = [
-    Feature::Uvs,
-    Feature::Colors,
-    Feature::Materials,
-    Feature::Objects,
-    Feature::Smoothing,
-    Feature::MorphTargets,
-    Feature::Points,
-    Feature::Lines,
-];
-
 /// What STL cannot store.
-fn notes(parts: &[Part], without_normal: u64, options: &WriteOptions) -> Vec<Note> {
+fn notes(parts: &[Part], without_normal: usize, options: &WriteOptions) -> Vec<Note> {
     let mut notes = Vec::new();
     let any = |test: &dyn Fn(&Mesh) -> bool| parts.iter().any(|part| test(&part.mesh));
     if any(&|mesh| mesh.face_count() > 0) {
         notes.extend(vertex_normals_note(options));
     }
-    let mut warn = |text: String| notes.push(Note::warning(Place::File, text));
-    if without_normal > 0 {
-        warn(format!("0 0 0 was written for facets without a normal of their own: {without_normal}"));
-    }
+    notes.extend(Note::counted(without_normal, ["facet has", "facets have"], "no normal; 0 0 0 was written"));
     if parts.len() > 1 {
-        warn(format!("STL has no parts: all {} were put into one solid", parts.len()));
+        let text = format!("a binary STL has one solid: {} meshes were merged", parts.len());
+        notes.push(Note::warning(Place::File, text));
     }
-    notes.extend(unsupported_notes("STL", &UNSUPPORTED, parts));
+    notes.extend(unsupported_notes(Format::Stl, parts));
     let displaced: Vec<Note> = parts.iter().filter_map(|part| displacement_note(&part.mesh)).collect();
     if !displaced.is_empty() {
         notes.extend(displaced);
     } else if any(&needs_f64) {
-        notes.push(Note::remark("positions were rounded to 32-bit numbers"));
+        notes.push(Note::remark("positions were rounded to 32-bit floats"));
     }
     notes
 }
 
+/// A normal as STL stores it.
+pub(super) fn stored(normal: DVec3) -> [f32; 3] {
+    normal.as_vec3().to_array()
+}
+
 /// The warning that vertex normals are lost, unless the caller asked for those of faces.
 pub(super) fn vertex_normals_note(options: &WriteOptions) -> Option<Note> {
-    let text = "STL cannot carry vertex normals: one normal a facet was written";
+    let text = "STL has no vertex normals; one normal per facet was written";
     (options.emit != Emit::Face).then(|| Note::warning(Place::File, text))
 }

@@ -65,7 +65,7 @@ fn binary_counts_that_are_wrong() {
     more[80] = 1;
     let loaded = load(&more);
     assert_eq!(loaded.parts[0].mesh.face_count(), 1);
-    assert!(loaded.notes[0].text.contains("room for 2 more"));
+    assert!(loaded.notes[0].text.contains("enough for 2 more"));
     // What was not read is kept.
     assert_eq!(edited(&loaded, &[faces(&[DVec3::ZERO])]), more);
     let mut uncounted = binary(3);
@@ -87,7 +87,7 @@ fn ascii_solids_words_and_comments() {
     assert_eq!(normals.index, ColumnIndex::PerCorner(vec![0, 0, 0, NONE, NONE, NONE]));
     assert!(loaded.parts[1].mesh.columns().normals.as_ref().unwrap().values[0].x.is_nan());
     let notes: Vec<_> = loaded.notes.iter().map(ToString::to_string).collect();
-    assert_eq!(notes, ["line 10: a facet without a normal of three numbers"]);
+    assert_eq!(notes, ["line 10: a facet has no normal of three numbers"]);
     for line_end in ["\r\n", "\r"] {
         let other = load(ASCII.replace('\n', line_end));
         assert_eq!(other.parts[0].mesh, loaded.parts[0].mesh);
@@ -179,19 +179,19 @@ fn faults_say_where() {
         (format!("solid\n{}", &facet[..60]), "line 6: the file ends inside a facet"),
         (
             format!("solid\n{}", facet.replace("vertex 0 1 0\n", "")) + "endsolid",
-            "line 7: a facet with 2 vertices",
+            "line 7: a facet needs 3 vertices, but has 2",
         ),
         (
             format!("solid\n{}", facet.replace("1 0 0", "1 0,5 0")),
-            "line 5: a vertex needs three numbers, and `0,5`",
+            "line 5: a vertex needs 3 numbers, but `0,5`",
         ),
-        (format!("solid\n{}", facet.replace("outer loop\n", "")), "line 3: `vertex` does not belong here"),
+        (format!("solid\n{}", facet.replace("outer loop\n", "")), "line 3: unexpected `vertex`"),
         (
             format!("solid\n{}endsolid", facet.replace("0 1 0", "inf 1 0")),
             "line 6: vertex 2 has the position (inf",
         ),
         (String::new(), "the file is empty"),
-        ("hello".to_owned(), "5 bytes of neither"),
+        ("hello".to_owned(), "not an STL file (5 bytes)"),
     ] {
         let error = error(&text).to_string();
         assert!(error.starts_with(expected), "{error}");
@@ -213,7 +213,7 @@ fn unusual_texts_are_read_with_a_warning() {
     let four = facet.replace("vertex 0 1 0\n", "vertex 1 1 0\nvertex 0 1 0\n");
     for (text, parts, warning) in [
         (facet.to_owned(), 1, "no `solid` line"),
-        (format!("solid a\n{facet}solid b\n{facet}endsolid"), 2, "before `endsolid`"),
+        (format!("solid a\n{facet}solid b\n{facet}endsolid"), 2, "before the `endsolid`"),
         (format!("solid\ncolor 1 0 0\n{facet}endsolid"), 1, "was skipped"),
         (format!("solid\n{four}endsolid"), 1, "read as a polygon"),
     ] {

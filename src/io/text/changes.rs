@@ -16,7 +16,6 @@ impl<'a> Copier<'a> {
         Self { text, out: Vec::with_capacity(text.len() + text.len() / growth), at: 0 }
     }
 
-    /// Copies up to an offset.
     pub fn copy_to(&mut self, end: usize) {
         self.out.extend_from_slice(&self.text[self.at..end]);
         self.at = end;

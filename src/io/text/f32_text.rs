@@ -1,24 +1,22 @@
 //! Coordinates in text that were printed from single precision, or with no more digits than that holds.
 
-use super::parse_number::{EXACT_POWERS, float};
+use super::numbers::{EXACT_POWERS, float};
 use crate::mesh::Storage;
 use crate::num;
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// How many coordinates have to agree. A double looks by chance like a printed `f32` with a probability of one half at most; this
-/// many do so with a probability of 2⁻²⁰.
+/// How many coordinates must agree: by chance, a double looks like a printed `f32` with a probability of at most one half.
 const ENOUGH: usize = 20;
 
 /// The digits of a floating-point number that C, C++ and Python print by default.
 const DIGITS: i32 = 6;
 
-/// Finds whether the coordinates of all parts of a text were `f32` before they were printed, and rounds them to `f32` if so.
+/// Finds whether the coordinates of a text were printed from `f32`, and rounds them to `f32` if so.
 ///
-/// The shortest decimal that reads back as an `f32` is a different `f64`, up to half a spacing away, which rotates the normal of
-/// a face that is a few spacings high by many degrees. The coordinates were `f32` if each has the shortest spelling of one, and
-/// enough of them end in a digit finer than single precision or have fewer decimals the larger they are, as rounded
-/// floating-point numbers do. Numbers with a fixed count of decimals stay unchanged.
+/// The shortest decimal of an `f32` is a different `f64`, up to half a spacing away, which rotates the normal of a sliver by many
+/// degrees. The coordinates were `f32` if each has the shortest spelling of one, and enough of them end in a digit finer than
+/// single precision or have fewer decimals the larger they are. Numbers with a fixed count of decimals stay unchanged.
 pub(in crate::io) fn restore_singles(parts: &mut [&mut [DVec3]]) -> Storage {
     let all = parts.par_iter().flat_map(|part| part.par_iter());
     let spellings = all.try_fold(Spellings::default, Spellings::with);
@@ -100,8 +98,7 @@ struct Spelling {
 /// Arithmetic in `f64` cannot decide: the text must be compared.
 struct Unclear;
 
-/// The relative error of a distance: some 2⁻²⁰ of the spacing of `f32` is 2⁹ times the rounding error of an `f64` of that
-/// size.
+/// The relative error of a distance: some 2⁻²⁰ of the spacing of `f32`, 2⁹ times the rounding error of an `f64`.
 const MARGIN: f64 = 1e-6;
 
 impl Spelling {
@@ -115,8 +112,7 @@ impl Spelling {
             .unwrap_or_else(|Unclear| Self::by_text(coordinate, single))
     }
 
-    /// The same for a positive coordinate by the definition of the shortest decimal: of those that read as the `f32`, one with the
-    /// fewest digits, and of these the nearest. Several times as fast as printing.
+    /// The same for a positive coordinate: the decimal with the fewest digits that reads as the `f32`. Much faster than printing.
     fn by_arithmetic(coordinate: f64, single: f64) -> Result<Option<Self>, Unclear> {
         // No less than the power of ten of the first digit, less one: nine digits or ten come before the point.
         let decade = (num::exponent(coordinate) * 1233) >> 12;

@@ -4,24 +4,20 @@ use crate::io::{Place, Problem, ReadError};
 use memchr::memchr_iter;
 use std::borrow::Cow;
 
-/// An error at a byte offset. Its line is counted only once it is reported.
-#[derive(Clone, Debug)]
-pub(in crate::io) struct Fault {
-    pub problem: Problem,
-    pub offset: usize,
-    pub found: String,
-    pub advice: &'static str,
+/// An error at a byte offset of a text. [`in_text`] finds its line, once it is reported.
+pub(in crate::io) fn at_byte(
+    problem: Problem,
+    offset: usize,
+    found: impl Into<String>,
+    advice: &str,
+) -> ReadError {
+    ReadError::new(problem, Place::Byte(offset as u64), found, advice)
 }
 
-impl Fault {
-    pub fn new(problem: Problem, offset: usize, found: impl Into<String>, advice: &'static str) -> Self {
-        Self { problem, offset, found: found.into(), advice }
-    }
-
-    /// The error for the user; `place` is where the offset is.
-    pub fn at(self, place: Place) -> ReadError {
-        ReadError::new(self.problem, place, self.found, self.advice)
-    }
+/// An error with its line instead of its byte offset.
+pub(in crate::io) fn in_text(error: ReadError, text: &[u8]) -> ReadError {
+    let Place::Byte(offset) = error.place else { return error };
+    ReadError { place: line_place(text, offset as usize), ..error }
 }
 
 /// The number of the physical line that an offset is on, counted from 1, and the column in bytes, likewise.
@@ -33,7 +29,6 @@ pub(in crate::io) fn line_and_column(text: &[u8], offset: usize) -> (u64, usize)
     ((feeds + lone_returns + 1) as u64, before.len() - start + 1)
 }
 
-/// The line of an offset.
 pub(in crate::io) fn line_place(text: &[u8], offset: usize) -> Place {
     Place::Line(line_and_column(text, offset).0)
 }

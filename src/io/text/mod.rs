@@ -2,10 +2,8 @@
 
 // The words of a text, and where its lines end.
 mod words;
-// Text to numbers.
-mod parse_number;
-// Numbers to text.
-mod format_number;
+// Text to numbers and back.
+mod numbers;
 // Coordinates that were printed from single precision.
 mod f32_text;
 // Text that is copied with changes.
@@ -15,8 +13,7 @@ mod message;
 
 pub(super) use changes::{Changes, Copier};
 pub(super) use f32_text::restore_singles;
-pub(super) use format_number::{push_f32, push_f64, push_integer, push_row};
 pub use message::shell_word;
-pub(super) use message::{Fault, counted, line_and_column, line_place, line_places, shown};
-pub(super) use parse_number::{float, float_prefix, integer_prefix};
+pub(super) use message::{at_byte, counted, in_text, line_and_column, line_place, line_places, shown};
+pub(super) use numbers::{float, float_prefix, integer_prefix, push_f32, push_f64, push_integer, push_row};
 pub(super) use words::{Words, is_blank, line_end_length, next_word, without_byte_order_mark};

@@ -64,7 +64,10 @@ fn materials_of_standard_input_come_from_the_root() {
     };
     let reported = streamed(&[]);
     let said = crate::cli::text(&reported.stderr);
-    assert!(said.contains("`gear.mtl` was not read: a stream has no folder (--root names one)"), "{said}");
+    assert!(
+        said.contains("`gear.mtl` was not read, because a stream has no folder (--root names one)"),
+        "{said}"
+    );
     let rooted = streamed(&["--root", &root]);
     assert!(!crate::cli::text(&rooted.stderr).contains("gear.mtl"));
     assert!(rooted.stdout == bytes(&[file, size, pixels]) && rooted.stdout != reported.stdout);

@@ -224,8 +224,8 @@ fn cameras_that_are_none_are_refused_with_their_place() {
     for (faulty, field) in [
         (lens.replace(r#""xmag": 1"#, r#""xmag": 0"#), "`xmag` is 0"),
         (r#""perspective", "perspective": {"yfov": 3.2, "znear": 0.1}"#.to_owned(), "`yfov` is 3.2"),
-        (r#""perspective", "perspective": {"znear": 0.1}"#.to_owned(), "no `yfov`"),
-        (r#""perspective""#.to_owned(), "no `perspective`"),
+        (r#""perspective", "perspective": {"znear": 0.1}"#.to_owned(), "`yfov` is missing"),
+        (r#""perspective""#.to_owned(), "`perspective` is missing"),
     ] {
         let text = square_text("", MATTE, "");
         assert!(text.contains(lens));

@@ -1,16 +1,16 @@
-//! New normals for the primitives that share one set of vertices.
+//! New normals and tangents for the primitives that share one set of vertices.
 
-use crate::io::gltf::document::accessor::{Elements, Source};
-use crate::io::gltf::document::records::{Component, Format, VertexAccessors};
-use crate::io::gltf::edit::indices::{drop_draco, rewrite_indices};
-use crate::io::gltf::edit::member::Member;
-use crate::io::gltf::edit::rows::{Rows, SlotTables, Stored};
-use crate::io::gltf::edit::store::{NewData, Store};
-use crate::io::gltf::edit::tangents::{Corners, tangents};
-use crate::io::gltf::json::tree::Value;
-use crate::io::gltf::writer::data::Target;
+use super::member::{Member, drop_draco, rewrite_indices};
+use super::rows::{Rows, Stored};
+use super::store::{NewData, Remark, Store};
+use crate::io::gltf::accessor::{Elements, Source};
+use crate::io::gltf::data::Target;
+use crate::io::gltf::json::Value;
+use crate::io::gltf::records::{Component, Format, VertexAccessors};
 use crate::io::{ReadError, TangentPolicy, WriteError, WriteOptions};
 use crate::mesh::{NONE, VertexSplit, split_vertices};
+use bevy_mikktspace::{Geometry, Ops, TangentSpace, generate_tangents};
+use glam::Vec3;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 
@@ -30,13 +30,17 @@ struct CornerTangents {
 
 impl Group<'_, '_> {
     /// Writes what changes. Returns how many vertices were added.
-    pub fn write(&self, store: &mut Store<'_>, tables: &mut SlotTables) -> Result<u64, WriteError> {
+    pub fn write(
+        &self,
+        store: &mut Store<'_>,
+        tables: &mut FxHashMap<usize, Vec<u32>>,
+    ) -> Result<u64, WriteError> {
         let target_sets = self.vertices.target_sets();
         let morph = self.members.iter().all(|member| member.has_morph_normals(target_sets.len()));
         let stored =
             Stored::new(self.source, self.vertices, self.options.normal_format, morph).map_err(unreadable)?;
         let rows = Rows::new(&stored, self.members, tables);
-        store.remarks.without_normal += rows.missing;
+        store.remark(Remark::WithoutNormal, rows.missing);
 
         let count = self.members[0].block.count as usize;
         let locals: Vec<u32> = self.corners().map(|(member, corner)| member.vertex(corner)).collect();
@@ -48,7 +52,7 @@ impl Group<'_, '_> {
         }
         let has_normals = |set| self.vertices.of_set(set, "NORMAL").is_some();
         if !morph && target_sets.clone().any(has_normals) {
-            store.remarks.stale_deltas += self.members.len();
+            store.remark(Remark::StaleDeltas, self.members.len());
         }
         let new_tangents = self.tangents(&stored, &rows, &locals)?;
         let mut table = match &new_tangents {
@@ -60,9 +64,7 @@ impl Group<'_, '_> {
         };
         table.repair_unused(&stored, samples(&split, &rows.of_corner));
 
-        if stored.format.component != Component::F32 {
-            store.remarks.quantized = true;
-        }
+        store.is_quantized |= stored.format.component != Component::F32;
         self.put(store, 0, "NORMAL", stored.format, &table.normals(&stored), false);
         for (target, set) in target_sets.enumerate().take(stored.deltas.len()) {
             let deltas = table.deltas(&stored, target);
@@ -146,6 +148,7 @@ impl Group<'_, '_> {
         let mut values: Vec<[f32; 4]> = Vec::with_capacity(locals.len());
         for (member, uv_set) in self.members.iter().zip(uv_sets) {
             let uvs = self.source.elements(uv_set).map_err(unreadable)?.floats::<2>(0.0);
+            let uvs: Vec<[f32; 2]> = uvs.collect();
             let range = values.len()..values.len() + member.corners.len();
             let finite = |uv: [f32; 2]| uv.map(|x| if x.is_finite() { x } else { 0.0 });
             let vertices =
@@ -154,11 +157,13 @@ impl Group<'_, '_> {
                 vertices.map(|vertex| member.mesh.positions()[vertex as usize].as_vec3().to_array());
             let normals =
                 rows.of_corner[range.clone()].iter().map(|&row| stored.decode(rows.row(row)).to_array());
-            values.extend(tangents(Corners {
+            let surface = Surface {
                 positions: positions.collect(),
                 normals: normals.collect(),
                 uvs: locals[range].iter().map(|&vertex| finite(uvs[vertex as usize])).collect(),
-            }));
+                tangents: Vec::new(),
+            };
+            values.extend(surface.into_tangents());
         }
         let mut numbers: FxHashMap<[u32; 4], u32> = FxHashMap::default();
         let mut number = |tangent: &[f32; 4]| {
@@ -193,6 +198,7 @@ impl Group<'_, '_> {
         let keep = self.options.tangents == TangentPolicy::Keep;
         if let Some(new) = new {
             let old = self.source.elements(accessor).map_err(unreadable)?.floats::<4>(0.0);
+            let old: Vec<[f32; 4]> = old.collect();
             let value = |(&sample, &source): (&u32, &u32)| match sample {
                 NONE => old[source as usize],
                 sample => new.values[sample as usize],
@@ -202,7 +208,7 @@ impl Group<'_, '_> {
             self.put(store, 0, "TANGENT", format, bytemuck::cast_slice(&values), false);
         } else if !keep {
             self.sites(0).into_iter().for_each(|site| store.splices.remove(site, "TANGENT"));
-            store.remarks.tangents_dropped += self.members.len();
+            store.remark(Remark::TangentsRemoved, self.members.len());
         }
         if !keep {
             let sets = self.vertices.target_sets();
@@ -211,7 +217,7 @@ impl Group<'_, '_> {
             let sites = had.iter().flat_map(|&set| self.sites(set));
             sites.for_each(|site| store.splices.remove(site, "TANGENT"));
             if new.is_some() && !had.is_empty() {
-                store.remarks.tangent_deltas_dropped += self.members.len();
+                store.remark(Remark::TangentDeltasRemoved, self.members.len());
             }
         }
         Ok(())
@@ -245,13 +251,12 @@ impl Group<'_, '_> {
 /// The elements with zeros for those that are not finite; `None` if all are.
 fn finite(elements: &Elements<'_>) -> Option<Vec<u8>> {
     let is_finite = |vector: &[f32; 3]| vector.iter().all(|x| x.is_finite());
-    let floats = elements.floats::<3>(0.0);
-    if floats.iter().all(is_finite) {
+    if elements.floats::<3>(0.0).all(|vector| is_finite(&vector)) {
         return None;
     }
     // Integers are finite, so these are floats.
-    let repaired: Vec<[f32; 3]> =
-        floats.into_iter().map(|v| if is_finite(&v) { v } else { [0.0; 3] }).collect();
+    let floats = elements.floats(0.0);
+    let repaired: Vec<[f32; 3]> = floats.map(|v| if is_finite(&v) { v } else { [0.0; 3] }).collect();
     Some(bytemuck::cast_slice(&repaired).to_vec())
 }
 
@@ -264,4 +269,110 @@ fn samples<'s>(split: &'s VertexSplit, of_corner: &'s [u32]) -> impl Iterator<It
 /// Reading checked every attribute, so that this only passes on what should not happen.
 fn unreadable(error: ReadError) -> WriteError {
     WriteError::Unsupported(error.to_string())
+}
+
+/// What tangents depend on, one entry a corner, three corners a triangle, and the tangents.
+struct Surface {
+    positions: Vec<[f32; 3]>,
+    normals: Vec<[f32; 3]>,
+    /// As stored, v counted from the top of the image.
+    uvs: Vec<[f32; 2]>,
+    tangents: Vec<[f32; 4]>,
+}
+
+impl Surface {
+    /// The tangent of every corner by MikkTSpace (Mikkelsen, *Simulation of Wrinkled Surfaces Revisited*, 2008), its
+    /// handedness in `w`. Where uv have no direction it is some unit vector perpendicular to the normal.
+    fn into_tangents(mut self) -> Vec<[f32; 4]> {
+        self.tangents = self.normals.iter().map(|&normal| perpendicular(normal)).collect();
+        // The error type has no values.
+        let _ = generate_tangents(&mut self);
+        self.tangents
+    }
+}
+
+/// The same bits on every platform.
+struct Portable;
+
+impl Ops for Portable {
+    fn sqrt(x: f32) -> f32 {
+        x.sqrt()
+    }
+
+    fn acos(x: f32) -> f32 {
+        libm::acos(f64::from(x)) as f32
+    }
+}
+
+impl Geometry<Portable> for Surface {
+    fn num_faces(&self) -> usize {
+        self.positions.len() / 3
+    }
+
+    fn num_vertices_of_face(&self, _face: usize) -> usize {
+        3
+    }
+
+    fn position(&self, face: usize, vert: usize) -> [f32; 3] {
+        self.positions[3 * face + vert]
+    }
+
+    fn normal(&self, face: usize, vert: usize) -> [f32; 3] {
+        self.normals[3 * face + vert]
+    }
+
+    fn tex_coord(&self, face: usize, vert: usize) -> [f32; 2] {
+        self.uvs[3 * face + vert]
+    }
+
+    fn set_tangent(&mut self, space: Option<TangentSpace>, face: usize, vert: usize) {
+        let Some([x, y, z, w]) = space.map(|space| space.tangent_encoded()) else { return };
+        let length = Vec3::new(x, y, z).length();
+        if (length - 1.0).abs() < 1e-3 {
+            // MikkTSpace counts v upwards.
+            self.tangents[3 * face + vert] = [x / length, y / length, z / length, -w];
+        }
+    }
+}
+
+fn perpendicular(normal: [f32; 3]) -> [f32; 4] {
+    let normal = Vec3::from_array(normal);
+    let axis = if normal.x.abs() < 0.5 { Vec3::X } else { Vec3::Y };
+    let [x, y, z] = axis.reject_from_normalized(normal).normalize_or(Vec3::X).to_array();
+    [x, y, z, 1.0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square(uvs: [[f32; 2]; 4]) -> Vec<[f32; 4]> {
+        let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+        let order = [0, 1, 2, 0, 2, 3];
+        let surface = Surface {
+            positions: order.map(|v: usize| points[v]).to_vec(),
+            normals: vec![[0.0, 0.0, 1.0]; 6],
+            uvs: order.map(|v: usize| uvs[v]).to_vec(),
+            tangents: Vec::new(),
+        };
+        surface.into_tangents()
+    }
+
+    #[test]
+    fn a_plain_picture_on_a_square() {
+        // glTF's v runs down the image: the picture is upright if v falls as y rises, and then the
+        // bitangent w · n × t points up.
+        let upright = square([[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]]);
+        assert!(upright.iter().all(|&t| t == [1.0, 0.0, 0.0, 1.0]), "{upright:?}");
+        let mirrored = square([[1.0, 1.0], [0.0, 1.0], [0.0, 0.0], [1.0, 0.0]]);
+        assert!(mirrored.iter().all(|&t| t == [-1.0, 0.0, 0.0, -1.0]), "{mirrored:?}");
+    }
+
+    #[test]
+    fn without_a_direction_in_uv_a_tangent_is_still_a_unit_vector() {
+        for tangent in square([[0.5, 0.5]; 4]) {
+            let length = Vec3::new(tangent[0], tangent[1], tangent[2]).length();
+            assert!((length - 1.0).abs() < 1e-6 && tangent[3].abs() == 1.0 && tangent[2].abs() < 1e-6);
+        }
+    }
 }

@@ -1,10 +1,15 @@
-//! The primitives and corners that an edit changes.
+//! The primitives that an edit changes, and their new indices.
 
-use crate::io::gltf::document::gltf_document::{Block, GltfDocument, Piece};
-use crate::io::gltf::document::records::Primitive;
-use crate::io::{Loaded, PartEdit};
+use super::store::{NewData, Remark, Store};
+use crate::io::gltf::data::Target;
+use crate::io::gltf::document::{Block, GltfDocument, Piece};
+use crate::io::gltf::extensions::{DRACO, ORDERED, has_implicit_features};
+use crate::io::gltf::mesh::mode;
+use crate::io::gltf::records::{Component, Format, Primitive};
+use crate::io::{Loaded, PartEdit, WriteError};
 use crate::mesh::{Column, Mesh};
 use glam::DVec3;
+use std::borrow::Cow;
 use std::ops::Range;
 
 /// The triangles of one primitive, as an edit leaves them.
@@ -48,7 +53,6 @@ impl<'a> Member<'a> {
         members
     }
 
-    /// Whether the edit gives any corner a normal.
     pub fn has_normals(&self) -> bool {
         let Some(normals) = &self.edit.normals else { return false };
         self.corners.iter().any(|&corner| self.slot(normals, corner).is_some())
@@ -66,7 +70,6 @@ impl<'a> Member<'a> {
         self.mesh.faces().corners()[corner as usize] - self.block.first_vertex
     }
 
-    /// The number of the normal of a corner.
     pub fn slot(&self, normals: &Column<DVec3>, corner: u32) -> Option<u32> {
         normals.slot(corner as usize, self.mesh.faces().corners()[corner as usize])
     }
@@ -102,4 +105,107 @@ fn within<'a>(sorted: &'a [u32], range: &Range<u32>) -> &'a [u32] {
     let start = sorted.partition_point(|&face| face < range.start);
     let end = sorted.partition_point(|&face| face < range.end);
     &sorted[start..end]
+}
+
+/// Stores the new triangles of a primitive if they differ from the old ones, and returns whether they do.
+pub fn rewrite_indices(
+    store: &mut Store<'_>,
+    member: &Member<'_>,
+    mut indices: Vec<u32>,
+    vertices: usize,
+) -> Result<bool, WriteError> {
+    let primitive = member.primitive;
+    let moved = member.corners.iter().zip(&indices).any(|(&corner, &new)| member.vertex(corner) != new);
+    if !moved && !member.reshaped {
+        return Ok(false);
+    }
+    check_order(store.document, member, &indices, moved)?;
+    if indices.is_empty() {
+        // glTF has no empty primitives, and taking this one out would renumber others.
+        indices = vec![0; 3];
+        store.remark(Remark::Emptied, 1);
+    }
+    let old = primitive.indices.and_then(|accessor| store.document.records.accessors[accessor].format);
+    let old = old.map_or(Component::U16, |format| format.component);
+    // The largest number of each type is forbidden.
+    let component = match (old, vertices) {
+        (Component::U8, ..=0xFF) => Component::U8,
+        (Component::U8 | Component::U16, ..=0xFFFF) => Component::U16,
+        _ => Component::U32,
+    };
+    let bytes: Vec<u8> = match component {
+        Component::U8 => indices.iter().map(|&index| index as u8).collect(),
+        Component::U16 => indices.iter().flat_map(|&index| (index as u16).to_le_bytes()).collect(),
+        _ => bytemuck::cast_slice(&indices).to_vec(),
+    };
+    let data = NewData {
+        format: Format::vector(component, false, 1),
+        bytes: Cow::Owned(bytes),
+        target: Target::Indices,
+        same_bounds: false,
+    };
+    store.put(primitive.indices, "indices", &[primitive.object], &data);
+    if primitive.mode != mode::TRIANGLES {
+        store.splices.set(primitive.object, "mode", mode::TRIANGLES);
+    }
+    Ok(true)
+}
+
+/// Removes a compressed copy of a primitive that differs from it now.
+pub fn drop_draco(store: &mut Store<'_>, member: &Member<'_>) {
+    let json = &store.document.records.json;
+    let extensions = json.member(member.primitive.object, "extensions");
+    if let Some(extensions) = extensions.filter(|&extensions| json.member(extensions, DRACO).is_some()) {
+        store.splices.remove(extensions, DRACO);
+        store.remark(Remark::DracoRemoved, 1);
+    }
+}
+
+/// Refuses to break an extension that refers to vertices or triangles by number; `moved` if some indices are of other vertices.
+fn check_order(
+    document: &GltfDocument,
+    member: &Member<'_>,
+    indices: &[u32],
+    moved: bool,
+) -> Result<(), WriteError> {
+    let primitive = document.records.fields(member.primitive.object);
+    let mesh = document.records.fields(document.records.meshes[member.part].object);
+    let refuse = |name: &str, what: &str| {
+        let text = format!(
+            "{}: the extension {name} refers to {what} by number, and these would change; remove the extension, or keep \
+             the mesh unchanged (--crease off or --emit vertex splits no vertices; --degenerate keep without --flip and \
+             --orient keeps all faces)",
+            primitive.place()
+        );
+        Err(WriteError::Unsupported(text))
+    };
+    for (name, has_triangles) in ORDERED {
+        if primitive.extension(name).is_none() && mesh.extension(name).is_none() {
+            continue;
+        }
+        if moved {
+            return refuse(name, "vertices");
+        }
+        if member.reshaped && has_triangles {
+            return refuse(name, "triangles");
+        }
+    }
+    if moved && has_implicit_features(&primitive) {
+        return refuse("EXT_mesh_features", "vertices");
+    }
+    if document.lists("extensionsUsed", "FB_ngon_encoding") && !same_polygons(member, indices) {
+        return refuse("FB_ngon_encoding", "the first corners of triangles");
+    }
+    Ok(())
+}
+
+/// Whether `FB_ngon_encoding` still makes the same polygons: neighbouring triangles with the same first corner are one.
+fn same_polygons(member: &Member<'_>, indices: &[u32]) -> bool {
+    let first_corners = || member.corners.chunks_exact(3).zip(indices.chunks_exact(3));
+    first_corners().zip(first_corners().skip(1)).all(|((old, new), (old_next, new_next))| {
+        // Triangles that were not neighbours before belong to different polygons whatever their corners.
+        let neighbours = old[0] / 3 + 1 == old_next[0] / 3;
+        let before = neighbours && member.vertex(old[0]) == member.vertex(old_next[0]);
+        before == (new[0] == new_next[0])
+    })
 }

@@ -1,24 +1,14 @@
 //! Editing a document so that only normals, and what depends on them, change.
 
-// Encoding of normals.
-pub mod encode;
-// Tangents by MikkTSpace.
-mod tangents;
 // References between records: what may be changed in place.
 mod refs;
-// Notes.
-mod remarks;
 // New data for accessors.
-pub mod store;
-// The corners and primitives of an edit.
+mod store;
+// The primitives of an edit, and their new indices.
 mod member;
-// New indices, and the extensions that forbid them.
-mod indices;
 // The values of vertices.
 mod rows;
-// New normals for primitives that share vertices.
+// New normals and tangents for primitives that share vertices.
 mod group;
-// A changed document as files.
-mod package;
-// An edit as a whole.
+// An edit as a whole, and the files that it becomes.
 pub mod apply;

@@ -1,8 +1,8 @@
 //! References between records: which accessors, views and bytes may be changed without touching anything else.
 
-use crate::io::gltf::container::buffers::Storage;
-use crate::io::gltf::document::gltf_document::GltfDocument;
-use crate::io::gltf::json::tree::{Json, Kind, Value};
+use crate::io::gltf::buffers::Storage;
+use crate::io::gltf::document::GltfDocument;
+use crate::io::gltf::json::{Json, Kind, Value};
 use rustc_hash::FxHashSet;
 use std::ops::Range;
 

@@ -1,9 +1,9 @@
 //! The values that a vertex can have: a stored normal and the deltas of each morph target, as bytes.
 
-use crate::io::gltf::document::accessor::{Source, float};
-use crate::io::gltf::document::records::{Format, VertexAccessors};
-use crate::io::gltf::edit::encode;
-use crate::io::gltf::edit::member::Member;
+use super::member::Member;
+use crate::io::gltf::accessor::{Source, float};
+use crate::io::gltf::data::{LENGTH_TOLERANCE, normal_format, push_floats, push_normal};
+use crate::io::gltf::records::{Format, VertexAccessors};
 use crate::io::{NormalFormat, ReadError};
 use crate::mesh::{Column, NONE};
 use glam::{DVec3, Vec3};
@@ -30,15 +30,14 @@ impl<'a> Stored<'a> {
     ) -> Result<Self, ReadError> {
         let elements = |set| vertices.of_set(set, "NORMAL").map(|number| source.elements(number)).transpose();
         let base = elements(0)?;
-        let format = encode::format(base.map(|base| base.format), wanted);
+        let format = normal_format(base.map(|base| base.format), wanted);
         let same = base.filter(|base| base.format == format).map(|base| base.raw());
         let targets = vertices.target_sets().filter(|_| morph);
-        let deltas = targets.map(|set| Ok(elements(set)?.map(|deltas| deltas.floats(0.0))));
+        let deltas = targets.map(|set| Ok(elements(set)?.map(|deltas| deltas.floats(0.0).collect())));
         let deltas = deltas.collect::<Result<_, ReadError>>()?;
-        Ok(Self { format, same, floats: base.map(|base| base.floats(0.0)), deltas })
+        Ok(Self { format, same, floats: base.map(|base| base.floats(0.0).collect()), deltas })
     }
 
-    /// Bytes of a row.
     fn size(&self) -> usize {
         self.format.size() + 12 * self.deltas.len()
     }
@@ -48,9 +47,9 @@ impl<'a> Stored<'a> {
         match (self.stored_bytes(vertex), &self.floats) {
             (Some(bytes), _) => out.extend_from_slice(bytes),
             (None, Some(floats)) => {
-                encode::push(Vec3::from_array(floats[vertex]).as_dvec3(), self.format, out)
+                push_normal(Vec3::from_array(floats[vertex]).as_dvec3(), self.format, out)
             }
-            (None, None) => encode::push(DVec3::Z, self.format, out),
+            (None, None) => push_normal(DVec3::Z, self.format, out),
         }
         for delta in &self.deltas {
             push_raw(delta.as_ref().map_or([0.0; 3], |delta| delta[vertex]), out);
@@ -63,7 +62,7 @@ impl<'a> Stored<'a> {
         let element = member.stored_element(slot);
         match element.and_then(|element| self.stored_bytes(element)) {
             Some(bytes) => out.extend_from_slice(bytes),
-            None => encode::push(normals.values[slot as usize], self.format, out),
+            None => push_normal(normals.values[slot as usize], self.format, out),
         }
         let written = self.decode(&out[start..]);
         for (target, delta) in self.deltas.iter().enumerate() {
@@ -72,7 +71,7 @@ impl<'a> Stored<'a> {
                 Some(element) => push_raw(delta.as_ref().map_or([0.0; 3], |delta| delta[element]), out),
                 None => {
                     let moved = member.edit.morph_normals[target][slot as usize];
-                    encode::push_floats(moved - written.as_dvec3(), out);
+                    push_floats(moved - written.as_dvec3(), out);
                 }
             }
         }
@@ -82,10 +81,10 @@ impl<'a> Stored<'a> {
     fn repair(&self, row: &mut [u8]) {
         let length = self.decode(row).as_dvec3().length();
         // Not a number is not within the tolerance either.
-        let is_unit = (length - 1.0).abs() < encode::LENGTH_TOLERANCE;
+        let is_unit = (length - 1.0).abs() < LENGTH_TOLERANCE;
         if !is_unit {
             let mut up = Vec::new();
-            encode::push(DVec3::Z, self.format, &mut up);
+            push_normal(DVec3::Z, self.format, &mut up);
             row[..up.len()].copy_from_slice(&up);
         }
     }
@@ -95,7 +94,6 @@ impl<'a> Stored<'a> {
         self.same.as_ref().map(|bytes| &bytes[vertex * size..(vertex + 1) * size])
     }
 
-    /// The normal of a row.
     pub fn decode(&self, row: &[u8]) -> Vec3 {
         let component = self.format.component;
         let number = |axis: usize| float(&row[component.size() * axis..], component, true);
@@ -118,12 +116,13 @@ pub struct Rows {
 }
 
 impl Rows {
-    pub fn new(stored: &Stored<'_>, members: &[Member<'_>], tables: &mut SlotTables) -> Rows {
+    pub fn new(stored: &Stored<'_>, members: &[Member<'_>], tables: &mut FxHashMap<usize, Vec<u32>>) -> Rows {
         let mut rows = Rows { bytes: Vec::new(), size: stored.size(), of_corner: Vec::new(), missing: 0 };
         let mut count = 0;
         for member in members {
             let Some(normals) = &member.edit.normals else { continue };
-            let table = tables.table(member.part, normals.values.len());
+            // From normal numbers to rows; kept empty between groups.
+            let table = tables.entry(member.part).or_insert_with(|| vec![NONE; normals.values.len()]);
             let mut seen = Vec::new();
             for &corner in &member.corners {
                 let slot = member.slot(normals, corner);
@@ -225,17 +224,5 @@ impl Table {
         let rows = self.bytes.chunks_exact(self.size);
         rows.for_each(|row| column.extend_from_slice(&row[start..start + size]));
         Cow::Owned(column)
-    }
-}
-
-/// For each part, a table from normal numbers to rows, kept empty between groups.
-#[derive(Default)]
-pub struct SlotTables {
-    tables: FxHashMap<usize, Vec<u32>>,
-}
-
-impl SlotTables {
-    fn table(&mut self, part: usize, slots: usize) -> &mut Vec<u32> {
-        self.tables.entry(part).or_insert_with(|| vec![NONE; slots])
     }
 }

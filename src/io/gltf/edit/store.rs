@@ -1,40 +1,34 @@
 //! New data for accessors, in the least invasive place: over the old bytes, or appended.
 
-use crate::io::gltf::container::buffers::Storage;
-use crate::io::gltf::container::glb::padded;
-use crate::io::gltf::document::accessor::number;
-use crate::io::gltf::document::gltf_document::GltfDocument;
-use crate::io::gltf::document::records::Format;
-use crate::io::gltf::edit::refs::References;
-use crate::io::gltf::edit::remarks::Remarks;
-use crate::io::gltf::json::splice::{Changes, Splices, changed_object};
-use crate::io::gltf::json::tree::{Value, quoted};
-use crate::io::gltf::writer::data::{Bounds, Target, accessor_json, number_list, view_json};
+use super::refs::References;
+use crate::io::Note;
+use crate::io::gltf::accessor::number;
+use crate::io::gltf::buffers::Storage;
+use crate::io::gltf::data::{Bounds, Target, accessor_json, number_list, view_json};
+use crate::io::gltf::document::GltfDocument;
+use crate::io::gltf::glb::padded;
+use crate::io::gltf::json::{Value, quoted};
+use crate::io::gltf::records::Format;
+use crate::io::gltf::splice::{Changes, Splices, changed_object};
 use rustc_hash::FxHashSet;
 use std::borrow::Cow;
 
-/// Collects the changes to a document.
 pub struct Store<'a> {
     pub document: &'a GltfDocument,
     pub splices: Splices<'a>,
-    pub remarks: Remarks,
+    pub is_quantized: bool,
+    pub remarks: [usize; 6],
     refs: References,
     patches: Vec<Patch>,
     appended: Vec<u8>,
     /// The views of what is appended, in the order of their numbers where they are new.
     placed: Vec<Placed>,
-    home: Home,
+    /// The buffer that appended data go into, and where they begin in it.
+    home: (usize, usize),
+    /// Whether that is the BIN chunk. If not, it is a new buffer.
+    in_bin: bool,
     next_view: usize,
     next_accessor: usize,
-}
-
-/// Where appended data go.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Home {
-    /// Into the BIN chunk, from this byte on.
-    Bin(usize),
-    /// Into a buffer of their own with this number.
-    Buffer(usize),
 }
 
 /// Elements to write over those of the BIN chunk.
@@ -58,7 +52,6 @@ struct Placed {
 /// New elements of an accessor.
 pub struct NewData<'d> {
     pub format: Format,
-    /// Elements without gaps.
     pub bytes: Cow<'d, [u8]>,
     pub target: Target,
     /// The values are the old ones, only more of each, so that their bounds stay right.
@@ -85,26 +78,27 @@ pub struct Changed {
 impl<'a> Store<'a> {
     pub fn new(document: &'a GltfDocument) -> Self {
         let buffers = &document.buffers.list;
-        let home = match (&document.glb, buffers.first().map(|buffer| &buffer.storage)) {
-            (Some(_), Some(Storage::Bin(range))) => Home::Bin(padded(range.len())),
-            (Some(glb), None) if glb.bin().is_none() => Home::Bin(0),
-            _ => Home::Buffer(buffers.len()),
+        let (home, in_bin) = match (&document.glb, buffers.first().map(|buffer| &buffer.storage)) {
+            (Some(_), Some(Storage::Bin(range))) => ((0, padded(range.len())), true),
+            (Some(glb), None) if glb.bin().is_none() => ((0, 0), true),
+            _ => ((buffers.len(), 0), false),
         };
         Self {
             document,
             splices: Splices::new(&document.records.json),
-            remarks: Remarks::default(),
+            is_quantized: false,
+            remarks: [0; 6],
             refs: References::new(document),
             patches: Vec::new(),
             appended: Vec::new(),
             placed: Vec::new(),
             home,
+            in_bin,
             next_view: document.records.views.len(),
             next_accessor: document.records.accessors.len(),
         }
     }
 
-    /// Whether anything changed.
     pub fn is_empty(&self) -> bool {
         self.patches.is_empty() && self.splices.is_empty()
     }
@@ -245,7 +239,10 @@ impl<'a> Store<'a> {
         views.all(|(number, view)| !view.extended && (view.buffer != buffer || moved.contains(&number)))
     }
 
-    /// Makes the document use and require an extension.
+    pub fn remark(&mut self, remark: Remark, count: usize) {
+        self.remarks[remark as usize] += count;
+    }
+
     pub fn require(&mut self, name: &str) {
         for list in ["extensionsUsed", "extensionsRequired"] {
             if !self.document.lists(list, name) {
@@ -254,8 +251,7 @@ impl<'a> Store<'a> {
         }
     }
 
-    /// Makes all changes. An additional buffer gets the address that `uri` makes of its content; it takes the number
-    /// of the buffer `stale`, if nothing is left in that one.
+    /// Makes all changes. An additional buffer has the address that `uri` makes of its content; it replaces an unused `stale` one.
     pub fn finish(mut self, stale: Option<usize>, uri: impl FnOnce(&[u8]) -> Option<String>) -> Changed {
         let document = self.document;
         let bin = document.glb.as_ref().and_then(|glb| glb.bin());
@@ -263,38 +259,33 @@ impl<'a> Store<'a> {
         let appended = std::mem::take(&mut self.appended);
         let replaced = stale.filter(|&buffer| self.is_deserted(buffer));
         let (mut bin, mut extra) = (None, None);
-        match self.home {
-            Home::Bin(base) => self.write_views(0, base),
-            Home::Buffer(buffer) => self.write_views(replaced.unwrap_or(buffer), 0),
-        }
-        match self.home {
-            _ if appended.is_empty() => {}
-            Home::Bin(base) => {
-                let length = base + appended.len();
-                match document.records.buffers.first() {
-                    Some(&buffer) => self.splices.set(buffer, "byteLength", length),
-                    None => self.splices.push("buffers", format!("{{\"byteLength\":{length}}}")),
-                }
-                let mut bytes = Vec::with_capacity(length);
-                bytes.extend_from_slice(old);
-                bytes.resize(base, 0);
-                bytes.extend_from_slice(&appended);
-                bin = Some(bytes);
+        let (buffer, base) = self.home;
+        self.write_views(replaced.filter(|_| !self.in_bin).unwrap_or(buffer), base);
+        if appended.is_empty() {
+        } else if self.in_bin {
+            let length = base + appended.len();
+            match document.records.buffers.first() {
+                Some(&buffer) => self.splices.set(buffer, "byteLength", length),
+                None => self.splices.push("buffers", format!("{{\"byteLength\":{length}}}")),
             }
-            Home::Buffer(_) => {
-                let (length, uri) = (appended.len(), uri(&appended).map(|uri| quoted(&uri)));
-                match (replaced.map(|buffer| document.records.buffers[buffer]), uri) {
-                    (Some(object), Some(uri)) => {
-                        self.splices.set(object, "uri", uri);
-                        self.splices.set(object, "byteLength", length);
-                    }
-                    (_, uri) => {
-                        let uri = uri.map_or(String::new(), |uri| format!(",\"uri\":{uri}"));
-                        self.splices.push("buffers", format!("{{\"byteLength\":{length}{uri}}}"));
-                    }
+            let mut bytes = Vec::with_capacity(length);
+            bytes.extend_from_slice(old);
+            bytes.resize(base, 0);
+            bytes.extend_from_slice(&appended);
+            bin = Some(bytes);
+        } else {
+            let (length, uri) = (appended.len(), uri(&appended).map(|uri| quoted(&uri)));
+            match (replaced.map(|buffer| document.records.buffers[buffer]), uri) {
+                (Some(object), Some(uri)) => {
+                    self.splices.set(object, "uri", uri);
+                    self.splices.set(object, "byteLength", length);
                 }
-                extra = Some(appended);
+                (_, uri) => {
+                    let uri = uri.map_or(String::new(), |uri| format!(",\"uri\":{uri}"));
+                    self.splices.push("buffers", format!("{{\"byteLength\":{length}{uri}}}"));
+                }
             }
+            extra = Some(appended);
         }
         if !self.patches.is_empty() {
             let bytes = bin.get_or_insert_with(|| old.to_vec());
@@ -321,4 +312,33 @@ fn bounds(bytes: &[u8], format: Format) -> Bounds {
         }
     }
     Bounds { low, high }
+}
+
+/// What an edit changes besides normals. Each becomes one note with a count.
+#[derive(Clone, Copy)]
+pub enum Remark {
+    WithoutNormal,
+    StaleDeltas,
+    TangentsRemoved,
+    TangentDeltasRemoved,
+    Emptied,
+    DracoRemoved,
+}
+
+const HAVE: [&str; 2] = ["primitive has", "primitives have"];
+const LOST: [&str; 2] = ["primitive lost", "primitives lost"];
+
+/// The notes in the order of [`Remark`].
+const REMARKS: [([&str; 2], &str); 6] = [
+    (["corner has", "corners have"], "no new normal; the stored one was kept, or +Z written"),
+    (HAVE, "morph targets with normals that belong to the old normals"),
+    (LOST, "the tangents of the old normals; viewers generate them (see --tangents)"),
+    (LOST, "the tangents of morph targets, which belong to the old tangents"),
+    (HAVE, "no faces left; one triangle without area was written, because glTF needs one"),
+    (LOST, "the Draco copy; the plain data were kept"),
+];
+
+/// The notes for how often each remark was made.
+pub fn notes(counts: [usize; 6]) -> impl Iterator<Item = Note> {
+    counts.into_iter().zip(REMARKS).filter_map(|(count, (nouns, text))| Note::counted(count, nouns, text))
 }

@@ -1,8 +1,8 @@
 //! The node tree: the place of every node in the world. Without recursion, since chains of any length load.
 
-use crate::io::gltf::json::fields::{At, Fields, checked_index};
-use crate::io::gltf::json::tree::{Json, Value};
-use crate::io::{FileNode, Note, Problem, ReadError, Severity};
+use super::fields::{Fields, numbered};
+use super::json::{Json, Value};
+use crate::io::{FileNode, Note, Place, Problem, ReadError, Severity};
 use crate::num::UnitVec3;
 use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
 
@@ -19,12 +19,12 @@ pub fn read(json: &Json, meshes: usize, notes: &mut Vec<Note>) -> Result<Vec<Fil
             return Ok(());
         }
         // Only its joints move a skinned mesh; the standard ignores its node's own transform.
-        let is_skinned = node.fields.index("skin")?.is_some();
+        let is_skinned = node.fields.integer("skin")?.is_some();
         if is_skinned && node.frame.world != DMat4::IDENTITY {
             moved_skin.get_or_insert(node.number);
         }
         let world_from_part = if is_skinned { DMat4::IDENTITY } else { node.frame.world };
-        let name = node.fields.string("name")?.unwrap_or_default().into_owned();
+        let name = node.fields.name()?;
         placed.push(FileNode { number: node.number, name, part, world_from_part });
         Ok(())
     })?;
@@ -32,7 +32,6 @@ pub fn read(json: &Json, meshes: usize, notes: &mut Vec<Note>) -> Result<Vec<Fil
     Ok(placed)
 }
 
-/// A node at its place.
 pub struct Placed<'a> {
     pub number: usize,
     pub fields: Fields<'a>,
@@ -48,8 +47,7 @@ pub struct Frame {
     pub world: DMat4,
     /// The product of the rotations of the node and of all above it: its orientation with all scaling ignored.
     pub rotation: DQuat,
-    /// The nearest node at or above it that has no rotation, and the member that should give it: a quaternion of length 0,
-    /// or a matrix without an inverse.
+    /// The nearest node at or above it without a rotation, and the member at fault: a zero quaternion or a singular matrix.
     pub without_rotation: Option<(usize, &'static str)>,
 }
 
@@ -58,7 +56,6 @@ impl Frame {
     const WORLD: Self = Self { world: DMat4::IDENTITY, rotation: DQuat::IDENTITY, without_rotation: None };
 }
 
-/// No node.
 const NO_NODE: u32 = u32::MAX;
 
 /// The nodes of a file and which are whose children. Numbers are small, since a file may have millions of nodes.
@@ -81,11 +78,10 @@ impl<'a> NodeTree<'a> {
         let mut tree = Self { json, nodes, first_child: vec![0], children: Vec::new(), parent };
         for node in 0..count {
             let fields = tree.fields(node);
-            for child in fields.indices("children")? {
-                checked_index(child, count, "node", || fields.at.member("children"))?;
+            for child in fields.references("children", "node", count)? {
                 let parent = std::mem::replace(&mut tree.parent[child], node as u32);
                 if parent != NO_NODE {
-                    let found = format!("a node that is a child of node {parent} and of node {node}");
+                    let found = format!("the node is a child of node {parent} and of node {node}");
                     return Err(no_tree(child, &found));
                 }
                 tree.children.push(child as u32);
@@ -96,7 +92,7 @@ impl<'a> NodeTree<'a> {
     }
 
     fn fields(&self, node: usize) -> Fields<'a> {
-        Fields { json: self.json, object: self.nodes[node], at: At::new("nodes", node) }
+        Fields { json: self.json, object: self.nodes[node] }
     }
 
     fn children(&self, node: u32) -> &[u32] {
@@ -117,23 +113,21 @@ impl<'a> NodeTree<'a> {
 
     /// The name of a node, or its number, as `#7`, if it has none.
     pub(crate) fn name(&self, node: usize) -> String {
-        let name = self.fields(node).string("name").ok().flatten().unwrap_or_default();
-        if name.is_empty() { format!("#{node}") } else { name.into_owned() }
+        let name = self.fields(node).name().unwrap_or_default();
+        if name.is_empty() { format!("#{node}") } else { name }
     }
 
-    /// The names of a node and of its ancestors, from the root on, as `body/arm/hand`. Of very deep ones only the names
-    /// nearest to the node.
+    /// The names of a node and its nearest ancestors, from the root on, as `body/arm/hand`.
     pub fn path(&self, node: usize) -> String {
         let (path, is_cut) = self.path_to(node);
         let names: Vec<String> = path.into_iter().map(|node| self.name(node)).collect();
         format!("{}{}", if is_cut { "…/" } else { "" }, names.join("/"))
     }
 
-    /// The matrices that place a mesh, each with the number of its node: those of its node and of all ancestors, from the root
-    /// on, from the node's space to its parent's. Of very deep nodes only the nearest; none for a skinned mesh, which only its
-    /// joints move.
+    /// The matrices that place a mesh, each with the number of its node: those of its node and its nearest ancestors, from the root
+    /// on, each from the node's space to its parent's. None for a skinned mesh, which only its joints move.
     pub(crate) fn chain(&self, node: usize) -> Vec<(usize, DMat4)> {
-        let is_skinned = self.fields(node).index("skin").is_ok_and(|skin| skin.is_some());
+        let is_skinned = self.fields(node).integer("skin").is_ok_and(|skin| skin.is_some());
         let path = if is_skinned { Vec::new() } else { self.path_to(node).0 };
         path.into_iter().filter_map(|node| Some((node, local(&self.fields(node)).ok()?.0))).collect()
     }
@@ -160,8 +154,8 @@ impl<'a> NodeTree<'a> {
                 },
             };
             if !frame.world.is_finite() {
-                let found = "a node whose place in the world is beyond what numbers can hold";
-                return Err(ReadError::new(Problem::NonFinite, fields.at.place(), found, "check its scale"));
+                let found = "the world transform of the node is not finite";
+                return Err(ReadError::new(Problem::NonFinite, fields.place(), found, "check its scale"));
             }
             path.push((node, frame));
             visit(Placed { number, fields, frame, shown: shown[number] })?;
@@ -189,7 +183,7 @@ impl<'a> NodeTree<'a> {
         while !std::mem::replace(&mut reached[node], true) {
             node = self.parent[node] as usize;
         }
-        Err(no_tree(node, "a node that is its own ancestor"))
+        Err(no_tree(node, "the node is its own ancestor"))
     }
 
     /// Which nodes the default scene shows; all, where there is none.
@@ -199,11 +193,9 @@ impl<'a> NodeTree<'a> {
         let Some(scene) = root.reference("scene", "scene", scenes.len())? else {
             return Ok(vec![true; count]);
         };
-        let scene = Fields { object: scenes[scene], at: At::new("scenes", scene), ..root };
-        let mut open: Vec<u32> = Vec::new();
-        for node in scene.indices("nodes")? {
-            open.push(checked_index(node, count, "node", || scene.at.member("nodes"))? as u32);
-        }
+        let scene = Fields { object: scenes[scene], ..root };
+        let roots = scene.references("nodes", "node", count)?.into_iter();
+        let mut open: Vec<u32> = roots.map(|node| node as u32).collect();
         let mut shown = vec![false; count];
         while let Some(node) = open.pop() {
             if !std::mem::replace(&mut shown[node as usize], true) {
@@ -215,8 +207,8 @@ impl<'a> NodeTree<'a> {
 }
 
 fn no_tree(node: usize, found: &str) -> ReadError {
-    let place = At::new("nodes", node).place();
-    ReadError::new(Problem::Range, place, found, "nodes must form trees; export the file again")
+    let advice = "nodes must form trees; export the file again";
+    ReadError::new(Problem::Range, numbered("nodes", node), found, advice)
 }
 
 /// The transform of a node to its parent's space, and its rotation, or the member that should give one.
@@ -235,8 +227,7 @@ fn local(node: &Fields<'_>) -> Result<(DMat4, Result<DQuat, &'static str>), Read
     Ok((matrix, rotation.ok_or("rotation")))
 }
 
-/// The rotation of a matrix that is a translation times a rotation times a scaling, as the standard requires. A mirror is
-/// taken for a negative scale of x, as is usual: the matrix alone does not determine the axis.
+/// The rotation of a translation times a rotation times a scaling. A mirror counts as a negative scale of x.
 fn rotation_of(matrix: DMat4) -> Option<DQuat> {
     let axis = |axis: DVec4| UnitVec3::new(axis.truncate()).map(UnitVec3::get);
     let (x, y, z) = (axis(matrix.x_axis)?, axis(matrix.y_axis)?, axis(matrix.z_axis)?);
@@ -246,16 +237,16 @@ fn rotation_of(matrix: DMat4) -> Option<DQuat> {
 }
 
 fn warn(placed: &[FileNode], unrotated: &[usize], moved_skin: Option<usize>, notes: &mut Vec<Note>) {
-    let places = unrotated.iter().map(|&node| At::new("nodes", node).member("rotation"));
-    let text = "a rotation of zeros is none: the node stands unturned";
+    let places = unrotated.iter().map(|&node| Place::Json(format!("/nodes/{node}/rotation")));
+    let text = "a rotation of zeros was read as no rotation";
     notes.extend(Note::for_all(Severity::Warning, unrotated.len() as u64, places, text));
     let singular = placed.iter().filter(|node| node.world_from_part.determinant() == 0.0);
-    let places = singular.clone().map(|node| At::new("nodes", node.number).place());
-    let text = "a node squeezes its mesh flat: normals have no direction there";
+    let places = singular.clone().map(|node| numbered("nodes", node.number));
+    let text = "the transform of a node flattens its mesh, so normals are undefined there";
     notes.extend(Note::for_all(Severity::Warning, singular.count() as u64, places, text));
     if let Some(node) = moved_skin {
-        let text = "a skinned mesh under a moved node: only its joints count, so it stands in its bind pose";
-        notes.push(Note { place: At::new("nodes", node).place(), ..Note::remark(text) });
+        let text = "a skinned mesh ignores the transform of its node and is read in its bind pose";
+        notes.push(Note { place: numbered("nodes", node), ..Note::remark(text) });
     }
 }
 

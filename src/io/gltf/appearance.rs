@@ -1,28 +1,30 @@
-//! Materials, cameras and lights; materials and lights as the records of the `gltf` crate.
+//! Materials, cameras and lights.
 
+use super::document::GltfDocument;
+use super::fields::{Fields, numbered, out_of_range};
+use super::json::{Json, Value};
+use super::nodes::{NodeTree, Placed};
 use crate::io::appearance::as_written;
-use crate::io::gltf::document::camera;
-use crate::io::gltf::document::gltf_document::GltfDocument;
-use crate::io::gltf::document::nodes::{NodeTree, Placed};
-use crate::io::gltf::json::fields::{At, Fields, out_of_range};
-use crate::io::gltf::json::tree::{Json, Value};
-use crate::io::{Appearance, FileLight, FileLightKind, FileMaterial, FileReflection, Note, Place, ReadError};
+use crate::io::{
+    Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileProjection, FileReflection, Note,
+    Place, Problem, ReadError,
+};
+use glam::DMat4;
 use gltf::json::extensions::scene::khr_lights_punctual::{Light, Type as LightType};
 use gltf::json::material::Material;
 use gltf::json::validation::Checked;
 use serde::de::DeserializeOwned;
+use std::f64::consts::PI;
 
 const LIGHTS: &str = "KHR_lights_punctual";
 
-/// The materials, cameras and lights of a document. Materials and lights that the standard does not allow are omitted with
-/// a note.
+/// The materials, cameras and lights of a document. Invalid materials and lights are omitted with a note.
 pub(in crate::io) fn appearance(document: &GltfDocument) -> Appearance {
     let records = &document.records;
     let json = &records.json;
     let mut found = Appearance::default();
     for (name, &number) in &document.materials {
-        let fields = records.fields(records.materials[number], At::new("materials", number));
-        match material(&fields, name) {
+        match material(&records.fields(records.materials[number]), number, name) {
             Ok(material) => found.materials.push(material),
             Err(error) => found.notes.push(not_understood(error)),
         }
@@ -34,7 +36,7 @@ pub(in crate::io) fn appearance(document: &GltfDocument) -> Appearance {
             if !node.shown {
                 return Ok(());
             }
-            found.cameras.extend(camera::at_node(&node).transpose());
+            found.cameras.extend(camera_at(&node).transpose());
             if let Some(extension) = node.fields.extension(LIGHTS) {
                 match light(&node, extension, &lights) {
                     Ok(light) => found.lights.push(light),
@@ -51,21 +53,21 @@ pub(in crate::io) fn appearance(document: &GltfDocument) -> Appearance {
 }
 
 fn not_understood(error: ReadError) -> Note {
-    Note::warning(error.place, format!("not understood and left out: {}", error.found))
+    Note::warning(error.place, format!("ignored: {}", error.found))
 }
 
-/// A value as a record of the `gltf` crate.
 fn typed<T: DeserializeOwned>(json: &Json, value: Value, place: Place) -> Result<T, ReadError> {
     serde_json::from_str(json.raw(value)).map_err(|error| out_of_range(place, error.to_string()))
 }
 
-fn material(fields: &Fields<'_>, name: &str) -> Result<FileMaterial, ReadError> {
-    let material: Material = typed(fields.json, fields.object, fields.at.place())?;
+fn material(fields: &Fields<'_>, number: usize, name: &str) -> Result<FileMaterial, ReadError> {
+    let place = || numbered("materials", number);
+    let material: Material = typed(fields.json, fields.object, place())?;
     let surface = &material.pbr_metallic_roughness;
     let [r, g, b, opacity] = surface.base_color_factor.0.map(as_written);
     let [metallic, roughness] = [surface.metallic_factor.0, surface.roughness_factor.0].map(as_written);
     if [r, g, b, opacity, metallic, roughness].iter().any(|factor| !(0.0..=1.0).contains(factor)) {
-        return Err(out_of_range(fields.at.place(), "factors of a material are numbers from 0 to 1"));
+        return Err(out_of_range(place(), "a factor of the material is not between 0 and 1"));
     }
     let unlit = fields.extension("KHR_materials_unlit").is_some();
     let textures = [
@@ -84,16 +86,16 @@ fn material(fields: &Fields<'_>, name: &str) -> Result<FileMaterial, ReadError> 
     })
 }
 
-/// The light that an extension of a node refers to.
 fn light(node: &Placed<'_>, extension: Value, lights: &[Value]) -> Result<FileLight, ReadError> {
     let json = node.fields.json;
     let number = json.member(extension, "light").and_then(|light| json.integer(light));
     let Some(number) = number else {
-        return Err(out_of_range(node.fields.at.member("extensions"), "a light is named by its number"));
+        let place = Place::Json(format!("/nodes/{}/extensions", node.number));
+        return Err(out_of_range(place, "the node has no number of a light"));
     };
     let place = Place::Json(format!("/extensions/{LIGHTS}/lights/{number}"));
     let value = usize::try_from(number).ok().and_then(|number| lights.get(number));
-    let value = value.ok_or_else(|| out_of_range(place.clone(), "it is not there"))?;
+    let value = value.ok_or_else(|| out_of_range(place.clone(), "no such light"))?;
     let light: Light = typed(json, *value, place.clone())?;
     let kind = match (&light.type_, &light.spot) {
         (Checked::Valid(LightType::Directional), _) => FileLightKind::Directional,
@@ -103,7 +105,7 @@ fn light(node: &Placed<'_>, extension: Value, lights: &[Value]) -> Result<FileLi
             outer: as_written(spot.outer_cone_angle),
         },
         _ => {
-            let found = "a light is directional, point or spot, and a spot says how wide";
+            let found = "the type of the light is not directional, point, or spot with its angles";
             return Err(out_of_range(place, found));
         }
     };
@@ -115,6 +117,107 @@ fn light(node: &Placed<'_>, extension: Value, lights: &[Value]) -> Result<FileLi
         intensity: as_written(light.intensity),
         range: light.range.map(as_written),
     })
+}
+
+/// The camera of a node, or what is wrong with it; `None` if it has none. It looks along its node's −z with +y up. It has the
+/// position of its node, and the product of the rotations from the root on: scaling does not affect it (glTF 2.0, §3.10.2).
+fn camera_at(node: &Placed<'_>) -> Result<Option<FileCamera>, ReadError> {
+    let json = node.fields.json;
+    let Some(value) = json.member(node.fields.object, "camera") else { return Ok(None) };
+    let number = json.integer(value).and_then(|number| usize::try_from(number).ok());
+    let Some(camera) = number.and_then(|number| json.items(json.root(), "cameras").nth(number)) else {
+        let place = Place::Json(format!("/nodes/{}/camera", node.number));
+        return Err(out_of_range(place, format!("the file has no camera {}", json.raw(value))));
+    };
+    let camera = Fields::new(json, camera)?;
+    let name = camera.name()?;
+    let read = projection(&camera).and_then(|(projection, [near, far])| {
+        check_rotation(node)?;
+        let position = node.frame.world.w_axis.truncate();
+        Ok(FileCamera {
+            name: name.clone(),
+            place: camera.place(),
+            world_from_camera: DMat4::from_rotation_translation(node.frame.rotation, position),
+            projection,
+            near,
+            far: far.is_finite().then_some(far),
+        })
+    });
+    match read {
+        Err(error) if !name.is_empty() => {
+            Err(ReadError { found: format!("camera `{name}`: {}", error.found), ..error })
+        }
+        read => read.map(Some),
+    }
+}
+
+/// The projection of a camera, and its near and far distances, the latter infinite if there is none.
+fn projection(camera: &Fields<'_>) -> Result<(FileProjection, [f64; 2]), ReadError> {
+    let kind = camera.required_string("type")?;
+    let (lens, projection, is_near, near_range) = match &*kind {
+        "perspective" => {
+            let lens = camera.required_child("perspective")?;
+            let is_angle = |angle| angle > 0.0 && angle < PI;
+            let angle = needed(&lens, "yfov", is_angle, "an angle above 0 and below π, in radians")?;
+            optional(&lens, "aspectRatio", |aspect| aspect > 0.0, "a number above 0, or none")?;
+            let is_near: fn(f64) -> bool = |near| near > 0.0;
+            (lens, FileProjection::Perspective(angle), is_near, "a distance above 0")
+        }
+        "orthographic" => {
+            let lens = camera.required_child("orthographic")?;
+            let wanted = "half of the visible size, a length above 0";
+            let whole = |name| Ok(2.0 * needed(&lens, name, |half| half > 0.0, wanted)?);
+            let (width, height) = (whole("xmag")?, whole("ymag")?);
+            let is_near: fn(f64) -> bool = |near| near >= 0.0;
+            (lens, FileProjection::Orthographic { width, height }, is_near, "a distance of 0 or more")
+        }
+        kind => {
+            let found = format!("unknown camera type `{kind}`");
+            let advice = "use `perspective` or `orthographic`";
+            return Err(ReadError::new(Problem::Range, camera.member("type"), found, advice));
+        }
+    };
+    let near = needed(&lens, "znear", is_near, near_range)?;
+    let far_range = format!("a distance above `znear`, which is {near}");
+    let far = optional(&lens, "zfar", |far| far > near, &far_range)?;
+    if far.is_none() && matches!(projection, FileProjection::Orthographic { .. }) {
+        return Err(lens.missing("zfar"));
+    }
+    Ok((projection, [near, far.unwrap_or(f64::INFINITY)]))
+}
+
+fn needed(
+    lens: &Fields<'_>,
+    name: &str,
+    is_allowed: impl Fn(f64) -> bool,
+    wanted: &str,
+) -> Result<f64, ReadError> {
+    optional(lens, name, is_allowed, wanted)?.ok_or_else(|| lens.missing(name))
+}
+
+fn optional(
+    lens: &Fields<'_>,
+    name: &str,
+    is_allowed: impl Fn(f64) -> bool,
+    wanted: &str,
+) -> Result<Option<f64>, ReadError> {
+    match lens.number(name)? {
+        Some(number) if !is_allowed(number) => {
+            let found = format!("`{name}` is {number}");
+            Err(ReadError::new(Problem::Range, lens.member(name), found, format!("give {wanted}")))
+        }
+        number => Ok(number),
+    }
+}
+
+fn check_rotation(node: &Placed<'_>) -> Result<(), ReadError> {
+    let Some((at, member)) = node.frame.without_rotation else { return Ok(()) };
+    let (what, advice) = match member {
+        "matrix" => ("a matrix without an inverse", "use `rotation`, `translation` and `scale` instead"),
+        _ => ("a rotation of zeros", "use a quaternion of length 1, such as 0, 0, 0, 1"),
+    };
+    let found = format!("{what} gives a camera at or below this node no orientation");
+    Err(ReadError::new(Problem::Range, Place::Json(format!("/nodes/{at}/{member}")), found, advice))
 }
 
 #[cfg(test)]
@@ -189,20 +292,20 @@ mod tests {
                 r#""type": "fisheye""#,
                 ["/cameras/0/type", "fisheye", "orthographic"],
             ),
-            (r#""type": "perspective", "#, "", ["/cameras/0", "no `type`", "export"]),
-            (r#""perspective":"#, r#""lens":"#, ["/cameras/0", "no `perspective`", "export"]),
+            (r#""type": "perspective", "#, "", ["/cameras/0", "`type` is missing", "export"]),
+            (r#""perspective":"#, r#""lens":"#, ["/cameras/0", "`perspective` is missing", "export"]),
             (
                 r#""perspective": {"yfov": 0.6, "znear": 0.1}"#,
                 r#""perspective": 7"#,
-                [lens, "7 where an object", "export"],
+                [lens, "7 is not an object", "export"],
             ),
-            (r#""yfov": 0.6, "#, "", [lens, "no `yfov`", "export"]),
-            ("0.6", r#""x""#, ["/perspective/yfov", r#""x" where a finite number"#, "export"]),
+            (r#""yfov": 0.6, "#, "", [lens, "`yfov` is missing", "export"]),
+            ("0.6", r#""x""#, ["/perspective/yfov", r#""x" is not a finite number"#, "export"]),
             ("0.6", "0", ["/perspective/yfov", "`yfov` is 0", "above 0 and below π, in radians"]),
             ("0.6", "-0.5", ["/perspective/yfov", "`yfov` is -0.5", "above 0 and below π, in radians"]),
             ("0.6", "3.2", ["/perspective/yfov", "`yfov` is 3.2", "above 0 and below π, in radians"]),
-            ("0.6", "1e999", ["/perspective/yfov", "1e999 where a finite number", "export"]),
-            (r#", "znear": 0.1"#, "", [lens, "no `znear`", "export"]),
+            ("0.6", "1e999", ["/perspective/yfov", "1e999 is not a finite number", "export"]),
+            (r#", "znear": 0.1"#, "", [lens, "`znear` is missing", "export"]),
             ("0.1", "0", ["/perspective/znear", "`znear` is 0", "above 0"]),
             (
                 "0.1",
@@ -219,9 +322,9 @@ mod tests {
                 r#"0.1, "aspectRatio": -2"#,
                 ["/perspective/aspectRatio", "`aspectRatio` is -2", "or none"],
             ),
-            ("0.1}", r#"0.1}, "name": "eye", "type": "none""#, ["/cameras/0", "the camera `eye`", "none"]),
-            (perspective, "7", ["/cameras/0", "7 where an object", "export"]),
-            (perspective, "", ["/nodes/0/camera", "camera 0 is asked for", "where the file has 0"]),
+            ("0.1}", r#"0.1}, "name": "eye", "type": "none""#, ["/cameras/0", "camera `eye`", "none"]),
+            (perspective, "7", ["/cameras/0", "7 is not an object", "export"]),
+            (perspective, "", ["/nodes/0/camera", "no camera 0", "export"]),
         ] {
             assert!(perspective.contains(from));
             let error = at_camera(&perspective.replace(from, to), "").unwrap_err();
@@ -232,7 +335,7 @@ mod tests {
             (r#""xmag": 1"#, r#""xmag": -1"#, ["/orthographic/xmag", "`xmag` is -1", "above 0"]),
             (r#""znear": 0"#, r#""znear": -1"#, ["/orthographic/znear", "`znear` is -1", "0 or more"]),
             (r#""zfar": 9"#, r#""zfar": 0"#, ["/orthographic/zfar", "`zfar` is 0", "above `znear`"]),
-            (r#", "zfar": 9"#, "", ["/cameras/0/orthographic", "no `zfar`", "export"]),
+            (r#", "zfar": 9"#, "", ["/cameras/0/orthographic", "`zfar` is missing", "export"]),
         ] {
             assert!(orthographic.contains(from));
             let error = at_camera(&orthographic.replace(from, to), "").unwrap_err();
@@ -241,6 +344,6 @@ mod tests {
         let error = at_camera(perspective, r#", "rotation": [0, 0, 0, 0]"#).unwrap_err();
         assert!(error.starts_with("/nodes/0/rotation: ") && error.contains("0, 0, 0, 1"), "{error}");
         let error = at_camera(perspective, r#", "x": 0, "camera": "x""#).unwrap_err();
-        assert!(error.starts_with("/nodes/0/camera: \"x\" where"), "{error}");
+        assert!(error.starts_with("/nodes/0/camera: the file has no camera \"x\""), "{error}");
     }
 }

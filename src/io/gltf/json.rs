@@ -13,7 +13,6 @@ use std::ops::Range;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Value(u32);
 
-/// What a value is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     Object,
@@ -46,29 +45,27 @@ impl Json {
             ReadError::new(problem, Place::Byte(origin + at as u64), found, advice)
         };
         let syntax =
-            |at, found| error(Problem::Syntax, at, found, "the JSON is broken; export the file again");
+            |at, found| error(Problem::Syntax, at, found, "the JSON is damaged; export the file again");
         if u32::try_from(text.len()).is_err() {
-            let found = format!("{} bytes of JSON, more than 4 GiB", text.len());
+            let found = format!("the JSON has {} bytes (limit 4 GiB)", text.len());
             return Err(error(Problem::Limit, 0, found, "store the buffers in binary files"));
         }
         let text = String::from_utf8(text)
-            .map_err(|error| syntax(error.utf8_error().valid_up_to(), "a byte that is not UTF-8".into()))?;
+            .map_err(|error| syntax(error.utf8_error().valid_up_to(), "the JSON is not UTF-8".into()))?;
         let begin = if text.starts_with('\u{FEFF}') { '\u{FEFF}'.len_utf8() } else { 0 };
         let nodes = scan(text.as_bytes(), begin, max_depth).map_err(|at| {
-            let found = format!("JSON nested more than {max_depth} deep");
-            error(Problem::Limit, at, found, "no glTF file needs this; check where it comes from")
+            let found = format!("the JSON is nested more than {max_depth} deep");
+            error(Problem::Limit, at, found, "check where the file comes from")
         })?;
         serde_json::from_str::<IgnoredAny>(&text[begin..])
             .map_err(|error| syntax(begin + offset_of(&error, &text[begin..]), error.to_string()))?;
         Ok(Json { text, nodes })
     }
 
-    /// The whole text.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// The outermost value.
     pub fn root(&self) -> Value {
         Value(0)
     }
@@ -77,15 +74,33 @@ impl Json {
         self.node(value).kind
     }
 
-    /// The bytes of the text that a value takes.
     pub fn span(&self, value: Value) -> Range<usize> {
         let node = self.node(value);
         node.start as usize..node.end as usize
     }
 
-    /// The text of a value.
     pub fn raw(&self, value: Value) -> &str {
         &self.text[self.span(value)]
+    }
+
+    pub fn place(&self, value: Value) -> Place {
+        Place::Json(self.pointer(value))
+    }
+
+    /// The JSON pointer of a value, such as `/accessors/3`.
+    pub fn pointer(&self, value: Value) -> String {
+        let holds = |inner: Value| inner <= value && value.0 < self.node(inner).next;
+        let (mut pointer, mut at) = (String::new(), self.root());
+        while at != value {
+            let member = self.members(at).find(|&(_, inner)| holds(inner));
+            let member = member.map(|(key, inner)| (self.string(key).unwrap_or_default(), inner));
+            let element = || self.elements(at).enumerate().find(|&(_, inner)| holds(inner));
+            let step = member.or_else(|| element().map(|(k, inner)| (Cow::from(k.to_string()), inner)));
+            let Some((name, inner)) = step else { break };
+            pointer.extend(["/", &name]);
+            at = inner;
+        }
+        pointer
     }
 
     /// The members of an object, in order; none for other values.
@@ -140,7 +155,6 @@ impl Json {
         }
     }
 
-    /// A number; `None` for other values.
     pub fn number(&self, value: Value) -> Option<f64> {
         if self.kind(value) == Kind::Number { self.raw(value).parse().ok() } else { None }
     }
@@ -156,7 +170,6 @@ impl Json {
         })
     }
 
-    /// `true` or `false`; `None` for other values.
     pub fn boolean(&self, value: Value) -> Option<bool> {
         match self.raw(value) {
             "true" => Some(true),
@@ -179,11 +192,7 @@ pub fn quoted(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }
 
-/// The values of a text from `at` on, in document order. The nodes of a text that is not JSON mean nothing, but are no more than it has
-/// bytes.
-///
-/// # Errors
-/// The offset of a container that is nested too deep.
+/// The values of a text from `at` on, in document order, or the offset of a container that is nested too deep.
 fn scan(text: &[u8], mut at: usize, max_depth: usize) -> Result<Vec<Node>, usize> {
     let mut nodes: Vec<Node> = Vec::new();
     let mut open: Vec<usize> = Vec::new();

@@ -1,23 +1,20 @@
 //! Reading a glTF file.
 
-use crate::io::gltf::container::buffers::{check_images, load};
-use crate::io::gltf::container::glb::{Glb, is_glb};
-use crate::io::gltf::document::accessor::Source;
-use crate::io::gltf::document::gltf_document::GltfDocument;
-use crate::io::gltf::document::mesh::Assembler;
-use crate::io::gltf::document::nodes;
-use crate::io::gltf::document::records::Records;
-use crate::io::gltf::extensions;
-use crate::io::gltf::json::fields::Fields;
-use crate::io::gltf::json::tree::Json;
+use super::accessor::Source;
+use super::buffers::{check_images, load};
+use super::document::GltfDocument;
+use super::fields::Fields;
+use super::glb::{Glb, is_glb};
+use super::json::Json;
+use super::mesh::Assembler;
+use super::records::Records;
+use super::{extensions, nodes};
 use crate::io::mesh_checks::check_size;
-use crate::io::text::counted;
 use crate::io::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions};
 use std::cell::{Cell, RefCell};
 use std::path::Path;
 
-/// So many primitives are fine in a file of any size; more only where each has as many bytes as the smallest of real ones. A
-/// primitive takes kilobytes in memory, so that very many of a few bytes would cost far more than their file.
+/// Primitives in a file of any size, and bytes of the file for each one more: a primitive takes kilobytes of memory.
 const PRIMITIVES_OF_ANY_SIZE: u64 = 1 << 16;
 const SMALLEST_PRIMITIVE: u64 = 256;
 
@@ -28,17 +25,14 @@ fn check_primitive_count(records: &Records, bytes: u64) -> Result<(), ReadError>
         return Ok(());
     }
     let place = Place::Json("/meshes".into());
-    let primitives = counted(count, "primitive", "primitives");
-    let found = format!("{primitives} in {bytes} bytes; the limit for that size is {limit}");
-    Err(ReadError::new(Problem::Limit, place, found, "merge primitives, or divide the file"))
+    let found = format!("{count} primitives in {bytes} bytes (limit {limit})");
+    Err(ReadError::new(Problem::Limit, place, found, "merge primitives, or split the file"))
 }
 
-/// Reads a glTF document in either spelling. `base` is the folder of the file, where its buffers are looked for;
-/// images are not opened.
+/// Reads a glTF document in either spelling. `base` is the folder of the file, where its buffers are searched for.
 ///
 /// # Errors
-/// A [`ReadError`] with a JSON pointer or a byte offset for what is broken, out of range, compressed without a
-/// plain copy, requires an unknown extension, or cannot be found.
+/// With a JSON pointer or a byte offset: damaged or compressed data, unknown required extensions, missing buffers.
 pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
     let mut notes = Vec::new();
     check_size(&bytes, options)?;
@@ -49,7 +43,7 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
         (Some(glb), json, bytes)
     } else {
         if bytes.starts_with(b"\xEF\xBB\xBF") {
-            let text = "a byte order mark, which glTF does not allow; it is kept";
+            let text = "glTF does not allow this byte order mark; it is kept";
             notes.push(Note::warning(Place::Byte(0), text));
         }
         (None, Json::parse(bytes, 0, options.limits.json_depth)?, Vec::new())

@@ -1,15 +1,15 @@
 //! The typed records of a glTF document that geometry needs, with their places in the JSON.
 
-use crate::io::gltf::json::fields::{At, Fields, checked_index};
-use crate::io::gltf::json::tree::{Json, Value};
-use crate::io::{Note, Problem, ReadError};
-pub use gltf::json::accessor::ComponentType as Component;
+use super::fields::{Fields, checked_index};
+use super::json::{Json, Value};
+use crate::io::{Note, Place, Problem, ReadError};
 use std::ops::Range;
+
+pub use gltf::json::accessor::ComponentType as Component;
 
 /// The extensions that compress buffer views.
 pub const MESHOPT: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
 
-/// A `bufferView`.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
     pub object: Value,
@@ -22,7 +22,6 @@ pub struct View {
     pub extended: bool,
 }
 
-/// An `accessor`.
 #[derive(Clone, Copy, Debug)]
 pub struct Accessor {
     pub object: Value,
@@ -45,7 +44,6 @@ pub struct Sparse {
     pub value_offset: u64,
 }
 
-/// The type of a number with a glTF code.
 fn component(code: u64) -> Option<Component> {
     use Component::{F32, I8, I16, U8, U16, U32};
     [I8, U8, I16, U16, U32, F32].into_iter().find(|component| u64::from(component.as_gl_enum()) == code)
@@ -85,11 +83,11 @@ impl Format {
     }
 }
 
-/// A primitive of a mesh.
 #[derive(Clone, Debug)]
 pub struct Primitive {
     pub object: Value,
-    pub at: At,
+    /// Its mesh, and its number in that.
+    pub number: (usize, usize),
     pub vertices: VertexAccessors,
     /// The JSON objects that list the vertex accessors, one a set.
     pub sites: Vec<Value>,
@@ -98,21 +96,25 @@ pub struct Primitive {
     pub material: Option<usize>,
 }
 
-/// The vertex accessors of a primitive. Primitives for which these are equal share their vertices.
-///
-/// Set 0 are the attributes, set n + 1 those of morph target n: pairs of semantic and accessor, sorted by semantic.
+impl Primitive {
+    pub fn place(&self) -> Place {
+        let (mesh, number) = self.number;
+        Place::Json(format!("/meshes/{mesh}/primitives/{number}"))
+    }
+}
+
+/// The vertex accessors of a primitive, which shares its vertices with those that have equal ones. Set 0 are the attributes,
+/// set n + 1 those of morph target n: pairs of semantic and accessor, sorted by semantic.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct VertexAccessors {
     pub sets: Vec<Vec<(String, usize)>>,
 }
 
 impl VertexAccessors {
-    /// The accessor of a semantic among the attributes.
     pub fn get(&self, semantic: &str) -> Option<usize> {
         self.of_set(0, semantic)
     }
 
-    /// The accessor of a semantic in a set.
     pub fn of_set(&self, set: usize, semantic: &str) -> Option<usize> {
         self.sets.get(set)?.iter().find(|(name, _)| name == semantic).map(|&(_, accessor)| accessor)
     }
@@ -128,7 +130,6 @@ impl VertexAccessors {
     }
 }
 
-/// A mesh and the JSON object that it is.
 #[derive(Clone, Debug)]
 pub struct MeshRecord {
     pub object: Value,
@@ -150,50 +151,48 @@ pub struct Records {
 impl Records {
     /// Reads the records and checks that every number between them leads somewhere.
     pub fn new(json: Json, notes: &mut Vec<Note>) -> Result<Records, ReadError> {
-        Fields::new(&json, json.root(), At::default())?;
-        let root = Fields::root(&json);
+        let root = Fields::new(&json, json.root())?;
         check_version(&root, notes)?;
         let (buffers, materials) = (root.list("buffers")?, root.list("materials")?);
-        let views = records(&root, "bufferViews", |fields| view(fields, buffers.len()))?;
-        let accessors = records(&root, "accessors", |fields| accessor(fields, views.len()))?;
-        let meshes = records(&root, "meshes", |fields| mesh(fields, accessors.len(), materials.len()))?;
+        let views = records(&root, "bufferViews", |_, fields| view(fields, buffers.len()))?;
+        let accessors = records(&root, "accessors", |_, fields| accessor(fields, views.len()))?;
+        let meshes = records(&root, "meshes", |number, fields| {
+            mesh(number, fields, accessors.len(), materials.len())
+        })?;
         Ok(Records { buffers, views, accessors, meshes, materials, json })
     }
 
-    /// The fields of an object at a place.
-    pub fn fields(&self, object: Value, at: At) -> Fields<'_> {
-        Fields { json: &self.json, object, at }
+    pub fn fields(&self, object: Value) -> Fields<'_> {
+        Fields { json: &self.json, object }
     }
 }
 
 fn records<T>(
     root: &Fields<'_>,
-    name: &'static str,
-    record: impl Fn(Fields<'_>) -> Result<T, ReadError>,
+    name: &str,
+    record: impl Fn(usize, Fields<'_>) -> Result<T, ReadError>,
 ) -> Result<Vec<T>, ReadError> {
     let values = root.list(name)?.into_iter().enumerate();
-    values
-        .map(|(number, object)| record(Fields { json: root.json, object, at: At::new(name, number) }))
-        .collect()
+    values.map(|(number, object)| record(number, Fields { object, ..*root })).collect()
 }
 
 fn check_version(root: &Fields<'_>, notes: &mut Vec<Note>) -> Result<(), ReadError> {
     let asset = root.required_child("asset")?;
-    let version = asset.string("version")?.ok_or_else(|| asset.missing("version"))?;
+    let version = asset.required_string("version")?;
     let parse = |text: &str| {
         let (major, minor) = text.split_once('.')?;
         Some((major.parse::<u32>().ok()?, minor.parse::<u32>().ok()?))
     };
     let unsupported = |name, text: &str| {
-        let found = format!("glTF version {text:?}");
-        let advice = "only glTF 2.0 is read; convert the file, for example with glTF-Transform";
-        Err(ReadError::new(Problem::Unsupported, asset.at.member(name), found, advice))
+        let found = format!("unsupported glTF version {text:?}");
+        let advice = "convert the file to glTF 2.0, for example with glTF-Transform";
+        Err(ReadError::new(Problem::Unsupported, asset.member(name), found, advice))
     };
     match parse(&version) {
         Some((2, 0)) => {}
         Some((2, _)) => {
-            let text = format!("version {version} is read as 2.0; what is newer in it is not understood");
-            notes.push(Note::warning(asset.at.member("version"), text));
+            let text = format!("glTF version {version} is read as 2.0; newer features are ignored");
+            notes.push(Note::warning(asset.member("version"), text));
         }
         _ => return unsupported("version", &version),
     }
@@ -208,23 +207,18 @@ fn check_version(root: &Fields<'_>, notes: &mut Vec<Note>) -> Result<(), ReadErr
 fn view(fields: Fields<'_>, buffers: usize) -> Result<View, ReadError> {
     Ok(View {
         object: fields.object,
-        buffer: required(&fields, "buffer", "buffer", buffers)?,
+        buffer: fields.required_reference("buffer", "buffer", buffers)?,
         offset: fields.integer("byteOffset")?.unwrap_or(0),
         length: fields.required("byteLength")?,
         stride: fields.integer("byteStride")?,
         meshopt: MESHOPT.into_iter().find(|name| fields.extension(name).is_some()),
-        extended: fields.object("extensions")?.is_some(),
+        extended: fields.child("extensions")?.is_some(),
     })
-}
-
-/// The number of an element of another list, which has to be there.
-fn required(fields: &Fields<'_>, name: &str, what: &str, count: usize) -> Result<usize, ReadError> {
-    fields.reference(name, what, count)?.ok_or_else(|| fields.missing(name))
 }
 
 fn accessor(fields: Fields<'_>, views: usize) -> Result<Accessor, ReadError> {
     let component = component(fields.required("componentType")?);
-    let name = fields.string("type")?.ok_or_else(|| fields.missing("type"))?;
+    let name = fields.required_string("type")?;
     let shape = SHAPES.into_iter().find(|shape| shape.0 == name);
     let normalized = fields.boolean("normalized")?.unwrap_or(false);
     let format = |(component, (_, width, columns))| Format { component, normalized, width, columns };
@@ -240,9 +234,9 @@ fn accessor(fields: Fields<'_>, views: usize) -> Result<Accessor, ReadError> {
 
 fn sparse(accessor: &Fields<'_>, views: usize) -> Result<Option<Sparse>, ReadError> {
     let Some(sparse) = accessor.child("sparse")? else { return Ok(None) };
-    let part = |name: &'static str| {
+    let part = |name| {
         let part = sparse.required_child(name)?;
-        let view = required(&part, "bufferView", "buffer view", views)?;
+        let view = part.required_reference("bufferView", "buffer view", views)?;
         Ok((part, view, part.integer("byteOffset")?.unwrap_or(0)))
     };
     let (indices, index_view, index_offset) = part("indices")?;
@@ -251,36 +245,38 @@ fn sparse(accessor: &Fields<'_>, views: usize) -> Result<Option<Sparse>, ReadErr
     let unsigned = [Component::U8, Component::U16, Component::U32];
     let index_component = component(code).filter(|component| unsigned.contains(component));
     let index_component = index_component.ok_or_else(|| {
-        let found = format!("component type {code} for sparse indices");
-        ReadError::new(Problem::Range, sparse.at.place(), found, "5121, 5123 and 5125 can be indices")
+        let found = format!("component type {code} cannot be sparse indices");
+        ReadError::new(Problem::Range, sparse.place(), found, "use 5121, 5123 or 5125")
     })?;
     let count = sparse.required("count")?;
     Ok(Some(Sparse { count, index_view, index_offset, index_component, value_view, value_offset }))
 }
 
-fn mesh(fields: Fields<'_>, accessors: usize, materials: usize) -> Result<MeshRecord, ReadError> {
-    let name = fields.string("name")?.unwrap_or_default().into_owned();
-    let primitive = |(number, object)| {
-        let at = fields.at.then("primitives", number);
-        primitive(Fields::new(fields.json, object, at)?, accessors, materials)
-    };
+fn mesh(
+    mesh: usize,
+    fields: Fields<'_>,
+    accessors: usize,
+    materials: usize,
+) -> Result<MeshRecord, ReadError> {
+    let primitive =
+        |(number, object)| primitive((mesh, number), Fields::new(fields.json, object)?, accessors, materials);
     let primitives = fields.items("primitives")?.enumerate().map(primitive).collect::<Result<_, _>>()?;
-    Ok(MeshRecord { object: fields.object, name, primitives })
+    Ok(MeshRecord { object: fields.object, name: fields.name()?, primitives })
 }
 
-fn primitive(fields: Fields<'_>, accessors: usize, materials: usize) -> Result<Primitive, ReadError> {
-    let base = fields.object("attributes")?.ok_or_else(|| fields.missing("attributes"))?;
-    let mut sites = vec![base];
-    let mut sets = vec![vertex_set(&fields, base, "attributes", accessors)?];
-    for object in fields.items("targets")? {
-        Fields::new(fields.json, object, fields.at)?;
-        sites.push(object);
-        sets.push(vertex_set(&fields, object, "targets", accessors)?);
-    }
+fn primitive(
+    number: (usize, usize),
+    fields: Fields<'_>,
+    accessors: usize,
+    materials: usize,
+) -> Result<Primitive, ReadError> {
+    let mut sites = vec![fields.required_child("attributes")?.object];
+    sites.extend(fields.list("targets")?);
+    let sets = sites.iter().map(|&site| vertex_set(Fields { object: site, ..fields }, accessors));
     Ok(Primitive {
         object: fields.object,
-        at: fields.at,
-        vertices: VertexAccessors { sets },
+        number,
+        vertices: VertexAccessors { sets: sets.collect::<Result<_, _>>()? },
         sites,
         indices: fields.reference("indices", "accessor", accessors)?,
         mode: fields.integer("mode")?.unwrap_or(4),
@@ -288,17 +284,12 @@ fn primitive(fields: Fields<'_>, accessors: usize, materials: usize) -> Result<P
     })
 }
 
-fn vertex_set(
-    primitive: &Fields<'_>,
-    object: Value,
-    member: &str,
-    accessors: usize,
-) -> Result<Vec<(String, usize)>, ReadError> {
-    let json = primitive.json;
+fn vertex_set(fields: Fields<'_>, accessors: usize) -> Result<Vec<(String, usize)>, ReadError> {
+    let json = fields.json;
     let mut set: Vec<(String, usize)> = Vec::new();
-    for (key, value) in json.members(object) {
-        let index = json.integer(value).and_then(|index| usize::try_from(index).ok()).unwrap_or(usize::MAX);
-        let index = checked_index(index, accessors, "accessor", || primitive.at.member(member))?;
+    for (key, value) in json.members(fields.object) {
+        let index = json.integer(value).unwrap_or(u64::MAX);
+        let index = checked_index(index, accessors, "accessor", || fields.place())?;
         set.push((json.string(key).unwrap_or_default().into_owned(), index));
     }
     // Sorted, equal sets are equal lists. Of duplicates the last counts, as everywhere.

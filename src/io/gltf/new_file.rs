@@ -1,21 +1,19 @@
 //! A new glTF file from meshes.
 
-use crate::io::gltf::container::glb;
-use crate::io::gltf::container::uri;
-use crate::io::gltf::document::primitive::mode;
-use crate::io::gltf::document::records::{Component, Format as ElementFormat};
-use crate::io::gltf::edit::encode;
-use crate::io::gltf::extensions::QUANTIZATION;
-use crate::io::gltf::json::tree::quoted;
-use crate::io::gltf::writer::data::{Blob, Bounds, Bytes, Target, accessor_json, view_json};
-use crate::io::gltf::writer::material;
-use crate::io::gltf::writer::objects::pieces;
-use crate::io::gltf::writer::vertices::Shape;
+use super::buffers::address;
+use super::data::{Blob, Bounds, Bytes, Target, accessor_json, normal_format, steps, view_json};
+use super::extensions::QUANTIZATION;
+use super::json::quoted;
+use super::mesh::mode;
+use super::objects::pieces;
+use super::records::{Component, Format as ElementFormat};
+use super::vertices::Shape;
+use super::{glb, material};
+use crate::io::mesh_checks::{displacement_note, unsupported_notes};
 use crate::io::text::counted;
-use crate::io::unsupported_features::{Feature, displacement_note, unsupported_notes};
 use crate::io::{
-    FileMaterial, Format, NormalFormat, Note, OutputContent, OutputFile, Part, Place, WriteError,
-    WriteOptions, Written,
+    FileMaterial, Format, NormalFormat, Note, OutputContent, OutputFile, Part, WriteError, WriteOptions,
+    Written,
 };
 use crate::mesh::{Column, FaceLabels, Mesh, NONE, VertexSplit};
 use glam::DVec3;
@@ -24,25 +22,12 @@ use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 use std::fmt::Write as _;
 
-/// What glTF cannot hold. Smoothing groups live on in the normals that they led to.
-const NOT_HELD: [Feature; 2] = [Feature::HardEdges, Feature::MorphTargets];
-
-/// Writes a new `.glb` or `.gltf` of meshes: one mesh and one node a part, or an object of a part; one primitive a
-/// material.
+/// Writes a new `.glb` or `.gltf`: one mesh and one node a part, or an object of a part; one primitive a material.
 ///
-/// Positions are rounded to `f32`, normals to the format that is asked for. Vertices are split where corners differ in normal or uv; polygons
-/// are cut into triangles. Faces with a corner without a normal become a primitive without normals, which glTF
-/// draws flat. A `.gltf` keeps its data in a companion `<stem>.bin`, or inside if there is no stem.
-///
-/// # Errors
-/// [`WriteError::Unsupported`] for a position beyond the range of `f32`; [`WriteError::TooLarge`] for a GLB
-/// beyond 4 GiB.
-pub fn write(parts: &[Part], to: Format, options: &WriteOptions) -> Result<Written, WriteError> {
-    write_with_materials(parts, &[], to, options)
-}
-
-/// As [`write`], with the colour and roughness of materials where they are known.
-pub(in crate::io) fn write_with_materials(
+/// Positions are rounded to `f32`. Vertices are split where corners differ in normal or uv; polygons are cut into triangles.
+/// Faces with a corner without a normal become a primitive without normals, which glTF draws flat. A `.gltf` keeps its data in
+/// a companion `<stem>.bin`, or inside if there is no stem.
+pub(in crate::io) fn write(
     parts: &[Part],
     materials: &[FileMaterial],
     to: Format,
@@ -65,7 +50,7 @@ pub(in crate::io) fn write_with_materials(
         written.bytes = file.json(None).into_bytes();
     } else {
         let (name, data) = (options.stem.as_ref().map(|stem| format!("{stem}.bin")), pieces.concat());
-        written.bytes = file.json(Some(&uri::address(name.as_deref(), &data))).into_bytes();
+        written.bytes = file.json(Some(&address(name.as_deref(), &data))).into_bytes();
         let companion = name.map(|name| OutputFile { name, content: OutputContent::Bytes(data) });
         written.companions.extend(companion);
     }
@@ -85,11 +70,8 @@ struct File<'a> {
     material_numbers: FxHashMap<&'a str, usize>,
     /// What is known of materials, by name.
     known: FxHashMap<&'a str, &'a FileMaterial>,
-    /// Textures of the materials that are used.
     textures: usize,
-    /// How normals are stored.
     normal_format: NormalFormat,
-    /// Some are stored as integers.
     is_quantized: bool,
 }
 
@@ -171,18 +153,18 @@ impl<'a> File<'a> {
 
     /// Stores the normal of every vertex, +z where there is none.
     fn normals(&mut self, mesh: &Mesh, shape: &Shape<'_>, normals: &Column<DVec3>) -> usize {
-        let format = encode::format(None, self.normal_format);
+        let format = normal_format(None, self.normal_format);
         self.is_quantized |= format.normalized;
         // Elements begin at multiples of four bytes.
         let padded = |[x, y, z]: [i32; 3]| [x, y, z, 0];
         match format.component {
             Component::I16 => {
-                let coded = |n: &DVec3| padded(encode::steps(*n, i16::MAX.into())).map(|step| step as i16);
+                let coded = |n: &DVec3| padded(steps(*n, i16::MAX.into())).map(|step| step as i16);
                 let values = shape.values(mesh, normals, coded(&DVec3::Z), coded);
                 self.vertices(values, format, None)
             }
             Component::I8 => {
-                let coded = |n: &DVec3| padded(encode::steps(*n, i8::MAX.into())).map(|step| step as i8);
+                let coded = |n: &DVec3| padded(steps(*n, i8::MAX.into())).map(|step| step as i8);
                 let values = shape.values(mesh, normals, coded(&DVec3::Z), coded);
                 self.vertices(values, format, None)
             }
@@ -264,7 +246,6 @@ impl<'a> File<'a> {
         }
     }
 
-    /// Stores a vertex attribute.
     fn vertices(&mut self, data: impl Bytes + 'a, format: ElementFormat, bounds: Option<&Bounds>) -> usize {
         self.store(data, format, Target::Vertices, bounds)
     }
@@ -286,19 +267,15 @@ impl<'a> File<'a> {
     }
 }
 
-/// Notes on what was omitted.
 fn notes(parts: &[Part], unused: usize, textures: usize) -> Vec<Note> {
-    let mut notes = unsupported_notes("glTF", &NOT_HELD, parts);
+    let mut notes = unsupported_notes(Format::Gltf, parts);
     if parts.iter().any(|part| part.mesh.columns().smoothing.is_some()) {
-        notes.push(Note::remark("glTF has no smoothing groups: the normals keep what they say"));
+        notes.push(Note::remark("glTF has no smoothing groups; the normals keep their effect"));
     }
-    if textures > 0 {
-        let textures = counted(textures, "texture", "textures");
-        notes.push(Note::warning(Place::File, format!("left out, though materials name them: {textures}")));
-    }
+    notes.extend(Note::counted(textures, ["texture", "textures"], "of materials omitted"));
     if unused > 0 {
         let vertices = counted(unused, "vertex", "vertices");
-        notes.push(Note::remark(format!("left out, because no object uses them: {vertices}")));
+        notes.push(Note::remark(format!("{vertices} without an object omitted")));
     }
     notes
 }
@@ -330,9 +307,9 @@ fn positions(
         let vertex = rounded.iter().position(|p| p.iter().any(|x| x.is_infinite())).unwrap_or(0);
         let DVec3 { x, y, z } = mesh.positions()[vertex];
         let text = format!(
-            "vertex {vertex}, counted from 0, at ({x:e}, {y:e}, {z:e}) is beyond the range of the 32-bit floats of glTF"
+            "vertex {vertex} at ({x:e}, {y:e}, {z:e}) is out of the range of 32-bit floats; scale the model, or write PLY or OBJ"
         );
-        return Err(WriteError::Unsupported(format!("{text}; scale the model, or write PLY or OBJ")));
+        return Err(WriteError::Unsupported(text));
     }
     notes.extend(displacement_note(mesh));
     let double = |bound: [f32; 3]| bound.map(f64::from).to_vec();

@@ -4,6 +4,9 @@ use crate::io::text::counted;
 use crate::io::{Note, Place, Problem, ReadError, WriteError};
 use std::ops::Range;
 
+/// What to do about a file that is cut off.
+pub const TRUNCATED: &str = "the file is cut off; copy or export it again";
+
 const MAGIC: &[u8; 4] = b"glTF";
 const JSON: u32 = u32::from_le_bytes(*b"JSON");
 const BIN: u32 = u32::from_le_bytes(*b"BIN\0");
@@ -17,72 +20,70 @@ pub struct Glb {
     chunks: Vec<(u32, Range<usize>)>,
 }
 
-/// Whether a file is in the binary container.
 pub fn is_glb(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC)
 }
 
 impl Glb {
-    /// Reads the chunk table.
     pub fn parse(bytes: &[u8], notes: &mut Vec<Note>) -> Result<Glb, ReadError> {
         let error = |problem, at: usize, found: String, advice: &str| {
             Err(ReadError::new(problem, Place::Byte(at as u64), found, advice))
         };
-        let truncated =
-            |at, found| error(Problem::Truncated, at, found, "the file is cut off; copy or export it again");
+        let truncated = |at, found| error(Problem::Truncated, at, found, TRUNCATED);
         let word = |at: usize| bytes.get(at..at + 4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]));
+        let size = bytes.len();
         let (Some(version), Some(length)) = (word(4), word(8)) else {
-            let found = format!("a GLB of {} bytes, of which its header alone takes 12", bytes.len());
-            return truncated(bytes.len(), found);
+            return truncated(size, format!("a GLB header has 12 bytes, but the file has only {size}"));
         };
         if version != 2 {
-            let advice = "only glTF 2.0 is read; convert the file, for example with glTF-Transform";
-            return error(Problem::Unsupported, 4, format!("GLB version {version}"), advice);
+            let advice = "convert the file to glTF 2.0, for example with glTF-Transform";
+            return error(Problem::Unsupported, 4, format!("unsupported GLB version {version}"), advice);
         }
         let length = length as usize;
-        if length > bytes.len() {
-            let found = format!("a header that states {length} bytes where the file has {}", bytes.len());
-            return truncated(8, found);
+        if length > size {
+            return truncated(8, format!("the length of the file is {length}, but it has only {size} bytes"));
         }
         if length < SHORTEST {
             let found =
-                format!("a GLB of {length} bytes, where the headers of file and JSON take {SHORTEST}");
-            return error(Problem::Truncated, 8, found, "nothing is in it; copy or export the file again");
+                format!("the length of the file is {length}, but its headers alone have {SHORTEST} bytes");
+            return truncated(8, found);
         }
-        if length < bytes.len() {
-            let rest = counted(bytes.len() - length, "byte", "bytes");
-            let text = format!("ignored, because it is behind the end that the header states: {rest}");
+        if length < size {
+            let rest = counted(size - length, "byte", "bytes");
+            let text = format!("{rest} after the end of the GLB ignored");
             notes.push(Note::warning(Place::Byte(length as u64), text));
         }
         let mut chunks = Vec::new();
         let mut at = 12;
         while at < length {
             let (Some(size), Some(kind), true) = (word(at), word(at + 4), at + 8 <= length) else {
-                return truncated(at, "a chunk header that is cut off".into());
+                return truncated(at, "the chunk header is cut off".into());
             };
             let (start, size) = (at + 8, size as usize);
-            if size > length - start {
-                let rest = length - start;
-                let found = format!("a chunk that states {size} bytes where the file has {rest} more");
-                let advice = "the length of the chunk or of the file is wrong; copy or export the file again";
-                return error(Problem::Truncated, at, found, advice);
+            let rest = length - start;
+            if size > rest {
+                let found = format!("chunk length is {size} bytes, but only {rest} bytes remain");
+                return error(
+                    Problem::Truncated,
+                    at,
+                    found,
+                    "a length is wrong; copy or export the file again",
+                );
             }
             chunks.push((kind, start..start + size));
             at = start + size;
         }
         if chunks.first().is_none_or(|(kind, _)| *kind != JSON) {
-            let advice = "the file is broken; export it again";
-            return error(Problem::Syntax, 12, "a GLB whose first chunk is not JSON".into(), advice);
+            let found = "the first chunk is not JSON".into();
+            return error(Problem::Syntax, 12, found, "the file is damaged; export it again");
         }
         Ok(Glb { chunks })
     }
 
-    /// Where the JSON is.
     pub fn json(&self) -> Range<usize> {
         self.chunks[0].1.clone()
     }
 
-    /// Where the binary buffer is.
     pub fn bin(&self) -> Option<Range<usize>> {
         self.bin_chunk().map(|chunk| self.chunks[chunk].1.clone())
     }
@@ -117,12 +118,11 @@ pub fn glb(json: &str, bin: Vec<&[u8]>) -> Result<Vec<u8>, WriteError> {
     assemble(if has_bin { &chunks } else { &chunks[..1] })
 }
 
-/// A GLB file of chunks, each given in pieces.
 fn assemble(chunks: &[(u32, Vec<&[u8]>)]) -> Result<Vec<u8>, WriteError> {
     let size = |pieces: &[&[u8]]| pieces.iter().map(|piece| piece.len()).sum::<usize>();
     let length = 12 + chunks.iter().map(|(_, pieces)| 8 + padded(size(pieces))).sum::<usize>();
     let Ok(counted) = u32::try_from(length) else {
-        let text = format!("{length} bytes are more than a GLB file can count (4 GiB); write .gltf instead");
+        let text = format!("the GLB would have {length} bytes (limit 4 GiB); write .gltf instead");
         return Err(WriteError::TooLarge(text));
     };
     let mut out = Vec::with_capacity(length);
@@ -170,13 +170,15 @@ mod tests {
     fn what_is_wrong_with_lengths_is_distinguished() {
         let error = |file: &[u8]| Glb::parse(file, &mut Vec::new()).unwrap_err().to_string();
         let header = |length: u32| [&b"glTF\x02\0\0\0"[..], &length.to_le_bytes()].concat();
-        assert!(error(b"glTF\x02\0").contains("a GLB of 6 bytes"));
-        assert!(error(&header(12)).contains("a GLB of 12 bytes, where the headers of file and JSON take 20"));
-        assert!(error(&header(13)).contains("a header that states 13 bytes where the file has 12"));
+        assert!(error(b"glTF\x02\0").contains("the file has only 6"));
+        assert!(
+            error(&header(12)).contains("the length of the file is 12, but its headers alone have 20 bytes")
+        );
+        assert!(error(&header(13)).contains("the length of the file is 13, but it has only 12 bytes"));
         let mut file = glb("{}", vec![&b"1234"[..]]).unwrap();
         file[12] = 200;
         let error = error(&file);
-        assert!(error.contains("a chunk that states 200 bytes where the file has 16 more"), "{error}");
+        assert!(error.contains("chunk length is 200 bytes, but only 16 bytes remain"), "{error}");
         assert!(!error.contains("cut off"), "the file has the length that it states: {error}");
     }
 

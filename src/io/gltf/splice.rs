@@ -1,15 +1,13 @@
 //! Changes to a JSON text that leave every other byte alone.
 
-use crate::io::gltf::json::tree::{Json, Value, quoted};
+use super::json::{Json, Value, quoted};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// Changes to the members of an object: a new text, or `None` to remove the member.
 pub type Changes = Vec<(String, Option<String>)>;
 
-/// Changes to objects and top-level lists of a text, to be made all at once.
-///
-/// New members and elements take over the blanks of the one before them, so that indented text stays indented.
+/// Changes to objects and top-level lists of a text. New members and elements are indented like the one before them.
 pub struct Splices<'a> {
     json: &'a Json,
     objects: BTreeMap<Value, Changes>,
@@ -27,12 +25,10 @@ impl<'a> Splices<'a> {
         self.change(object, vec![(name.to_owned(), Some(text.to_string()))]);
     }
 
-    /// Removes a member of an object, if it is there.
     pub fn remove(&mut self, object: Value, name: &str) {
         self.change(object, vec![(name.to_owned(), None)]);
     }
 
-    /// Makes several changes to an object.
     pub fn change(&mut self, object: Value, changes: Changes) {
         let old = self.objects.entry(object).or_default();
         for (name, text) in changes {
@@ -48,7 +44,6 @@ impl<'a> Splices<'a> {
         self.lists.entry(list).or_default().push(text);
     }
 
-    /// Whether no change was asked for.
     pub fn is_empty(&self) -> bool {
         self.objects.is_empty() && self.lists.is_empty()
     }

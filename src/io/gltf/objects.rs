@@ -6,10 +6,8 @@ use glam::DVec3;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// A part for each object, in the order of their first faces, and one for points and lines, which belong to none.
-/// Unused vertices are omitted, and counted. `None` if all faces are of one object, or of none.
-///
-/// Normals do not change: what was smoothed across objects stays smooth across them.
+/// A part for each object, in the order of their first faces, and one for points and lines; and the number of unused vertices,
+/// which are omitted. `None` if all faces are of one object. Normals do not change: objects stay smooth across their borders.
 pub fn by_object(part: &Part) -> Option<(Vec<Part>, usize)> {
     let mesh = &part.mesh;
     let labels = mesh.columns().objects.as_ref()?;
@@ -30,9 +28,9 @@ pub fn by_object(part: &Part) -> Option<(Vec<Part>, usize)> {
     let mut pieces = Vec::with_capacity(order.len() + 1);
     for label in order {
         let name = labels.names.get(label as usize).unwrap_or(&part.name).clone();
-        pieces.push(Part { name, mesh: cutter.piece(&faces_of[&label])?, non_finite_faces: Vec::new() });
+        pieces.push(Part { name, mesh: cutter.piece(&faces_of[&label]), non_finite_faces: Vec::new() });
     }
-    if let Some(mesh) = cutter.loose()? {
+    if let Some(mesh) = cutter.loose() {
         pieces.push(Part { name: part.name.clone(), mesh, non_finite_faces: Vec::new() });
     }
     let unused = cutter.vertices.never_used();
@@ -103,8 +101,8 @@ impl<'a> Cutter<'a> {
         }
     }
 
-    /// Some faces, with all that belongs to them. The pieces of a right mesh are right.
-    fn piece(&mut self, numbers: &[u32]) -> Option<Mesh> {
+    /// Some faces, with all that belongs to them.
+    fn piece(&mut self, numbers: &[u32]) -> Mesh {
         let (mesh, old) = (self.mesh, self.mesh.columns());
         let ranges = || numbers.iter().map(|&face| mesh.faces().range(face as usize));
         let corners: Vec<usize> = ranges().flatten().collect();
@@ -129,26 +127,26 @@ impl<'a> Cutter<'a> {
         self.finish(faces, columns)
     }
 
-    /// Points and lines, if there are any.
-    fn loose(&mut self) -> Option<Option<Mesh>> {
+    fn loose(&mut self) -> Option<Mesh> {
         let old = self.mesh.columns();
         if old.points.is_empty() && old.lines.is_empty() {
-            return Some(None);
+            return None;
         }
         let points = self.vertices.of_all(old.points.iter().copied());
         let line = |line: &Vec<u32>| line.iter().map(|&vertex| self.vertices.of(vertex)).collect();
         let lines = old.lines.iter().map(line).collect();
         let columns = Columns { points, lines, ..Columns::default() };
-        self.finish(Faces::new(), columns).map(Some)
+        Some(self.finish(Faces::new(), columns))
     }
 
-    fn finish(&self, faces: Faces, mut columns: Columns) -> Option<Mesh> {
+    fn finish(&self, faces: Faces, mut columns: Columns) -> Mesh {
         let (mesh, old) = (self.mesh, self.mesh.columns());
         columns.colors = old.colors.as_ref().map(|colors| self.vertices.values(colors));
         let targets = old.morph_targets.iter();
         columns.morph_targets = targets.map(|target: &Vec<DVec3>| self.vertices.values(target)).collect();
         let positions = self.vertices.values(mesh.positions());
-        MeshBuilder { positions, storage: mesh.storage(), faces, columns }.build().ok()
+        let builder = MeshBuilder { positions, storage: mesh.storage(), faces, columns };
+        builder.build().expect("a piece of a valid mesh is valid")
     }
 }
 

@@ -1,9 +1,9 @@
 //! The vertices of a part: positions and every column that meshes know.
 
-use crate::io::gltf::document::gltf_document::Layout;
-use crate::io::gltf::document::mesh::Assembler;
-use crate::io::gltf::json::fields::{At, out_of_range};
-use crate::io::mesh_checks::non_finite_note;
+use super::document::Layout;
+use super::fields::{numbered, out_of_range};
+use super::mesh::Assembler;
+use crate::io::mesh_checks::{DROP_ADVICE, build_mesh, non_finite_note};
 use crate::io::text::counted;
 use crate::io::{NonFinite, Note, Problem, ReadError};
 use crate::mesh::{Column, Columns, Faces, Mesh, MeshBuilder, MeshError, NONE, Storage};
@@ -15,7 +15,7 @@ struct BlockColumn<T> {
     first: Vec<Option<u32>>,
 }
 
-impl Assembler<'_> {
+impl<'a> Assembler<'a> {
     /// Decodes the vertices of all blocks and builds the mesh. Also returns the faces that are dropped from it.
     pub fn fill(
         &self,
@@ -25,7 +25,7 @@ impl Assembler<'_> {
     ) -> Result<(Mesh, Vec<u32>), ReadError> {
         let mut positions = Vec::new();
         for block in &layout.blocks {
-            self.source.spend(24 * u64::from(block.count), self.at)?;
+            self.source.spend(24 * u64::from(block.count), || self.place())?;
             positions.extend(self.vectors(self.accessors(block).position())?);
         }
         let normals = self.column(layout, &corners, "NORMAL", |accessor| self.vectors(accessor))?;
@@ -40,17 +40,13 @@ impl Assembler<'_> {
         columns.colors = self.colors(layout)?;
         columns.morph_targets = self.morph_targets(layout, positions.len())?;
         let note = non_finite_note(&positions, self.non_finite);
-        let note = note.map(|note| Note { place: self.at.place(), ..note });
+        let note = note.map(|note| Note { place: self.place(), ..note });
         self.source.notes.borrow_mut().extend(note);
         let faces = Faces::triangles(corners);
         let builder = MeshBuilder { positions, storage: Storage::F32, faces, columns };
-        let built = match self.non_finite {
-            NonFinite::Refuse => builder.build().map(|mesh| (mesh, Vec::new())),
-            NonFinite::DropFaces => builder.build_dropping_non_finite(),
-        };
-        built.map_err(|error| match error {
+        build_mesh(builder, self.non_finite).map_err(|error| match error {
             MeshError::NonFinite { vertex, position } => self.non_finite_position(layout, vertex, position),
-            other => out_of_range(self.at.place(), other.to_string()),
+            other => out_of_range(self.place(), other.to_string()),
         })
     }
 
@@ -59,26 +55,26 @@ impl Assembler<'_> {
         let block = &layout.blocks[block];
         let element = vertex - block.first_vertex as usize;
         let DVec3 { x, y, z } = position;
-        let place = At::new("accessors", self.accessors(block).position()).place();
-        let found = format!("element {element} is the position ({x}, {y}, {z})");
-        let advice = "repair the file, or drop the faces there with `crease normals --force` (`crease render --force` draws the others)";
-        ReadError::new(Problem::NonFinite, place, found, advice)
+        let place = numbered("accessors", self.accessors(block).position());
+        let found = format!("element {element} has the position ({x}, {y}, {z}), which is not finite");
+        ReadError::new(Problem::NonFinite, place, found, DROP_ADVICE)
     }
 
-    fn vectors(&self, accessor: usize) -> Result<impl Iterator<Item = DVec3> + use<>, ReadError> {
+    fn vectors(&self, accessor: usize) -> Result<impl Iterator<Item = DVec3> + use<'a>, ReadError> {
         let floats = self.source.elements(accessor)?.floats::<3>(0.0);
-        Ok(floats.into_iter().map(|[x, y, z]| DVec3::new(x.into(), y.into(), z.into())))
+        Ok(floats.map(|[x, y, z]| DVec3::new(x.into(), y.into(), z.into())))
     }
 
     /// The floats of texture coordinates or colours: those that are not finite become 0, with a warning.
     fn shown<const N: usize>(&self, accessor: usize) -> Result<Vec<[f32; N]>, ReadError> {
-        let mut floats = self.source.elements(accessor)?.floats::<N>(1.0);
+        let mut floats: Vec<[f32; N]> = self.source.elements(accessor)?.floats(1.0).collect();
         let broken = floats.as_flattened_mut().iter_mut().filter(|x| !x.is_finite());
         let count = broken.map(|x| *x = 0.0).count();
         if count > 0 {
             let numbers = counted(count, "number", "numbers");
-            let text = format!("texture coordinates or colours that are not finite count as 0: {numbers}");
-            self.source.warn(At::new("accessors", accessor).place(), text);
+            let text =
+                format!("{numbers} of texture coordinates or colours are not finite and were read as 0");
+            self.source.warn(numbered("accessors", accessor), text);
         }
         Ok(floats)
     }
@@ -95,7 +91,7 @@ impl Assembler<'_> {
         let mut first = vec![None; layout.blocks.len()];
         for (block, first) in layout.blocks.iter().zip(&mut first).filter(|(block, _)| block.solid) {
             let Some(accessor) = self.accessors(block).get(semantic) else { continue };
-            self.source.spend(size_of::<T>() as u64 * u64::from(block.count), self.at)?;
+            self.source.spend(size_of::<T>() as u64 * u64::from(block.count), || self.place())?;
             *first = Some(values.len() as u32);
             values.extend(read(accessor)?);
         }
@@ -105,7 +101,7 @@ impl Assembler<'_> {
         if first.iter().all(Option::is_some) {
             return Ok(BlockColumn { column: Some(Column::per_vertex(values)), first });
         }
-        self.source.spend(4 * corners.len() as u64, self.at)?;
+        self.source.spend(4 * corners.len() as u64, || self.place())?;
         let mut index = Vec::with_capacity(corners.len());
         for piece in &layout.pieces {
             let (first, first_vertex) = (first[piece.block], layout.blocks[piece.block].first_vertex);
@@ -122,7 +118,7 @@ impl Assembler<'_> {
         }
         let mut colors = Vec::new();
         for (block, accessor) in layout.blocks.iter().zip(colors_of()) {
-            self.source.spend(16 * u64::from(block.count), self.at)?;
+            self.source.spend(16 * u64::from(block.count), || self.place())?;
             match accessor {
                 Some(accessor) => colors.extend(self.shown::<4>(accessor)?),
                 // Colours multiply, so that white is the same as none.
@@ -136,9 +132,9 @@ impl Assembler<'_> {
         let counts = layout.blocks.iter().map(|block| self.accessors(block).target_sets().len());
         let count = counts.clone().max().unwrap_or(0);
         if counts.min().unwrap_or(0) < count {
-            self.source.warn(self.at.place(), "primitives with different numbers of morph targets");
+            self.source.warn(self.place(), "the primitives have different numbers of morph targets");
         }
-        self.source.spend((24 * vertices as u64).saturating_mul(count as u64), self.at)?;
+        self.source.spend((24 * vertices as u64).saturating_mul(count as u64), || self.place())?;
         let mut targets = vec![vec![DVec3::ZERO; vertices]; count];
         for block in &layout.blocks {
             for (number, target) in targets.iter_mut().enumerate() {
@@ -152,14 +148,13 @@ impl Assembler<'_> {
             let Some(vertex) = target.iter().position(|displacement| !displacement.is_finite()) else {
                 continue;
             };
-            let found =
-                format!("morph target {number} displaces vertex {vertex} by what is not a finite number");
+            let found = format!("morph target {number}: the displacement of vertex {vertex} is not finite");
             if self.non_finite == NonFinite::Refuse {
-                let advice = "repair the file, or omit such displacements with `crease normals --force`";
-                return Err(ReadError::new(Problem::NonFinite, self.at.place(), found, advice));
+                let advice = "correct it, or ignore such displacements with `crease normals --force`";
+                return Err(ReadError::new(Problem::NonFinite, self.place(), found, advice));
             }
             target.iter_mut().filter(|d| !d.is_finite()).for_each(|d| *d = DVec3::ZERO);
-            self.source.warn(self.at.place(), format!("{found}; such vertices stay where they are"));
+            self.source.warn(self.place(), format!("{found}; such displacements are ignored"));
         }
         Ok(targets)
     }

@@ -1,9 +1,9 @@
 //! Accessors to numbers. Every offset and count is checked against the bytes that are there.
 
-use crate::io::gltf::container::buffers::Buffers;
-use crate::io::gltf::document::records::{Component, Format, Records, Sparse};
-use crate::io::gltf::json::fields::{At, only_compressed, out_of_range};
-use crate::io::text::counted;
+use super::buffers::Buffers;
+use super::fields::{Fields, only_compressed, out_of_range};
+use super::json::Value;
+use super::records::{Component, Format, Records, Sparse};
 use crate::io::{Note, Place, Problem, ReadError};
 use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
@@ -17,7 +17,6 @@ pub struct Elements<'a> {
     stride: usize,
     pub count: usize,
     pub format: Format,
-    /// The exceptions, ascending.
     sparse: Option<Exceptions<'a>>,
 }
 
@@ -28,11 +27,9 @@ struct Exceptions<'a> {
     values: &'a [u8],
 }
 
-/// Reads the accessors of a document.
 pub struct Source<'a> {
     pub records: &'a Records,
     pub buffers: &'a Buffers,
-    /// The most elements of an accessor without stored data.
     pub implied_limit: u64,
     /// Bytes of memory that decoding may still take; one file's bytes can be asked for any number of times.
     pub memory: Cell<u64>,
@@ -40,110 +37,111 @@ pub struct Source<'a> {
 }
 
 impl<'a> Source<'a> {
-    /// Finds the elements of an accessor.
     pub fn elements(&self, accessor: usize) -> Result<Elements<'a>, ReadError> {
-        let at = At::new("accessors", accessor);
         let record = &self.records.accessors[accessor];
+        let fields = self.records.fields(record.object);
         let Some(format) = record.format else {
-            let found = "an accessor whose type or component type glTF 2.0 does not have";
-            return Err(out_of_range(at.place(), found));
+            return Err(out_of_range(fields.place(), "unknown type or component type"));
         };
         if record.count == 0 {
-            return Err(out_of_range(at.member("count"), "an accessor without elements"));
+            return Err(out_of_range(fields.member("count"), "the accessor has no elements"));
         }
         let count = usize::try_from(record.count).unwrap_or(usize::MAX);
         let size = format.size() as u64;
         let (bytes, stride) = match record.view {
             None if record.count > self.implied_limit => {
-                let found = format!("{count} elements of zeros, for which the file stores no data");
-                let advice = format!("the limit is {}; check where the file comes from", self.implied_limit);
-                return Err(ReadError::new(Problem::Limit, at.member("count"), found, advice));
+                let limit = self.implied_limit;
+                let found = format!("{count} elements without stored data (limit {limit})");
+                let advice = "check where the file comes from";
+                return Err(ReadError::new(Problem::Limit, fields.member("count"), found, advice));
             }
             None => (&[][..], 0),
             Some(view) => {
                 let stride = self.records.views[view].stride.unwrap_or(size);
                 let extent = Extent { offset: record.offset, count: record.count, size, stride };
-                (self.slice(view, extent, at)?, stride as usize)
+                (self.slice(view, extent, record.object)?, stride as usize)
             }
         };
-        let sparse =
-            record.sparse.map(|sparse| self.exceptions(sparse, record.count, size, at)).transpose()?;
+        let exceptions = |sparse| self.exceptions(sparse, record.count, size, fields);
+        let sparse = record.sparse.map(exceptions).transpose()?;
         Ok(Elements { bytes, stride, count, format, sparse })
     }
 
     /// The exceptions of a sparse accessor of `count` elements.
-    fn exceptions(&self, sparse: Sparse, count: u64, size: u64, at: At) -> Result<Exceptions<'a>, ReadError> {
-        let place = at.member("sparse");
+    fn exceptions(
+        &self,
+        sparse: Sparse,
+        count: u64,
+        size: u64,
+        accessor: Fields<'_>,
+    ) -> Result<Exceptions<'a>, ReadError> {
+        let refuse = |found: String| Err(out_of_range(accessor.member("sparse"), found));
         if sparse.count == 0 || sparse.count > count {
-            return Err(out_of_range(place, format!("{} exceptions for {count} elements", sparse.count)));
+            return refuse(format!("{} sparse values for {count} elements", sparse.count));
         }
         let component = sparse.index_component;
         let part = |view, offset, size| {
-            self.slice(view, Extent { offset, count: sparse.count, size, stride: size }, at)
+            let extent = Extent { offset, count: sparse.count, size, stride: size };
+            self.slice(view, extent, accessor.object)
         };
         let indices = part(sparse.index_view, sparse.index_offset, component.size() as u64)?;
         let values = part(sparse.value_view, sparse.value_offset, size)?;
         let mut previous = None;
         for index in indices.chunks_exact(component.size()).map(|bytes| unsigned(bytes, component)) {
             if u64::from(index) >= count {
-                return Err(out_of_range(place, format!("an exception for element {index} of {count}")));
+                return refuse(format!("sparse index {index} is out of range ({count} elements)"));
             }
             if previous.is_some_and(|previous| index <= previous) {
-                let found = format!("exceptions that do not ascend (at element {index})");
-                return Err(out_of_range(place, found));
+                return refuse(format!("sparse indices are not ascending (at {index})"));
             }
             previous = Some(index);
         }
         Ok(Exceptions { indices, component, values })
     }
 
-    /// Adds a warning to the notes.
     pub fn warn(&self, place: Place, text: impl Into<String>) {
         self.notes.borrow_mut().push(Note::warning(place, text));
     }
 
     /// Takes memory from the budget before something is decoded.
-    pub fn spend(&self, bytes: u64, at: At) -> Result<(), ReadError> {
+    pub fn spend(&self, bytes: u64, place: impl FnOnce() -> Place) -> Result<(), ReadError> {
         let Some(left) = self.memory.get().checked_sub(bytes) else {
-            let found = "the file uses the same bytes so often that its meshes would not fit into memory";
-            let advice = "check where it comes from; splitting it into several files helps";
-            return Err(ReadError::new(Problem::Limit, at.place(), found, advice));
+            let found = "too much memory: many meshes share the same bytes";
+            let advice = "check where the file comes from, or split it";
+            return Err(ReadError::new(Problem::Limit, place(), found, advice));
         };
         self.memory.set(left);
         Ok(())
     }
 
-    fn slice(&self, view: usize, extent: Extent, at: At) -> Result<&'a [u8], ReadError> {
+    /// The bytes of elements that an accessor has in a view.
+    fn slice(&self, view: usize, extent: Extent, accessor: Value) -> Result<&'a [u8], ReadError> {
         let view = &self.records.views[view];
         let Extent { offset, count, size, stride } = extent;
-        let bytes = |count: u64| counted(count, "byte", "bytes");
+        let place = || self.records.json.place(accessor);
         let Some(buffer) = self.buffers.bytes(view.buffer) else {
             let name = view.meshopt.unwrap_or("an extension");
-            return Err(only_compressed(
-                at.place(),
-                format!("data that are only there compressed by {name}"),
-            ));
+            return Err(only_compressed(place(), format!("the data are stored only compressed by {name}")));
         };
         if stride < size {
-            let found = format!("elements of {} only {} apart", bytes(size), bytes(stride));
-            return Err(out_of_range(at.place(), found));
+            let found = format!("the stride is {stride}, less than the {size} bytes of an element");
+            return Err(out_of_range(place(), found));
         }
         let needed = (count - 1).checked_mul(stride).and_then(|all| all.checked_add(size));
         let end = needed.and_then(|needed| needed.checked_add(offset));
         if end.is_none_or(|end| end > view.length) {
-            let elements = counted(count, "element", "elements");
+            let length = view.length;
             let found = format!(
-                "{elements} of {} from byte {offset} of a view of {}",
-                bytes(size),
-                bytes(view.length)
+                "{count} elements of {size} bytes from byte {offset} exceed the view of {length} bytes"
             );
-            return Err(out_of_range(at.place(), found));
+            return Err(out_of_range(place(), found));
         }
         let whole = view.offset.checked_add(view.length).filter(|&end| end <= buffer.len() as u64);
         let (Some(needed), Some(_)) = (needed, whole) else {
-            let (length, size) = (bytes(view.length), bytes(buffer.len() as u64));
-            let found = format!("a view of {length} from byte {} of a buffer of {size}", view.offset);
-            return Err(out_of_range(at.place(), found));
+            let (length, start, size) = (view.length, view.offset, buffer.len());
+            let found =
+                format!("a view of {length} bytes from byte {start} exceeds the buffer of {size} bytes");
+            return Err(out_of_range(place(), found));
         };
         // Within the view, which is within the buffer.
         let start = view.offset + offset;
@@ -151,7 +149,6 @@ impl<'a> Source<'a> {
     }
 }
 
-/// Elements within a buffer view.
 #[derive(Clone, Copy)]
 struct Extent {
     offset: u64,
@@ -185,26 +182,20 @@ impl<'a> Elements<'a> {
         Cow::Owned(raw)
     }
 
-    /// All elements as `f32` vectors; normalised integers divided by their largest value, as the standard says.
-    /// Elements of fewer components are filled up with `fill`, those of more cut.
-    pub fn floats<const N: usize>(&self, fill: f32) -> Vec<[f32; N]> {
-        let raw = self.raw();
-        let (component, normalized) = (self.format.component, self.format.normalized);
-        let size = component.size();
-        let width = self.format.width.min(N);
-        let elements = raw.chunks_exact(self.format.size());
-        elements
-            .map(|element| {
-                let mut vector = [fill; N];
-                for (number, bytes) in vector[..width].iter_mut().zip(element.chunks_exact(size)) {
-                    *number = float(bytes, component, normalized);
-                }
-                vector
-            })
-            .collect()
+    /// All elements as `f32` vectors, missing components filled up with `fill`.
+    pub fn floats<const N: usize>(&self, fill: f32) -> impl ExactSizeIterator<Item = [f32; N]> + use<'a, N> {
+        let (raw, format) = (self.raw(), self.format);
+        let (whole, size, width) = (format.size(), format.component.size(), format.width.min(N));
+        (0..self.count).map(move |element| {
+            let mut vector = [fill; N];
+            let bytes = raw[element * whole..(element + 1) * whole].chunks_exact(size);
+            for (number, bytes) in vector[..width].iter_mut().zip(bytes) {
+                *number = float(bytes, format.component, format.normalized);
+            }
+            vector
+        })
     }
 
-    /// All elements as unsigned integers, first component only.
     pub fn integers(&self) -> Vec<u32> {
         let component = self.format.component;
         self.raw().chunks_exact(self.format.size()).map(|bytes| unsigned(bytes, component)).collect()

@@ -1,7 +1,6 @@
 //! How the corners of a mesh become the triangles and vertices of a new file.
 
-use crate::io::text::counted;
-use crate::io::{Note, Place, Written};
+use crate::io::{Note, Written};
 use crate::mesh::{Column, ColumnIndex, Mesh, NONE, VertexSplit, split_vertices, triangulate};
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
@@ -10,7 +9,6 @@ use std::borrow::Cow;
 /// Triangles that become one primitive.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Group {
-    /// The material of all its faces.
     pub label: u32,
     /// Some corner of its faces has no normal.
     pub flat: bool,
@@ -31,14 +29,9 @@ impl<'a> Shape<'a> {
         let columns = mesh.columns();
         let triangles = (!mesh.faces().is_triangles()).then(|| {
             let cut = triangulate(mesh);
-            if !cut.failed.is_empty() {
-                let polygons = counted(cut.failed.len(), "polygon", "polygons");
-                let text = format!(
-                    "written as a fan, because it crosses itself or has no area: {polygons} (the first is face {}, \
-                     counted from 0)",
-                    cut.failed[0]
-                );
-                written.notes.push(Note::warning(Place::File, text));
+            if let Some(first) = cut.failed.first() {
+                let text = format!("without area or with crossing edges cut into fans (first: face {first})");
+                written.notes.extend(Note::counted(cut.failed.len(), ["polygon", "polygons"], text));
             }
             (cut.triangles.into_flattened(), cut.source_face)
         });

@@ -1,12 +1,12 @@
 //! glTF meshes to [`Part`]s: all primitives of a mesh in one, vertices shared where primitives share accessors.
 
-use crate::io::gltf::document::accessor::Source;
-use crate::io::gltf::document::gltf_document::{Block, Layout, Piece};
-use crate::io::gltf::document::primitive::{Drawn, draw};
-use crate::io::gltf::document::records::{Component, Format, Primitive, VertexAccessors};
-use crate::io::gltf::extensions::DRACO;
-use crate::io::gltf::json::fields::{At, only_compressed, out_of_range};
-use crate::io::{NonFinite, Part, Problem, ReadError};
+use super::accessor::Source;
+use super::document::{Block, Layout, Piece};
+use super::extensions::DRACO;
+use super::fields::{numbered, only_compressed, out_of_range};
+use super::records::{Component, Format, Primitive, VertexAccessors};
+use crate::io::text::counted;
+use crate::io::{NonFinite, Part, Place, Problem, ReadError};
 use crate::mesh::{Columns, FaceLabels, NONE};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
@@ -16,8 +16,7 @@ use std::collections::hash_map::Entry;
 pub struct Assembler<'a> {
     pub source: Source<'a>,
     pub non_finite: NonFinite,
-    /// The mesh at hand.
-    pub at: At,
+    mesh: usize,
     /// The first primitive of each vertex source, as numbers of mesh and primitive.
     pub sources: Vec<(usize, usize)>,
     source_numbers: FxHashMap<&'a VertexAccessors, usize>,
@@ -31,7 +30,7 @@ impl<'a> Assembler<'a> {
         Self {
             source,
             non_finite,
-            at: At::default(),
+            mesh: 0,
             sources: Vec::new(),
             source_numbers: FxHashMap::default(),
             materials: BTreeMap::new(),
@@ -39,9 +38,8 @@ impl<'a> Assembler<'a> {
         }
     }
 
-    /// Reads one mesh.
     pub fn part(&mut self, mesh: usize) -> Result<(Part, Layout), ReadError> {
-        self.at = At::new("meshes", mesh);
+        self.mesh = mesh;
         let record = &self.source.records.meshes[mesh];
         let mut layout = Layout::default();
         let mut blocks: FxHashMap<usize, usize> = FxHashMap::default();
@@ -49,15 +47,14 @@ impl<'a> Assembler<'a> {
         let mut columns = Columns::default();
         let mut vertices: u64 = 0;
         for (number, primitive) in record.primitives.iter().enumerate() {
-            let at = primitive.at;
             let Some(position) = primitive.vertices.get("POSITION") else {
-                self.source.warn(at.place(), "a primitive without positions; nothing can be drawn");
+                self.source.warn(primitive.place(), "a primitive without positions was skipped");
                 continue;
             };
             let source = self.vertex_source(mesh, number)?;
             let too_many = |what: &str, count: u64| {
-                let found = format!("{what}{count} vertices, more than 32-bit numbers can count");
-                ReadError::new(Problem::Limit, at.place(), found, "split the mesh")
+                let found = format!("{what}{count} vertices, more than 32-bit indices can count");
+                ReadError::new(Problem::Limit, primitive.place(), found, "split the mesh")
             };
             let count = self.source.records.accessors[position].count;
             if count >= u64::from(NONE) {
@@ -92,13 +89,15 @@ impl<'a> Assembler<'a> {
         Ok((Part { name: record.name.clone(), mesh, non_finite_faces }, layout))
     }
 
-    /// The vertex accessors of a block.
+    pub fn place(&self) -> Place {
+        numbered("meshes", self.mesh)
+    }
+
     pub fn accessors(&self, block: &Block) -> &'a VertexAccessors {
         let (mesh, primitive) = self.sources[block.source];
         &self.source.records.meshes[mesh].primitives[primitive].vertices
     }
 
-    /// The number of the vertex source of a primitive.
     fn vertex_source(&mut self, mesh: usize, primitive: usize) -> Result<usize, ReadError> {
         let record = &self.source.records.meshes[mesh].primitives[primitive];
         if let Some(&number) = self.source_numbers.get(&record.vertices) {
@@ -117,27 +116,27 @@ impl<'a> Assembler<'a> {
         let count = records.accessors[primitive.vertices.position()].count;
         for (semantic, accessor) in primitive.vertices.sets.iter().flatten() {
             let elements = self.source.elements(*accessor)?;
-            let place = || At::new("accessors", *accessor).place();
+            let place = || numbered("accessors", *accessor);
             if elements.count as u64 != count {
-                let found = format!("{semantic} of {} vertices, where positions are {count}", elements.count);
+                let found =
+                    format!("{semantic} has {} elements, but there are {count} positions", elements.count);
                 return Err(out_of_range(place(), found));
             }
             let Format { component, width, .. } = elements.format;
             if !fits(semantic, elements.format) {
-                let found = format!("{semantic} of a type that glTF does not allow for it");
-                return Err(out_of_range(place(), format!("{found} ({component:?} × {width})")));
+                let found = format!("type {component:?} × {width} is not allowed for {semantic}");
+                return Err(out_of_range(place(), found));
             }
         }
         let is_stored = |&(_, accessor): &(String, usize)| records.accessors[accessor].view.is_some();
-        let compressed = records.fields(primitive.object, primitive.at).extension(DRACO);
+        let compressed = records.fields(primitive.object).extension(DRACO);
         if compressed.is_some() && !primitive.vertices.sets[0].iter().all(is_stored) {
-            let found = "vertices that are only there compressed by KHR_draco_mesh_compression";
-            return Err(only_compressed(primitive.at.place(), found));
+            let found = "the vertices are stored only compressed by KHR_draco_mesh_compression";
+            return Err(only_compressed(primitive.place(), found));
         }
         Ok(())
     }
 
-    /// The material of each face.
     fn labels(&mut self, primitives: &[Primitive], layout: &Layout) -> Result<Option<FaceLabels>, ReadError> {
         if layout.pieces.iter().all(|piece| primitives[piece.primitive].material.is_none()) {
             return Ok(None);
@@ -163,8 +162,7 @@ impl<'a> Assembler<'a> {
             return Ok(name.clone());
         }
         let records = self.source.records;
-        let fields = records.fields(records.materials[material], At::new("materials", material));
-        let mut name = fields.string("name")?.unwrap_or_default().into_owned();
+        let mut name = records.fields(records.materials[material]).name()?;
         if name.is_empty() {
             name = format!("material{material}");
         }
@@ -188,4 +186,115 @@ fn fits(semantic: &str, format: Format) -> bool {
         _ => return true,
     };
     format.columns == 1 && widths.contains(&format.width) && is_allowed
+}
+
+/// glTF's codes for what a primitive draws.
+pub mod mode {
+    pub const POINTS: u64 = 0;
+    pub const LINES: u64 = 1;
+    pub const LINE_LOOP: u64 = 2;
+    pub const LINE_STRIP: u64 = 3;
+    pub const TRIANGLES: u64 = 4;
+    pub const TRIANGLE_STRIP: u64 = 5;
+    pub const TRIANGLE_FAN: u64 = 6;
+}
+
+/// What a primitive draws, as vertex numbers of its own accessors.
+pub enum Drawn {
+    Points(Vec<u32>),
+    Lines(Vec<Vec<u32>>),
+    /// Three numbers a triangle.
+    Triangles(Vec<u32>),
+}
+
+/// Reads the indices of a primitive with `count` vertices and resolves its mode.
+pub fn draw(source: &Source<'_>, primitive: &Primitive, count: usize) -> Result<Drawn, ReadError> {
+    let mut order = match primitive.indices {
+        Some(accessor) => {
+            let elements = source.elements(accessor)?;
+            check_format(elements.format, accessor)?;
+            let expansion = if primitive.mode == mode::TRIANGLES { 1 } else { 8 };
+            source.spend(4 * expansion * elements.count as u64, || primitive.place())?;
+            let indices = elements.integers();
+            check_range(&indices, elements.format, count, accessor)?;
+            indices
+        }
+        None => {
+            source.spend(4 * count as u64, || primitive.place())?;
+            (0..count as u32).collect()
+        }
+    };
+    let drawn = match primitive.mode {
+        mode::POINTS => Drawn::Points(order),
+        mode::LINES => Drawn::Lines(order.chunks_exact(2).map(<[u32]>::to_vec).collect()),
+        mode::LINE_LOOP => Drawn::Lines(polyline(order.iter().chain(order.first()))),
+        mode::LINE_STRIP => Drawn::Lines(polyline(order.iter())),
+        mode::TRIANGLES => {
+            let rest = order.len() % 3;
+            if rest > 0 {
+                let corners = counted(rest, "corner", "corners");
+                let text = format!("{corners} after the last whole triangle ignored");
+                source.warn(primitive.place(), text);
+                order.truncate(order.len() - rest);
+            }
+            Drawn::Triangles(order)
+        }
+        mode::TRIANGLE_STRIP => Drawn::Triangles(strip(&order)),
+        mode::TRIANGLE_FAN => Drawn::Triangles(fan(&order)),
+        other => {
+            let found = format!("mode {other} is out of range (0 to 6)");
+            return Err(out_of_range(primitive.place(), found));
+        }
+    };
+    Ok(drawn)
+}
+
+fn polyline<'a>(order: impl Iterator<Item = &'a u32>) -> Vec<Vec<u32>> {
+    let line: Vec<u32> = order.copied().collect();
+    if line.len() < 2 { Vec::new() } else { vec![line] }
+}
+
+/// Triangles of a strip: every other one is flipped, so that all face the same way.
+fn strip(order: &[u32]) -> Vec<u32> {
+    let triangles = order.windows(3).enumerate();
+    triangles.flat_map(|(i, w)| if i % 2 == 0 { [w[0], w[1], w[2]] } else { [w[0], w[2], w[1]] }).collect()
+}
+
+/// Triangles of a fan, the common vertex last as the standard writes them.
+fn fan(order: &[u32]) -> Vec<u32> {
+    let Some((&centre, rim)) = order.split_first() else { return Vec::new() };
+    rim.windows(2).flat_map(|edge| [edge[0], edge[1], centre]).collect()
+}
+
+fn check_format(format: Format, accessor: usize) -> Result<(), ReadError> {
+    let unsigned = matches!(format.component, Component::U8 | Component::U16 | Component::U32);
+    if unsigned && format.width == 1 {
+        return Ok(());
+    }
+    Err(out_of_range(numbered("accessors", accessor), "the indices are not unsigned integers"))
+}
+
+fn check_range(indices: &[u32], format: Format, count: usize, accessor: usize) -> Result<(), ReadError> {
+    let Some(position) = indices.iter().position(|&index| index as usize >= count) else { return Ok(()) };
+    let index = indices[position];
+    let found = if index == u32::MAX >> (32 - 8 * format.component.size()) {
+        format!("index {position}: the restart value {index} is not allowed")
+    } else {
+        format!("index {position}: vertex {index} is out of range ({count} vertices)")
+    };
+    Err(out_of_range(numbered("accessors", accessor), found))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn strips_and_fans_wind_as_the_standard_says() {
+        assert_eq!(strip(&[0, 1, 2, 3, 4]), [0, 1, 2, 1, 3, 2, 2, 3, 4]);
+        assert_eq!(fan(&[0, 1, 2, 3]), [1, 2, 0, 2, 3, 0]);
+        for short in [&[][..], &[1], &[1, 2]] {
+            assert!(strip(short).is_empty() && fan(short).is_empty());
+        }
+    }
 }

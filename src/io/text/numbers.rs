@@ -4,6 +4,8 @@
 //! to 10²² is one correctly rounded operation on exact operands (Clinger 1990, "How to read floating point numbers
 //! accurately"); everything else goes to `fast-float2` (Lemire 2021, "Number parsing at a gigabyte per second").
 
+use crate::mesh::Storage;
+
 /// The powers of ten that an `f64` holds exactly.
 pub(in crate::io) const EXACT_POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18,
@@ -60,8 +62,7 @@ fn digits(text: &[u8], mut at: usize, mantissa: &mut u64) -> usize {
     }
 }
 
-/// The number at the front of a text and its length in bytes; `None` if there is none or if it is too unusual
-/// for the fast path, which is for [`float`] to find out.
+/// The number at the front of a text and its length; `None` if there is none, or if only [`float`] can read it.
 #[inline]
 pub(in crate::io) fn float_prefix(text: &[u8]) -> Option<(f64, usize)> {
     let first = *text.first()?;
@@ -90,8 +91,7 @@ pub(in crate::io) fn float_prefix(text: &[u8]) -> Option<(f64, usize)> {
     Some((if negative { -size } else { size }, at))
 }
 
-/// The number that a whole token spells, possibly infinite or not a number; `None` if it is no number. The C
-/// libraries' `nan(…)`, `-nan(ind)`, `1.#INF` and `-1.#IND` are accepted.
+/// The number that a whole token spells, C's `nan(…)`, `-nan(ind)`, `1.#INF` and `-1.#IND` included; `None` if it is none.
 pub(in crate::io) fn float(token: &[u8]) -> Option<f64> {
     if let Some((value, length)) = float_prefix(token)
         && length == token.len()
@@ -123,8 +123,7 @@ pub(in crate::io) fn float(token: &[u8]) -> Option<f64> {
     }
 }
 
-/// The integer at the front of a text, with or without a sign, and its length in bytes. What an `i64` cannot hold
-/// becomes the nearest that it can.
+/// The integer at the front of a text, with or without a sign, and its length. Beyond `i64` it is the nearest of that.
 #[inline]
 pub(in crate::io) fn integer_prefix(text: &[u8]) -> Option<(i64, usize)> {
     let first = *text.first()?;
@@ -142,6 +141,47 @@ pub(in crate::io) fn integer_prefix(text: &[u8]) -> Option<(i64, usize)> {
 #[cold]
 fn saturated(digits: &[u8]) -> i64 {
     digits.iter().fold(0_i64, |value, digit| value.saturating_mul(10).saturating_add(i64::from(digit - b'0')))
+}
+
+/// Appends the shortest decimal that reads back as the same `f32`. The number must be finite.
+pub(in crate::io) fn push_f32(out: &mut Vec<u8>, value: f32) {
+    push_trimmed(out, zmij::Buffer::new().format_finite(value));
+}
+
+/// Appends the shortest decimal that reads back as the same `f64`. The number must be finite.
+pub(in crate::io) fn push_f64(out: &mut Vec<u8>, value: f64) {
+    push_trimmed(out, zmij::Buffer::new().format_finite(value));
+}
+
+/// Appends a keyword and numbers, with the digits that this precision needs.
+pub(in crate::io) fn push_row(out: &mut Vec<u8>, keyword: &str, storage: Storage, values: &[f64]) {
+    out.extend_from_slice(keyword.as_bytes());
+    for &value in values {
+        out.push(b' ');
+        match storage {
+            Storage::F32 => push_f32(out, value as f32),
+            Storage::F64 => push_f64(out, value),
+        }
+    }
+}
+
+/// Writes `1.0` as `1`.
+fn push_trimmed(out: &mut Vec<u8>, text: &str) {
+    out.extend_from_slice(text.strip_suffix(".0").unwrap_or(text).as_bytes());
+}
+
+pub(in crate::io) fn push_integer(out: &mut Vec<u8>, mut value: u64) {
+    const LONGEST: usize = 20;
+    let mut digits = [0; LONGEST];
+    let mut start = LONGEST;
+    loop {
+        start -= 1;
+        digits[start] = b'0' + (value % 10) as u8;
+        value /= 10;
+        if value == 0 {
+            return out.extend_from_slice(&digits[start..]);
+        }
+    }
 }
 
 #[cfg(test)]
@@ -268,5 +308,33 @@ mod tests {
         assert_eq!(integer_prefix(b"00000000000000000000012"), Some((12, 23)));
         assert_eq!(integer_prefix(b"/3"), None);
         assert_eq!(integer_prefix(b""), None);
+    }
+
+    fn said(push: impl Fn(&mut Vec<u8>)) -> String {
+        let mut out = Vec::new();
+        push(&mut out);
+        String::from_utf8(out).unwrap()
+    }
+
+    #[test]
+    fn numbers_are_short_and_come_back() {
+        for (value, text) in
+            [(1.0, "1"), (-0.0, "-0"), (0.1, "0.1"), (0.577_350_26, "0.57735026"), (-2.5, "-2.5")]
+        {
+            assert_eq!(said(|out| push_f32(out, value)), text);
+        }
+        for value in [f32::MIN_POSITIVE, f32::MAX, 1e-45, 16_777_216.0, 1e10, 123_456.79] {
+            assert_eq!(said(|out| push_f32(out, value)).parse(), Ok(value));
+        }
+        for value in [f64::MIN_POSITIVE, f64::MAX, 5e-324, 1e22, 0.1 + 0.2] {
+            assert_eq!(said(|out| push_f64(out, value)).parse(), Ok(value));
+        }
+    }
+
+    #[test]
+    fn integers_have_no_leading_zeros() {
+        for value in [0, 7, 10, 99, 100, 4_294_967_295, u64::MAX] {
+            assert_eq!(said(|out| push_integer(out, value)), value.to_string());
+        }
     }
 }

@@ -1,0 +1,173 @@
+//! A glTF document that is kept for editing.
+
+use super::accessor::Source;
+use super::buffers::Buffers;
+use super::extensions::{DRACO, QUANTIZATION};
+use super::glb::Glb;
+use super::nodes::NodeTree;
+use super::records::{MESHOPT, Records, VertexAccessors};
+use crate::io::text::counted;
+use crate::io::{Format, Note, Place};
+use std::borrow::Cow;
+use std::cell::{Cell, RefCell};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
+
+/// A glTF document, kept for editing.
+#[derive(Clone, Debug)]
+pub struct GltfDocument {
+    pub(in crate::io::gltf) records: Records,
+    pub(in crate::io::gltf) buffers: Buffers,
+    pub(in crate::io::gltf) glb: Option<Glb>,
+    /// The primitives, by mesh and number, whose vertices no primitive before them has.
+    pub(in crate::io::gltf) sources: Vec<(usize, usize)>,
+    /// How each part is made of primitives, one a mesh.
+    pub(in crate::io::gltf) layouts: Vec<Layout>,
+    /// The materials in use, by their name among the labels of faces.
+    pub(in crate::io::gltf) materials: BTreeMap<String, usize>,
+    /// Image files that the document refers to and that are there: relative name and path.
+    pub(in crate::io::gltf) images: Vec<(String, PathBuf)>,
+}
+
+impl GltfDocument {
+    /// The nodes; `None` if they do not form trees.
+    pub(in crate::io) fn node_tree(&self) -> Option<NodeTree<'_>> {
+        NodeTree::new(&self.records.json).ok()
+    }
+
+    pub(in crate::io) fn source(&self) -> &[u8] {
+        match self.glb {
+            Some(_) => &self.buffers.file,
+            None => self.records.json.text().as_bytes(),
+        }
+    }
+
+    /// Bytes of the document and its buffers.
+    pub(in crate::io) fn bytes(&self) -> u64 {
+        self.records.json.text().len() as u64 + self.buffers.total()
+    }
+
+    pub(in crate::io::gltf) fn vertex_accessors(&self, source: usize) -> &VertexAccessors {
+        let (mesh, primitive) = self.sources[source];
+        &self.records.meshes[mesh].primitives[primitive].vertices
+    }
+
+    pub(in crate::io::gltf) fn strings(&self, list: &str) -> impl Iterator<Item = Cow<'_, str>> {
+        let json = &self.records.json;
+        json.items(json.root(), list).filter_map(|value| json.string(value))
+    }
+
+    pub(in crate::io::gltf) fn lists(&self, list: &str, name: &str) -> bool {
+        self.strings(list).any(|string| string == name)
+    }
+
+    /// A reader of accessors, all of which were checked when the document was read.
+    pub(in crate::io::gltf) fn accessors(&self) -> Source<'_> {
+        Source {
+            records: &self.records,
+            buffers: &self.buffers,
+            implied_limit: u64::MAX,
+            memory: Cell::new(u64::MAX),
+            notes: RefCell::default(),
+        }
+    }
+}
+
+/// How a part's mesh is made of vertex blocks and primitives.
+#[derive(Clone, Debug, Default)]
+pub struct Layout {
+    pub blocks: Vec<Block>,
+    pub pieces: Vec<Piece>,
+}
+
+/// The vertices of one source within a part.
+#[derive(Clone, Debug)]
+pub struct Block {
+    pub source: usize,
+    pub first_vertex: u32,
+    pub count: u32,
+    /// Triangles use it.
+    pub solid: bool,
+    /// Where its stored normals begin among the part's, if it has any.
+    pub first_normal: Option<u32>,
+}
+
+/// The triangles of one primitive within a part.
+#[derive(Clone, Debug)]
+pub struct Piece {
+    pub primitive: usize,
+    pub block: usize,
+    pub first_face: u32,
+    pub faces: u32,
+}
+
+/// Attributes that meshes of this program have.
+const KNOWN: [&str; 4] = ["POSITION", "NORMAL", "TEXCOORD_0", "COLOR_0"];
+
+/// Extensions of storage: once read, nothing of them is left.
+const OF_STORAGE: [&str; 4] = [QUANTIZATION, DRACO, MESHOPT[0], MESHOPT[1]];
+
+const LISTS: [(&str, &str, &str); 4] = [
+    ("textures", "texture", "textures"),
+    ("skins", "skin", "skins"),
+    ("animations", "animation", "animations"),
+    ("cameras", "camera", "cameras"),
+];
+
+impl GltfDocument {
+    /// A vertex attribute of set `set` of a part; empty if no vertex has it.
+    pub(in crate::io) fn attribute<T: Copy, const N: usize>(
+        &self,
+        part: usize,
+        set: usize,
+        semantic: &str,
+        value: impl Fn([f32; N]) -> T,
+    ) -> Vec<Option<T>> {
+        let source = self.accessors();
+        let mut all = Vec::new();
+        for block in &self.layouts[part].blocks {
+            let accessor = self.vertex_accessors(block.source).of_set(set, semantic);
+            match accessor.and_then(|accessor| source.elements(accessor).ok()) {
+                Some(elements) => all.extend(elements.floats::<N>(0.0).map(|x| Some(value(x)))),
+                None => all.extend(std::iter::repeat_n(None, block.count as usize)),
+            }
+        }
+        if all.iter().all(Option::is_none) { Vec::new() } else { all }
+    }
+
+    /// What does not reach a file of another format, in words.
+    pub(in crate::io) fn outside_meshes(&self) -> Vec<String> {
+        let json = &self.records.json;
+        let mut left = Vec::new();
+        let materials = self.records.materials.len();
+        if materials > 0 {
+            let materials = counted(materials, "material", "materials");
+            left.push(format!("properties of {materials}"));
+        }
+        for (list, one, many) in LISTS {
+            let count = json.items(json.root(), list).count();
+            left.extend((count > 0).then(|| counted(count, one, many)));
+        }
+        let primitives = self.records.meshes.iter().flat_map(|mesh| &mesh.primitives);
+        let attributes = primitives.flat_map(|primitive| &primitive.vertices.sets[0]);
+        let names = attributes.map(|(name, _)| name.as_str()).filter(|name| !KNOWN.contains(name));
+        let names: Vec<&str> = names.collect::<BTreeSet<_>>().into_iter().collect();
+        if !names.is_empty() {
+            left.push(format!("the vertex attributes {}", names.join(", ")));
+        }
+        let extensions = self.strings("extensionsUsed");
+        let extensions: Vec<_> = extensions.filter(|name| !OF_STORAGE.contains(&name.as_ref())).collect();
+        if !extensions.is_empty() {
+            left.push(format!("the extensions {}", extensions.join(", ")));
+        }
+        left
+    }
+
+    /// Texture coordinates are written as they are stored, which a transform of textures would change.
+    pub(in crate::io) fn texture_transform_note(&self, format: Format) -> Option<Note> {
+        let has_uvs = matches!(format, Format::Obj | Format::Ply);
+        let text = "texture coordinates were written without KHR_texture_transform";
+        (has_uvs && self.lists("extensionsUsed", "KHR_texture_transform"))
+            .then(|| Note::warning(Place::File, text))
+    }
+}
