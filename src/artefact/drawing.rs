@@ -1,6 +1,6 @@
 //! Scenes, lights and tiled pictures that experiments share.
 
-use super::error::ArtefactError;
+use super::error::Result;
 use crate::mesh::Mesh;
 use crate::normals::{Crease, NormalField, NormalRecipe, Weight, compute};
 use crate::num::{Degrees, LinearRgb, Radians, Transfer, viridis};
@@ -54,7 +54,7 @@ pub(super) fn draw(
     lights: &[Light],
     camera: Camera,
     settings: &RenderSettings,
-) -> Result<Image, ArtefactError> {
+) -> Result<Image> {
     let scene = Scene { objects, lines: Vec::new(), lights: lights.to_vec(), camera, background: BACKGROUND };
     Ok(render(&scene, settings)?)
 }

@@ -1,20 +1,6 @@
 //! Interpolation on the picture against interpolation in the scene.
 
-use super::drawing::{draw, linear, map, picture, settings, smooth};
-use super::effect::{Effect, Threshold};
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Drawn, Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Axis, Check, Recorder};
-use crate::mesh::{Faces, Mesh, MeshBuilder};
-use crate::normals::Weight;
-use crate::num::LinearRgb;
-use crate::raster::{Camera, Image, Interpolation, Object, Paint, Projection, Shading, Shape};
-use crate::shade::Material;
-use crate::text::{Catalogue, Value, catalogue};
-use glam::DVec3;
+use super::prelude::*;
 
 static TEXTS: Catalogue = catalogue!("perspective_distortion");
 
@@ -43,7 +29,7 @@ fn squares(pieces: u32) -> f64 {
 /// Half the width of the wall on the picture, whose half is 1.
 const REACH: f64 = 0.9;
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let Parameters { size, segments, .. } = setup.parameters;
     let error = |pieces, interpolation| Wall::new(RATIO, pieces)?.error(interpolation);
     let corrected = error(1, Interpolation::Perspective)?;
@@ -135,7 +121,7 @@ struct Wall {
 }
 
 impl Wall {
-    fn new(ratio: f64, pieces: u32) -> Result<Self, ArtefactError> {
+    fn new(ratio: f64, pieces: u32) -> Result<Self> {
         let (near, far) = (DVec3::new(-REACH, 0.0, -1.0), DVec3::new(REACH * ratio, 0.0, -ratio));
         let (mut positions, mut colours) = (Vec::new(), Vec::new());
         let row = pieces + 1;
@@ -154,7 +140,7 @@ impl Wall {
         Ok(Self { mesh, colours, ratio })
     }
 
-    fn draw(&self, size: [u32; 2], interpolation: Interpolation) -> Result<Image, ArtefactError> {
+    fn draw(&self, size: [u32; 2], interpolation: Interpolation) -> Result<Image> {
         let normals = smooth(&self.mesh, Weight::Angle);
         let object = Object {
             paint: Paint::Given(self.colours.as_slice().into()),
@@ -173,7 +159,7 @@ impl Wall {
     }
 
     /// The largest error of the place across, along the middle row of a picture of 4096 pixels.
-    fn error(&self, interpolation: Interpolation) -> Result<f64, ArtefactError> {
+    fn error(&self, interpolation: Interpolation) -> Result<f64> {
         const LINE: u32 = 4096;
         let image = self.draw([LINE, 3], interpolation)?;
         let error = |pixel: u32| {
@@ -186,7 +172,7 @@ impl Wall {
 
     /// The largest error of the place up, of all pixels of a picture of 1024 by 1024. Its supremum is where the diagonals of
     /// pieces are, which pixels come close to and do not meet.
-    fn error_up(&self, interpolation: Interpolation) -> Result<f64, ArtefactError> {
+    fn error_up(&self, interpolation: Interpolation) -> Result<f64> {
         const SIDE: u32 = 1024;
         let image = self.draw([SIDE; 2], interpolation)?;
         let error = |(index, colour): (usize, &[f32; 3])| {

@@ -1,20 +1,7 @@
 //! Vertices that neighbours do not share: T-junctions, cracks, seams.
 
-use super::drawing::{chalk, draw, front, light_at, linear, luminance, object, settings, smooth};
-use super::effect::{Effect, Threshold};
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Drawn, Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Axis, Check, Recorder};
-use crate::mesh::{Faces, Mesh, MeshBuilder, Weld};
-use crate::normals::{Crease, NormalRecipe, Weight, compute};
-use crate::num::{Degrees, LinearRgb, Radians};
-use crate::raster::{Image, Interpolation, Object, Paint, RenderSettings, Samples, Shading, Shape};
-use crate::shade::Material;
-use crate::text::{Catalogue, catalogue};
-use glam::DVec3;
+use super::prelude::*;
+use crate::mesh::Weld;
 use std::f64::consts::TAU;
 
 static TEXTS: Catalogue = catalogue!("shared_vertices");
@@ -37,7 +24,7 @@ const HALF: f64 = 0.9;
 /// How far the vertex of the crack is off its edge, in pixels.
 const OFF: f64 = 6.0;
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let Parameters { size, segments, light, .. } = setup.parameters;
     let edge = 2.0 * HALF * f64::from(size) / 2.0;
     let values = [
@@ -56,7 +43,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
 }
 
 /// The jump of colour at a vertex that the large face does not have.
-fn t_junction(wall: &Wall, size: u32, out: &mut Recorder) -> Result<(), ArtefactError> {
+fn t_junction(wall: &Wall, size: u32, out: &mut Recorder) -> Result<()> {
     let bad = wall.draw(&wall.mesh(0.0, false)?, size, Samples::One)?;
     let cured = wall.draw(&wall.mesh(0.0, true)?, size, Samples::One)?;
     let law = (MIDDLE - (ENDS[0] + wall.share() * (ENDS[1] - ENDS[0]))).abs();
@@ -82,7 +69,7 @@ fn t_junction(wall: &Wall, size: u32, out: &mut Recorder) -> Result<(), Artefact
 }
 
 /// The area between faces when the vertex is off its edge.
-fn crack(wall: &Wall, size: u32, edge: f64, out: &mut Recorder) -> Result<(), ArtefactError> {
+fn crack(wall: &Wall, size: u32, edge: f64, out: &mut Recorder) -> Result<()> {
     let cracked = wall.draw(&wall.mesh(OFF, false)?, size, Samples::Sixteen)?;
     let whole = wall.draw(&wall.mesh(OFF, true)?, size, Samples::Sixteen)?;
     let [open, closed] = [&cracked, &whole].map(|image| wall.uncovered(image));
@@ -96,7 +83,7 @@ fn crack(wall: &Wall, size: u32, edge: f64, out: &mut Recorder) -> Result<(), Ar
 }
 
 /// The jump of luminance along a seam, which is the effect that the experiment reports.
-fn seam(tube: &Tube, size: u32, light: Degrees, out: &mut Recorder) -> Result<Effect, ArtefactError> {
+fn seam(tube: &Tube, size: u32, light: Degrees, out: &mut Recorder) -> Result<Effect> {
     let [open, welded] = [Weld::Off, Weld::Exact].map(|weld| tube.jump(light, weld));
     let (open, welded) = (open?, welded?);
     out.measure("seam", "", open, Check::Near(tube.law(light), 2e-3));
@@ -127,7 +114,7 @@ impl Wall {
     }
 
     /// The faces, with the vertex so many pixels to the right of the edge, and in the large face too if it is shared.
-    fn mesh(&self, off: f64, is_shared: bool) -> Result<Mesh, ArtefactError> {
+    fn mesh(&self, off: f64, is_shared: bool) -> Result<Mesh> {
         let x = off * 2.0 / f64::from(self.size);
         let points = [
             [-HALF, -HALF],
@@ -151,7 +138,7 @@ impl Wall {
     }
 
     /// By the lectures' algorithm, in colours that depend on the height alone.
-    fn draw(&self, mesh: &Mesh, size: u32, samples: Samples) -> Result<Image, ArtefactError> {
+    fn draw(&self, mesh: &Mesh, size: u32, samples: Samples) -> Result<Image> {
         let [low, high] = ENDS;
         let colours = [low, low, high, high, low, MIDDLE, high, MIDDLE].map(LinearRgb::grey);
         let normals = smooth(mesh, Weight::Angle);
@@ -200,7 +187,7 @@ struct Tube {
 }
 
 impl Tube {
-    fn new(segments: u32) -> Result<Self, ArtefactError> {
+    fn new(segments: u32) -> Result<Self> {
         let ring = |y: f64| {
             (0..=segments).map(move |k| {
                 let angle = TAU * f64::from(k % segments) / f64::from(segments);
@@ -217,7 +204,7 @@ impl Tube {
         Ok(Self { mesh: builder.build()?, segments })
     }
 
-    fn draw(&self, size: [u32; 2], light: Degrees, weld: Weld) -> Result<Image, ArtefactError> {
+    fn draw(&self, size: [u32; 2], light: Degrees, weld: Weld) -> Result<Image> {
         let recipe =
             NormalRecipe { weight: Weight::Uniform, crease: Crease::OFF, weld, ..NormalRecipe::default() };
         let normals = compute(&self.mesh, &recipe);
@@ -227,7 +214,7 @@ impl Tube {
     }
 
     /// The jump at the seam, along a scanline of many pixels.
-    fn jump(&self, light: Degrees, weld: Weld) -> Result<f64, ArtefactError> {
+    fn jump(&self, light: Degrees, weld: Weld) -> Result<f64> {
         const LINE: u32 = 8192;
         let image = self.draw([LINE, 1], light, weld)?;
         let red = |pixel: u32| f64::from(linear(&image)[pixel as usize][0]);

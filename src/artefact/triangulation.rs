@@ -1,19 +1,6 @@
 //! One polygon, cut in two ways.
 
-use super::drawing::{BACKGROUND, chalk, differences, draw, front, light_at, linear, map, picture, settings};
-use super::effect::{Effect, Threshold};
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Drawn, Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Axis, Check, Recorder};
-use super::triangle_mesh::{Diagonal, TriangleMesh};
-use crate::metric::image_error;
-use crate::num::{Degrees, LinearRgb, Radians};
-use crate::raster::{Image, Interpolation, Object, Paint, Shading};
-use crate::text::{Catalogue, catalogue};
-use glam::DVec3;
+use super::prelude::*;
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 
@@ -48,7 +35,7 @@ const HEIGHT: f64 = 0.12;
 /// How many waves lie along a side: few squares to each, so that it shows how these are cut.
 const WAVES: f64 = 2.0;
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let mut out = Recorder::new(&TEXTS, &[("full", FULL.into()), ("finer", FINER.into())]);
     let diamonds = Diamonds::draw(setup.parameters.size)?;
     diamonds.measure(&mut out);
@@ -63,9 +50,9 @@ fn waves(
     &Parameters { size, segments, light, .. }: &Parameters,
     diamond_change: f64,
     out: &mut Recorder,
-) -> Result<Effect, ArtefactError> {
+) -> Result<Effect> {
     let draw = |cells, diagonal, shading| draw_waves(cells, diagonal, shading, light, size);
-    let pair = |cells, shading| -> Result<[Image; 2], ArtefactError> {
+    let pair = |cells, shading| -> Result<[Image; 2]> {
         Ok([draw(cells, Diagonal::Rising, shading)?, draw(cells, Diagonal::Falling, shading)?])
     };
     let rms = |a: &Image, b: &Image| image_error(a, b, 0.5).map(|error| error.linear.rms / 255.0);
@@ -139,7 +126,7 @@ struct Diamonds {
 }
 
 impl Diamonds {
-    fn draw(size: u32) -> Result<Self, ArtefactError> {
+    fn draw(size: u32) -> Result<Self> {
         let [across, upright, fan] = [Cut::Across, Cut::Upright, Cut::Fan].map(|cut| diamond(cut, size));
         Ok(Self { across: across?, upright: upright?, fan: fan? })
     }
@@ -197,7 +184,7 @@ enum Cut {
 }
 
 /// The diamond of exercise 1.6.25 with its corners' colours, unlit.
-fn diamond(cut: Cut, size: u32) -> Result<Image, ArtefactError> {
+fn diamond(cut: Cut, size: u32) -> Result<Image> {
     let places = [DVec3::X, DVec3::Y, DVec3::NEG_X, DVec3::NEG_Y, DVec3::ZERO];
     let triangles = match cut {
         Cut::Across => vec![[0, 1, 2], [0, 2, 3]],
@@ -219,13 +206,7 @@ fn centre(image: &Image) -> [f64; 3] {
 }
 
 /// A surface of waves that run aslant, with its own normals.
-fn draw_waves(
-    cells: u32,
-    diagonal: Diagonal,
-    shading: Shading,
-    light: Degrees,
-    size: u32,
-) -> Result<Image, ArtefactError> {
+fn draw_waves(cells: u32, diagonal: Diagonal, shading: Shading, light: Degrees, size: u32) -> Result<Image> {
     let body = TriangleMesh::grid([cells; 2], diagonal, |u, v| {
         let height = HEIGHT * libm::sin(TAU * WAVES * (u + v));
         (DVec3::new(2.0 * u - 1.0, 2.0 * v - 1.0, height), wave_normal(u, v))

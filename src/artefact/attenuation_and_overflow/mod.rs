@@ -3,20 +3,9 @@
 // Plates one behind the other, which fade with their distance from the viewer.
 mod plates;
 
-use super::drawing::{chalk, draw, front, linear, settings};
-use super::effect::{Effect, Threshold};
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Drawn, Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Axis, Check, Recorder};
-use super::triangle_mesh::{Diagonal, TriangleMesh};
-use crate::num::{LinearRgb, Srgb8};
-use crate::raster::{Image, Interpolation, RenderSettings, Shading};
-use crate::shade::{Attenuation, Light, ToneRule};
-use crate::text::{Catalogue, catalogue};
-use glam::DVec3;
+use super::prelude::*;
+use crate::num::Srgb8;
+use crate::shade::ToneRule;
 use plates::{CUE, DEPTHS, obliqueness, plate_pixel, plate_value, plates};
 use std::f64::consts::PI;
 
@@ -41,7 +30,7 @@ const WARM: LinearRgb = LinearRgb::new(1.0, 0.6, 0.2);
 /// The window's side.
 const WINDOW: f64 = 6.0;
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let size = setup.parameters.size;
     let values = [
         ("strength", STRENGTH.into()),
@@ -60,7 +49,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
 }
 
 /// A floor under three rules of attenuation. Returns the effect that the experiment reports, and the largest luminance under 1/d².
-fn attenuation(size: u32, out: &mut Recorder) -> Result<(Effect, f64), ArtefactError> {
+fn attenuation(size: u32, out: &mut Recorder) -> Result<(Effect, f64)> {
     let floor = |rule| floor(rule, LinearRgb::grey(STRENGTH), ToneRule::Clamp, size);
     let square = floor(Attenuation::InverseSquare)?;
     let quadratic = floor(Attenuation::Quadratic { constant: 1.0, linear: 1.0, quadratic: 1.0 })?;
@@ -87,7 +76,7 @@ fn attenuation(size: u32, out: &mut Recorder) -> Result<(Effect, f64), ArtefactE
 }
 
 /// A lamp too bright for the screen, its colour clamped and divided by its largest component.
-fn overflowing_colours(size: u32, out: &mut Recorder) -> Result<(), ArtefactError> {
+fn overflowing_colours(size: u32, out: &mut Recorder) -> Result<()> {
     let floor = |tone| floor(Attenuation::InverseSquare, WARM * STRENGTH, tone, size);
     let (clamped, divided) = (floor(ToneRule::Clamp)?, floor(ToneRule::DivideByMax)?);
     let hue = |image: &Image| {
@@ -110,7 +99,7 @@ fn overflowing_colours(size: u32, out: &mut Recorder) -> Result<(), ArtefactErro
 }
 
 /// Plates at different distances, all alike without depth cueing.
-fn depth_cueing(size: u32, out: &mut Recorder) -> Result<(), ArtefactError> {
+fn depth_cueing(size: u32, out: &mut Recorder) -> Result<()> {
     let (plain, cued) = (plates(None, size)?, plates(Some(CUE), size)?);
     let [of_plain, of_cued] = [&plain, &cued].map(|image| plate_value(image, 0) / plate_value(image, 2));
     let [near, far] = [0, 2].map(|plate| DEPTHS[plate] * obliqueness(plate_pixel([size; 2], plate), size));
@@ -129,7 +118,7 @@ fn depth_cueing(size: u32, out: &mut Recorder) -> Result<(), ArtefactError> {
 }
 
 /// A floor seen from above with a lamp over its middle.
-fn floor(rule: Attenuation, colour: LinearRgb, tone: ToneRule, size: u32) -> Result<Image, ArtefactError> {
+fn floor(rule: Attenuation, colour: LinearRgb, tone: ToneRule, size: u32) -> Result<Image> {
     let half = 0.5 * WINDOW;
     let body = TriangleMesh::grid([1, 1], Diagonal::Rising, |u, v| {
         (DVec3::new((2.0 * u - 1.0) * half, (2.0 * v - 1.0) * half, 0.0), DVec3::Z)

@@ -1,12 +1,7 @@
 //! Plates one behind the other, which fade with their distance from the viewer.
 
-use super::super::drawing::{chalk, draw, front, linear, settings};
-use super::super::error::ArtefactError;
-use super::super::triangle_mesh::{Diagonal, TriangleMesh};
-use crate::num::{LinearRgb, Radians};
-use crate::raster::{Camera, Image, Interpolation, Projection, RenderSettings, Shading};
-use crate::shade::{DepthCue, Light};
-use glam::DVec3;
+use super::super::prelude::*;
+use crate::shade::DepthCue;
 
 /// Distances of the plates that fade with depth, from the viewer, and their k.
 pub(super) const DEPTHS: [f64; 3] = [4.0, 7.0, 12.0];
@@ -15,7 +10,7 @@ pub(super) const CUE: DepthCue = DepthCue { k: 1.0 };
 const TANGENT: f64 = 0.5;
 
 /// Three equal plates one behind the other, of the same size on the picture.
-pub(super) fn plates(depth_cue: Option<DepthCue>, size: u32) -> Result<Image, ArtefactError> {
+pub(super) fn plates(depth_cue: Option<DepthCue>, size: u32) -> Result<Image> {
     let bodies: Vec<TriangleMesh> = (0..3)
         .map(|plate| {
             let depth = DEPTHS[plate];

@@ -1,14 +1,8 @@
 //! A mesh rendered with averaged or split normals, compared with its faces.
 
-use super::super::drawing::{chalk, differences, draw, linear, luminance, map, object, settings};
-use super::super::error::ArtefactError;
-use super::super::user_mesh::{camera, light_from};
-use crate::mesh::Mesh;
+use super::super::prelude::*;
 use crate::metric::{NormalDeviation, normal_deviation};
-use crate::normals::{Crease, Groups, NormalField, NormalRecipe, Weight, compute};
-use crate::num::{Degrees, angle_between};
-use crate::raster::{Camera, Image, Interpolation, RenderSettings, Shading, Show};
-use crate::shade::Light;
+use crate::normals::Groups;
 
 /// Full scale of the maps of angles, in degrees, and of light.
 pub(super) const FULL_ANGLE: f64 = 60.0;
@@ -36,13 +30,13 @@ pub(super) struct Rendering {
 
 impl LitMesh {
     /// A mesh seen from the front, a little from above and from the right.
-    pub(super) fn from_corner(mesh: Mesh, light: Degrees, size: u32) -> Result<Self, ArtefactError> {
+    pub(super) fn from_corner(mesh: Mesh, light: Degrees, size: u32) -> Result<Self> {
         let field = compute(&mesh, &NormalRecipe::default());
         let camera = camera(&[object(&mesh, &field, chalk())]);
         Ok(Self { light: light_from(&camera, light)?, mesh, camera, size })
     }
 
-    pub(super) fn render(&self, weight: Weight, crease: Crease) -> Result<Rendering, ArtefactError> {
+    pub(super) fn render(&self, weight: Weight, crease: Crease) -> Result<Rendering> {
         let field = self.normals(weight, crease);
         let picture = |shading, show| {
             let settings =

@@ -1,14 +1,10 @@
 //! Meshes with sharp edges, whose faces share their vertices.
 
-use super::super::error::ArtefactError;
-use super::super::triangle_mesh::{BOX_FACES, box_corners};
-use crate::mesh::{Faces, Mesh, MeshBuilder};
-use crate::num::{Degrees, Radians};
-use glam::{DVec2, DVec3};
+use super::super::prelude::*;
 use std::f64::consts::TAU;
 
 /// The cube from −1 to 1.
-pub(super) fn cube() -> Result<Mesh, ArtefactError> {
+pub(super) fn cube() -> Result<Mesh> {
     build(box_corners(DVec3::splat(2.0)), &BOX_FACES.map(|face| face.to_vec()))
 }
 
@@ -18,7 +14,7 @@ const TEETH: u32 = 12;
 pub(super) const BORE: u32 = 4 * TEETH;
 
 /// A gear about the z axis with a bore: flat faces, all of whose edges are sharp, but those along the bore.
-pub(super) fn gear() -> Result<Mesh, ArtefactError> {
+pub(super) fn gear() -> Result<Mesh> {
     const THICKNESS: f64 = 0.36;
     // Where a tooth's root and tip begin and end, in shares of its part of the circle, and how far out they are.
     const PROFILE: [[f64; 2]; 4] = [[0.0, 0.72], [0.42, 0.72], [0.54, 1.0], [0.88, 1.0]];
@@ -48,7 +44,7 @@ pub(super) fn gear() -> Result<Mesh, ArtefactError> {
 
 /// A sheet folded along lines upwards: strips of the width 1 along the profile, so many of them, each leaning by one of these
 /// angles in turn. It hangs about the origin with its middle.
-pub(super) fn folded(leans: &[Degrees], strips: u32) -> Result<Mesh, ArtefactError> {
+pub(super) fn folded(leans: &[Degrees], strips: u32) -> Result<Mesh> {
     const HALF: f64 = 2.2;
     let mut profile = vec![DVec2::ZERO];
     for strip in 0..strips as usize {
@@ -62,7 +58,7 @@ pub(super) fn folded(leans: &[Degrees], strips: u32) -> Result<Mesh, ArtefactErr
     build(positions, &faces)
 }
 
-fn build(positions: Vec<DVec3>, polygons: &[Vec<u32>]) -> Result<Mesh, ArtefactError> {
+fn build(positions: Vec<DVec3>, polygons: &[Vec<u32>]) -> Result<Mesh> {
     let mut faces = Faces::new();
     polygons.iter().for_each(|polygon| faces.push(polygon));
     Ok(MeshBuilder { positions, faces, ..MeshBuilder::default() }.build()?)

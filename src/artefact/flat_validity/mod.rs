@@ -5,15 +5,8 @@ mod pictures;
 // A plate under a near lamp or before a near viewer, and the closed forms of its errors.
 mod plate;
 
-use super::effect::Threshold;
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Drawn, Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Axis, Check, Recorder};
-use crate::num::{Degrees, Radians, steepest_slope};
-use crate::text::{Catalogue, catalogue};
+use super::prelude::*;
+use crate::num::steepest_slope;
 use plate::{Lamp, RADIUS, RATIOS, Viewer};
 
 static TEXTS: Catalogue = catalogue!("texts");
@@ -29,7 +22,7 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
     frame: None,
 };
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let Parameters { size, segments, light, exponent, .. } = setup.parameters;
     let values =
         [("segments", segments.into()), ("exponent", exponent.into()), ("aside", pictures::ASIDE.0.into())];
@@ -59,10 +52,7 @@ struct Errors {
 }
 
 impl Errors {
-    fn measure(
-        &Parameters { size, light, exponent, .. }: &Parameters,
-        out: &mut Recorder,
-    ) -> Result<Self, ArtefactError> {
+    fn measure(&Parameters { size, light, exponent, .. }: &Parameters, out: &mut Recorder) -> Result<Self> {
         let mut errors = Self { diffuse: Vec::new(), highlight: Vec::new() };
         for ratio in RATIOS {
             out.set("ratio", ratio);

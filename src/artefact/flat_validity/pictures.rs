@@ -1,16 +1,7 @@
 //! The pictures: a box and a plate under a near lamp, and a plate before a near viewer.
 
-use super::super::drawing::{chalk, draw, front, object, settings};
-use super::super::effect::{Effect, Threshold};
-use super::super::error::ArtefactError;
-use super::super::recorder::Recorder;
+use super::super::prelude::*;
 use super::plate::{Lamp, RADIUS, RATIOS, Viewer, paint_plate, squares};
-use crate::metric::image_error;
-use crate::normals::{NormalRecipe, compute};
-use crate::num::{Degrees, LinearRgb};
-use crate::raster::{Camera, Image, Interpolation, Shading};
-use crate::shade::{Attenuation, Light};
-use glam::DVec3;
 
 /// The plate on which the effect is measured.
 pub(super) fn of_plate(
@@ -19,7 +10,7 @@ pub(super) fn of_plate(
     segments: u32,
     size: u32,
     out: &mut Recorder,
-) -> Result<(), ArtefactError> {
+) -> Result<()> {
     let paint = |cells| paint_plate(cells, chalk(), lamp.light(), front(2.0), size, Shading::Flat);
     out.bad("plate", effect, paint(1)?);
     out.cured("plate-small-faces", effect, paint(segments)?);
@@ -27,7 +18,7 @@ pub(super) fn of_plate(
 }
 
 /// A box under a lamp that is near its upper corner, and far away in the same direction.
-pub(super) fn of_box(size: u32, segments: u32, out: &mut Recorder) -> Result<(), ArtefactError> {
+pub(super) fn of_box(size: u32, segments: u32, out: &mut Recorder) -> Result<()> {
     let sides = [
         (DVec3::new(-1.0, -1.0, 1.0), DVec3::X * 2.0, DVec3::Y * 2.0),
         (DVec3::new(1.0, -1.0, 1.0), DVec3::Z * -2.0, DVec3::Y * 2.0),
@@ -35,7 +26,7 @@ pub(super) fn of_box(size: u32, segments: u32, out: &mut Recorder) -> Result<(),
     ];
     let camera = Camera { eye: DVec3::new(60.0, 45.0, 80.0), ..front(3.8) };
     let lamp = DVec3::new(1.5, 1.8, 2.1);
-    let paint = |cells: u32, away: f64, shading| -> Result<Image, ArtefactError> {
+    let paint = |cells: u32, away: f64, shading| -> Result<Image> {
         let mesh = squares(cells, &sides)?;
         let normals = compute(&mesh, &NormalRecipe::default());
         let light =
@@ -65,12 +56,7 @@ pub(super) fn of_box(size: u32, segments: u32, out: &mut Recorder) -> Result<(),
 pub(super) const ASIDE: Degrees = Degrees(15.0);
 
 /// The plate with nothing but a highlight, its viewer at two circumradii.
-pub(super) fn of_highlight(
-    exponent: f64,
-    segments: u32,
-    size: u32,
-    out: &mut Recorder,
-) -> Result<(), ArtefactError> {
+pub(super) fn of_highlight(exponent: f64, segments: u32, size: u32, out: &mut Recorder) -> Result<()> {
     let viewer = Viewer { angle: ASIDE, distance: RATIOS[0] * RADIUS, exponent };
     let (material, light, camera) = viewer.scene();
     let paint = |cells, shading| paint_plate(cells, material, light, camera, size, shading);

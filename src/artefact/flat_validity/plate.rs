@@ -1,14 +1,6 @@
 //! A plate under a near lamp or before a near viewer, and the closed forms of its errors.
 
-use super::super::drawing::{chalk, draw, front, object, settings};
-use super::super::error::ArtefactError;
-use crate::mesh::{Faces, Mesh, MeshBuilder};
-use crate::metric::image_error;
-use crate::normals::{NormalRecipe, compute};
-use crate::num::{Degrees, LinearRgb, Radians};
-use crate::raster::{Camera, Image, Interpolation, Projection, Shading};
-use crate::shade::{Attenuation, Light, Material, Reflectance, Reflection};
-use glam::DVec3;
+use super::super::prelude::*;
 use std::f64::consts::SQRT_2;
 
 /// Distances in circumradii of the face.
@@ -17,12 +9,12 @@ pub(super) const RATIOS: [f64; 6] = [2.0, 5.0, 10.0, 50.0, 100.0, 510.0];
 pub(super) const RADIUS: f64 = SQRT_2;
 
 /// The plate of side 2 facing +z, cut into squares.
-fn plate(cells: u32) -> Result<Mesh, ArtefactError> {
+fn plate(cells: u32) -> Result<Mesh> {
     squares(cells, &[(DVec3::new(-1.0, -1.0, 0.0), DVec3::X * 2.0, DVec3::Y * 2.0)])
 }
 
 /// Parallelograms, given by a corner and two sides, cut into so many smaller ones each way.
-pub(super) fn squares(cells: u32, sides: &[(DVec3, DVec3, DVec3)]) -> Result<Mesh, ArtefactError> {
+pub(super) fn squares(cells: u32, sides: &[(DVec3, DVec3, DVec3)]) -> Result<Mesh> {
     let (mut positions, mut corners) = (Vec::new(), Vec::new());
     for &(corner, along, up) in sides {
         let first = positions.len() as u32;
@@ -58,7 +50,7 @@ pub(super) struct Lamp {
 
 impl Lamp {
     /// Flat shading against shading every pixel.
-    pub(super) fn error(&self, cells: u32, size: u32) -> Result<f64, ArtefactError> {
+    pub(super) fn error(&self, cells: u32, size: u32) -> Result<f64> {
         difference(cells, chalk(), self.light(), front(2.0), size)
     }
 
@@ -98,7 +90,7 @@ pub(super) struct Viewer {
 
 impl Viewer {
     /// Flat shading against shading every pixel.
-    pub(super) fn error(&self, cells: u32, size: u32) -> Result<f64, ArtefactError> {
+    pub(super) fn error(&self, cells: u32, size: u32) -> Result<f64> {
         let (material, light, camera) = self.scene();
         difference(cells, material, light, camera, size)
     }
@@ -142,13 +134,7 @@ impl Viewer {
 }
 
 /// The largest difference of flat shading and shading every pixel.
-fn difference(
-    cells: u32,
-    material: Material,
-    light: Light,
-    camera: Camera,
-    size: u32,
-) -> Result<f64, ArtefactError> {
+fn difference(cells: u32, material: Material, light: Light, camera: Camera, size: u32) -> Result<f64> {
     let paint = |shading| paint_plate(cells, material, light, camera, size, shading);
     Ok(image_error(&paint(Shading::Flat)?, &paint(Shading::Phong)?, 0.5)?.linear.max / 255.0)
 }
@@ -160,7 +146,7 @@ pub(super) fn paint_plate(
     camera: Camera,
     size: u32,
     shading: Shading,
-) -> Result<Image, ArtefactError> {
+) -> Result<Image> {
     let mesh = plate(cells)?;
     let normals = compute(&mesh, &NormalRecipe::default());
     let settings = settings([size; 2], shading, Interpolation::Perspective);

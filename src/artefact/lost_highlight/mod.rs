@@ -3,20 +3,8 @@
 // What is drawn.
 mod scene;
 
-use super::drawing::{GAP, tiles};
-use super::effect::{Effect, Threshold};
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Drawn, Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Axis, Check, Recorder};
-use super::triangle_mesh::TriangleMesh;
+use super::prelude::*;
 use crate::metric::Highlight;
-use crate::num::{Degrees, Radians};
-use crate::raster::{Image, Object, Shading, Shape};
-use crate::surface::Primitive;
-use crate::text::{Catalogue, Value, catalogue};
 use scene::{TILT, WINDOW, law, look, material, of_diffuse, paint};
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2, TAU};
 
@@ -47,7 +35,7 @@ fn is_lost(angle: f64, exponent: f64) -> bool {
 /// The largest tolerance for a value of up to 1, or for a length of 1.
 const MOST_TOLERANCE: f64 = 0.5;
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let Parameters { segments, exponent, .. } = setup.parameters;
     // A vertex is at most half a segment from the highlight, whose width is that of half a segment from (N/π)² on.
     let least = (f64::from(segments) / PI) * (f64::from(segments) / PI);
@@ -71,7 +59,7 @@ fn verdict(segments: u32, exponent: f64, out: &Recorder) -> Verdict {
     }
 }
 
-fn peak(image: &Image) -> Result<f64, ArtefactError> {
+fn peak(image: &Image) -> Result<f64> {
     Ok(Highlight::of(image)?.peak)
 }
 
@@ -98,7 +86,7 @@ impl Loss {
 
     /// The light missing at a peak under Gouraud's shading and under Phong's; the true peak is 1. The nearest vertex is at an
     /// angle from it.
-    fn missing(self, images: [&Image; 2], angle: f64, out: &Recorder) -> Result<Effect, ArtefactError> {
+    fn missing(self, images: [&Image; 2], angle: f64, out: &Recorder) -> Result<Effect> {
         let bad = self.reported((1.0 - peak(images[0])? - of_diffuse(angle)).max(0.0));
         // No diffuse light is missing: the normals in the middle face the light.
         let cured = self.reported((1.0 - peak(images[1])?).max(0.0));
@@ -113,7 +101,7 @@ fn between_pixels(size: u32) -> f64 {
 }
 
 /// The plate whose corners lean away from the light.
-fn plate(&Parameters { size, exponent, .. }: &Parameters, out: &mut Recorder) -> Result<(), ArtefactError> {
+fn plate(&Parameters { size, exponent, .. }: &Parameters, out: &mut Recorder) -> Result<()> {
     let draw = |shading| paint(scene::plate().object(material(exponent)), size, shading);
     let (gouraud, phong) = (draw(Shading::Gouraud)?, draw(Shading::Phong)?);
     let tilt = Radians::from(TILT).0;
@@ -141,18 +129,18 @@ impl Sphere {
         Self { size, segments, exponent, delta: TAU / f64::from(segments) }
     }
 
-    fn draw(&self, turn: f64, shading: Shading) -> Result<Image, ArtefactError> {
+    fn draw(&self, turn: f64, shading: Shading) -> Result<Image> {
         paint(TriangleMesh::globe(self.segments, turn).object(material(self.exponent)), self.size, shading)
     }
 
     /// The peak at some turns by up to a segment, in degrees.
-    fn peaks(&self, shading: Shading) -> Result<Vec<[f64; 2]>, ArtefactError> {
+    fn peaks(&self, shading: Shading) -> Result<Vec<[f64; 2]>> {
         let turns = (0..=FRAMES).map(|k| self.delta * f64::from(k) / f64::from(FRAMES));
         turns.map(|turn| Ok([Degrees::from(Radians(turn)).0, peak(&self.draw(turn, shading)?)?])).collect()
     }
 
     /// Measures and pictures, and the effect that the experiment reports.
-    fn record(&self, out: &mut Recorder) -> Result<Effect, ArtefactError> {
+    fn record(&self, out: &mut Recorder) -> Result<Effect> {
         let &Self { size, exponent, delta, .. } = self;
         let sphere = Shape::Surface(Primitive::from(crate::surface::Sphere::default()));
         let truth = paint(Object::new(sphere, material(exponent)), size, Shading::Exact)?;
@@ -209,7 +197,7 @@ impl Sphere {
     }
 
     /// Three pictures of a turn by a segment from close by, under Gouraud's shading and Phong's.
-    fn film(&self) -> Result<Image, ArtefactError> {
+    fn film(&self) -> Result<Image> {
         const PICTURES: u32 = 3;
         let row = |shading| {
             let picture = |k: u32| {
@@ -217,7 +205,7 @@ impl Sphere {
                 let globe = TriangleMesh::globe(self.segments, turn);
                 look(globe.object(material(self.exponent)), self.size / PICTURES - GAP, shading, CLOSE)
             };
-            (0..PICTURES).map(picture).collect::<Result<Vec<_>, ArtefactError>>()
+            (0..PICTURES).map(picture).collect::<Result<Vec<_>>>()
         };
         Ok(tiles(&[row(Shading::Gouraud)?, row(Shading::Phong)?]))
     }
@@ -238,7 +226,7 @@ impl Sphere {
 }
 
 /// A frame of the sphere turning by two segments, with Gouraud's shading at the left and Phong's at the right.
-fn frame(setup: &Setup, number: u32, count: u32) -> Result<Image, ArtefactError> {
+fn frame(setup: &Setup, number: u32, count: u32) -> Result<Image> {
     let Parameters { size, segments, exponent, .. } = setup.parameters;
     let turn = 2.0 * TAU / f64::from(segments) * f64::from(number) / f64::from(count.max(1));
     let globe = TriangleMesh::globe(segments, turn);

@@ -1,12 +1,6 @@
 //! What is drawn: a plate and a sphere whose highlights fall between vertices, and what light there is on them.
 
-use super::super::drawing::{draw, front, settings};
-use super::super::error::ArtefactError;
-use super::super::triangle_mesh::{Diagonal, TriangleMesh};
-use crate::num::{Degrees, LinearRgb, Radians};
-use crate::raster::{Image, Interpolation, Object, Shading};
-use crate::shade::{Light, Material, Reflectance};
-use glam::DVec3;
+use super::super::prelude::*;
 use std::f64::consts::SQRT_2;
 
 /// Of diffuse light; the rest of 1 is highlight.
@@ -47,12 +41,12 @@ pub(super) fn plate() -> TriangleMesh {
 }
 
 /// Light and viewer in front, far away.
-pub(super) fn paint(object: Object, size: u32, shading: Shading) -> Result<Image, ArtefactError> {
+pub(super) fn paint(object: Object, size: u32, shading: Shading) -> Result<Image> {
     look(object, size, shading, WINDOW)
 }
 
 /// The same through a window of any side.
-pub(super) fn look(object: Object, size: u32, shading: Shading, window: f64) -> Result<Image, ArtefactError> {
+pub(super) fn look(object: Object, size: u32, shading: Shading, window: f64) -> Result<Image> {
     let light = Light::Directional { towards: DVec3::Z, colour: LinearRgb::WHITE };
     draw(vec![object], &[light], front(window), &settings([size; 2], shading, Interpolation::Perspective))
 }

@@ -1,12 +1,8 @@
 //! Luminance across the cylinder with its derivatives.
 
-use super::super::effect::Effect;
-use super::super::error::ArtefactError;
-use super::super::outcome::{Curve, Drawn};
-use super::super::recorder::{Axis, Recorder};
+use super::super::outcome::Curve;
+use super::super::prelude::*;
 use super::tube::{Profile, Tube};
-use crate::num::Degrees;
-use crate::raster::Shading;
 
 /// Luminance across the picture under each shading.
 pub(super) struct Lines {
@@ -17,7 +13,7 @@ pub(super) struct Lines {
 }
 
 impl Lines {
-    pub(super) fn new(tube: &Tube, light: Degrees) -> Result<Self, ArtefactError> {
+    pub(super) fn new(tube: &Tube, light: Degrees) -> Result<Self> {
         Ok(Self {
             flat: tube.profile(light, Shading::Flat)?,
             gouraud: tube.profile(light, Shading::Gouraud)?,
@@ -51,12 +47,7 @@ pub(super) fn record(lines: &Lines, effect: &Effect, out: &mut Recorder) {
 }
 
 /// The same in grazing light, where Phong's jumps are the larger ones.
-pub(super) fn record_grazing(
-    tube: &Tube,
-    light: Degrees,
-    effect: &Effect,
-    out: &mut Recorder,
-) -> Result<(), ArtefactError> {
+pub(super) fn record_grazing(tube: &Tube, light: Degrees, effect: &Effect, out: &mut Recorder) -> Result<()> {
     let lines = Lines::new(tube, light)?;
     out.set("bad", effect.bad);
     out.set("cured", effect.cured);

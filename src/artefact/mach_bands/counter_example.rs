@@ -1,11 +1,8 @@
 //! The counter-example: light from the side, under which Phong shading has the larger jumps of slope (Duff 1979).
 
-use super::super::error::ArtefactError;
-use super::super::recorder::{Check, Recorder};
+use super::super::prelude::*;
 use super::laws::{gouraud_jump, phong_jump};
 use super::tube::Tube;
-use crate::num::{Degrees, Radians};
-use crate::raster::Shading;
 use std::f64::consts::PI;
 
 /// Light in which Phong's shading is the worse one.
@@ -15,7 +12,7 @@ const BORDER: f64 = 70.528_779_365_509_31;
 /// How much larger their ratio is a degree farther on: cot(θ_L/2) + tan(θ_L) there, per radian.
 const GROWTH: f64 = 3.0 * std::f64::consts::SQRT_2 * PI / 180.0;
 
-pub(super) fn measure(segments: u32, out: &mut Recorder) -> Result<(), ArtefactError> {
+pub(super) fn measure(segments: u32, out: &mut Recorder) -> Result<()> {
     let (worst, open) = ratio(GRAZING, segments)?;
     let (border, open_there) = border(segments)?;
     let theta = half(GRAZING);
@@ -37,7 +34,7 @@ fn half(Degrees(angle): Degrees) -> f64 {
 
 /// Phong's slope jump over Gouraud's at the edge where it is worst, half-way between the viewer and the light, and how far
 /// roundings may move that.
-fn ratio(light: Degrees, segments: u32) -> Result<(f64, f64), ArtefactError> {
+fn ratio(light: Degrees, segments: u32) -> Result<(f64, f64)> {
     let tube = Tube::new(segments, half(light))?;
     let jump = |shading| tube.profile(light, shading).map(|line| line.slope_jump(&tube, half(light)));
     let ((phong, by_phong), (gouraud, by_gouraud)) = (jump(Shading::Phong)?, jump(Shading::Gouraud)?);
@@ -50,7 +47,7 @@ const RESOLVED: f64 = 20.0 / 2048.0;
 
 /// The angle of the light at which Phong's jump is as large as Gouraud's, in degrees, by halving; and how far roundings may
 /// move the ratio there.
-fn border(segments: u32) -> Result<(f64, f64), ArtefactError> {
+fn border(segments: u32) -> Result<(f64, f64)> {
     let (mut low, mut high, mut open) = (60.0, 80.0, 0.0);
     for _ in 0..10 {
         let middle = 0.5 * (low + high);

@@ -1,8 +1,8 @@
 //! The jumps of luminance and of its slope at an edge, in closed form.
 
-use crate::num::{Degrees, Radians};
-
 /// The jump at an edge at the angle θ (radians) under a light, for facets of the angle Δ (radians).
+use super::super::prelude::*;
+
 pub(super) type Law = fn(f64, Degrees, f64) -> f64;
 
 pub(super) fn flat_step(theta: f64, light: Degrees, delta: f64) -> f64 {

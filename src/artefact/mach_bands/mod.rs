@@ -13,16 +13,7 @@ mod predicted_overshoot;
 // A cylinder in facets, and luminance across it.
 mod tube;
 
-use super::effect::{Effect, Threshold};
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Check, Recorder};
-use crate::num::Degrees;
-use crate::raster::Shading;
-use crate::text::{Catalogue, catalogue};
+use super::prelude::*;
 use charts::Lines;
 use counter_example::GRAZING;
 use laws::{Law, flat_step, gouraud_jump, phong_jump};
@@ -46,7 +37,7 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
 /// How many times more segments the cured cylinder has.
 const FINER: u32 = 4;
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let Parameters { size, segments, light, .. } = setup.parameters;
     let values = [
         ("segments", f64::from(segments).into()),
@@ -111,13 +102,7 @@ struct Worse {
 }
 
 impl Edges {
-    fn measure(
-        tube: &Tube,
-        fine: &Tube,
-        light: Degrees,
-        lines: &Lines,
-        out: &mut Recorder,
-    ) -> Result<Self, ArtefactError> {
+    fn measure(tube: &Tube, fine: &Tube, light: Degrees, lines: &Lines, out: &mut Recorder) -> Result<Self> {
         let delta = tube.delta();
         let step =
             tube.largest(light, |theta| (lines.flat.step(tube, theta), flat_step(theta, light, delta)));

@@ -1,12 +1,7 @@
 //! Pictures of the cylinder, and maps of its slope jumps.
 
-use super::super::drawing::map;
-use super::super::effect::Effect;
-use super::super::error::ArtefactError;
-use super::super::recorder::Recorder;
+use super::super::prelude::*;
 use super::tube::{Tube, WINDOW};
-use crate::num::Degrees;
-use crate::raster::{Image, Shading};
 
 /// The cylinder under each shading, and the finer one under the worse of Gouraud's and Phong's.
 pub(super) fn record(
@@ -16,7 +11,7 @@ pub(super) fn record(
     worse: Shading,
     [of_step, of_shading, of_finer]: [&Effect; 3],
     out: &mut Recorder,
-) -> Result<(), ArtefactError> {
+) -> Result<()> {
     let draw = |tube: &Tube, shading| tube.draw([size; 2], light, shading);
     out.bad("flat", of_step, draw(tube, Shading::Flat)?);
     for (name, shading) in [("gouraud", Shading::Gouraud), ("phong", Shading::Phong)] {
@@ -38,7 +33,7 @@ pub(super) struct Jumps {
 }
 
 impl Jumps {
-    pub(super) fn measure(tube: Tube, light: Degrees) -> Result<Self, ArtefactError> {
+    pub(super) fn measure(tube: Tube, light: Degrees) -> Result<Self> {
         let (phong, gouraud) = (tube.jumps(light, Shading::Phong)?, tube.jumps(light, Shading::Gouraud)?);
         Ok(Self { tube, phong, gouraud })
     }
@@ -52,13 +47,7 @@ impl Jumps {
     }
 
     /// Maps of the jumps, and the pictures, in which they are hardly visible.
-    pub(super) fn show(
-        &self,
-        size: u32,
-        light: Degrees,
-        effect: &Effect,
-        out: &mut Recorder,
-    ) -> Result<(), ArtefactError> {
+    pub(super) fn show(&self, size: u32, light: Degrees, effect: &Effect, out: &mut Recorder) -> Result<()> {
         let full = effect.bad.max(effect.cured);
         out.set("full", full);
         let draw = |shading| self.tube.draw([size; 2], light, shading);

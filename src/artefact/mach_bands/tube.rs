@@ -1,13 +1,7 @@
 //! A cylinder in facets, and luminance across it.
 
-use super::super::drawing::{chalk, draw, front, light_at, luminance, object, settings, smooth};
-use super::super::error::ArtefactError;
-use crate::mesh::{Faces, Mesh, MeshBuilder};
-use crate::normals::{NormalField, Weight};
-use crate::num::{Degrees, Radians};
-use crate::raster::{Image, Interpolation, Object, Shading, Shape};
-use crate::surface::{Cylinder, Primitive};
-use glam::DVec3;
+use super::super::prelude::*;
+use crate::surface::Cylinder;
 use std::f64::consts::{PI, TAU};
 
 /// The window's side; the cylinder has the radius 1.
@@ -30,7 +24,7 @@ pub(super) struct Tube {
 }
 
 impl Tube {
-    pub(super) fn new(segments: u32, start: f64) -> Result<Self, ArtefactError> {
+    pub(super) fn new(segments: u32, start: f64) -> Result<Self> {
         let angle = |k: u32| start + TAU * f64::from(k) / f64::from(segments);
         let ring =
             |y: f64| (0..segments).map(move |k| DVec3::new(libm::sin(angle(k)), y, libm::cos(angle(k))));
@@ -52,7 +46,7 @@ impl Tube {
 
     /// With an edge where the light ends. There the cylinder itself has a band; a facet across that border would have another
     /// one at each of its sides under Gouraud's shading, in place of that.
-    pub(super) fn under(light: Degrees, segments: u32) -> Result<Self, ArtefactError> {
+    pub(super) fn under(light: Degrees, segments: u32) -> Result<Self> {
         Self::new(segments, Radians::from(light).0 - (PI / 2.0).copysign(light.0))
     }
 
@@ -65,12 +59,7 @@ impl Tube {
         Object { surface: cylinder, ..object(&self.mesh, &self.normals, chalk()) }
     }
 
-    pub(super) fn draw(
-        &self,
-        size: [u32; 2],
-        light: Degrees,
-        shading: Shading,
-    ) -> Result<Image, ArtefactError> {
+    pub(super) fn draw(&self, size: [u32; 2], light: Degrees, shading: Shading) -> Result<Image> {
         let mut object = self.object();
         if let (Shading::Exact, Some(cylinder)) = (shading, object.surface) {
             object.shape = Shape::Surface(cylinder);
@@ -80,7 +69,7 @@ impl Tube {
     }
 
     /// One scanline across.
-    pub(super) fn profile(&self, light: Degrees, shading: Shading) -> Result<Profile, ArtefactError> {
+    pub(super) fn profile(&self, light: Degrees, shading: Shading) -> Result<Profile> {
         let image = self.draw([LINE, 1], light, shading)?;
         Ok(Profile { values: luminance(&image) })
     }
@@ -120,7 +109,7 @@ impl Tube {
     }
 
     /// The places of those edges across the picture, in radii, each with the slope's jump there.
-    pub(super) fn jumps(&self, light: Degrees, shading: Shading) -> Result<Vec<[f64; 2]>, ArtefactError> {
+    pub(super) fn jumps(&self, light: Degrees, shading: Shading) -> Result<Vec<[f64; 2]>> {
         let line = self.profile(light, shading)?;
         let jump = |theta| [libm::sin(theta), line.slope_jump(self, theta).0.abs()];
         Ok(self.edges(light).map(jump).collect())

@@ -9,17 +9,7 @@ mod polygon;
 // Pictures of the rotated polygon rotated back, for comparison with the original one.
 mod turned_back;
 
-use super::effect::Threshold;
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Drawn, Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Axis, Check, Recorder};
-use crate::num::Degrees;
-use crate::raster::{Image, Interpolation};
-use crate::text::{Catalogue, catalogue};
-use glam::{DVec2, DVec3};
+use super::prelude::*;
 use pictures::Pictures;
 use polygon::{Polygon, centre};
 
@@ -38,7 +28,7 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
 /// Turns that are measured: every five degrees.
 const TURNS: u32 = 72;
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     // An odd number of pixels has one in the middle, whose centre is the polygon's.
     let size = setup.parameters.size | 1;
     let polygon = Polygon::of(setup.mesh.as_ref(), size)?;
@@ -71,9 +61,9 @@ struct CentreColours {
 }
 
 impl CentreColours {
-    fn measure(polygon: &Polygon, size: u32, out: &mut Recorder) -> Result<Self, ArtefactError> {
+    fn measure(polygon: &Polygon, size: u32, out: &mut Recorder) -> Result<Self> {
         let angle = |turn: u32| Degrees(360.0 * f64::from(turn) / f64::from(TURNS));
-        let centres = |interpolation| -> Result<Vec<DVec3>, ArtefactError> {
+        let centres = |interpolation| -> Result<Vec<DVec3>> {
             (0..TURNS).map(|turn| Ok(centre(&polygon.draw(size, angle(turn), interpolation)?))).collect()
         };
         let scanline = centres(Interpolation::Scanline)?;
@@ -144,7 +134,7 @@ fn measure_diamond(scanline: &[DVec3], [one, other]: [&Image; 2], tolerance: f64
     }
 }
 
-fn frame(setup: &Setup, number: u32, count: u32) -> Result<Image, ArtefactError> {
+fn frame(setup: &Setup, number: u32, count: u32) -> Result<Image> {
     let size = setup.parameters.size | 1;
     let polygon = Polygon::of(setup.mesh.as_ref(), size)?;
     let angle = Degrees(360.0 * f64::from(number) / f64::from(count));

@@ -1,11 +1,7 @@
 //! The diamond seen obliquely, where triangles depend on the rotation unless they are interpolated with perspective.
 
-use super::super::error::ArtefactError;
-use super::super::recorder::{Check, Recorder};
+use super::super::prelude::*;
 use super::polygon::{Polygon, centre};
-use crate::num::{Degrees, Radians};
-use crate::raster::{Camera, Interpolation, Projection};
-use glam::{DMat4, DVec3};
 
 /// How far the eye is from the middle, over the distance of a corner from it.
 const EYE: f64 = 2.0;
@@ -25,9 +21,9 @@ fn camera() -> Camera {
 }
 
 /// By how much the colour at the centre changes by a quarter turn in the diamond's own plane.
-fn change(diamond: &Polygon, size: u32, interpolation: Interpolation) -> Result<f64, ArtefactError> {
+fn change(diamond: &Polygon, size: u32, interpolation: Interpolation) -> Result<f64> {
     let oblique = DMat4::from_rotation_y(Radians::from(AWAY).0);
-    let colour = |turn: f64| -> Result<DVec3, ArtefactError> {
+    let colour = |turn: f64| -> Result<DVec3> {
         Ok(centre(&diamond.draw_from(camera(), oblique, size, Degrees(turn), interpolation)?))
     };
     Ok((colour(90.0)? - colour(0.0)?).abs().max_element())
@@ -37,12 +33,7 @@ fn change(diamond: &Polygon, size: u32, interpolation: Interpolation) -> Result<
 /// d ± s, the middle has the colours in parts of (d ∓ s)/2d when they are mixed by distances in the picture. That is the line
 /// from corner 3 to corner 1 in one position; in the other scanlines run from corner 2 to corner 4, while the triangles' edge
 /// is upright and has one depth.
-pub(super) fn measure(
-    diamond: &Polygon,
-    size: u32,
-    tolerance: f64,
-    out: &mut Recorder,
-) -> Result<(), ArtefactError> {
+pub(super) fn measure(diamond: &Polygon, size: u32, tolerance: f64, out: &mut Recorder) -> Result<()> {
     let triangles = diamond.cut(false)?;
     let [c1, c2, c3, c4] = Polygon::LECTURES.map(DVec3::from);
     let lean = libm::sin(Radians::from(AWAY).0) / EYE;

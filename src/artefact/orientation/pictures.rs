@@ -1,13 +1,8 @@
 //! The polygon in its positions, under scanlines and in triangles.
 
-use super::super::drawing::{differences, linear, map, picture};
-use super::super::effect::Effect;
-use super::super::error::ArtefactError;
-use super::super::recorder::Recorder;
+use super::super::prelude::*;
 use super::polygon::Polygon;
 use super::turned_back::turned_back;
-use crate::num::Degrees;
-use crate::raster::{Image, Interpolation};
 
 /// Full scale of the maps of differences.
 pub(super) const FULL: f64 = 0.4;
@@ -27,7 +22,7 @@ pub(super) struct Pictures {
 }
 
 impl Pictures {
-    pub(super) fn draw(polygon: &Polygon, size: u32) -> Result<Self, ArtefactError> {
+    pub(super) fn draw(polygon: &Polygon, size: u32) -> Result<Self> {
         let right_angle = Degrees(90.0);
         let scanline = |angle| polygon.draw(size, angle, Interpolation::Scanline);
         let (first, second) = (polygon.cut(false)?, polygon.cut(true)?);

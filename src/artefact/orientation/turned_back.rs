@@ -1,20 +1,14 @@
 //! Pictures of the rotated polygon rotated back, for comparison with the original one.
 
-use super::super::drawing::{BACKGROUND, linear, picture};
-use super::super::error::ArtefactError;
-use super::super::recorder::Recorder;
+use super::super::prelude::*;
 use super::polygon::{Polygon, sin_cos};
-use crate::metric::image_error;
-use crate::num::Degrees;
-use crate::raster::{Image, Interpolation};
-use glam::DVec3;
 
 /// The turn that pixels are exchanged by, none of them between others.
 const QUARTER: Degrees = Degrees(90.0);
 
 /// For each interpolation, how far the picture of a quarter turn, turned back, is from that of none (root mean square over
 /// pixels and components).
-pub(super) fn measure(polygon: &Polygon, size: u32, out: &mut Recorder) -> Result<(), ArtefactError> {
+pub(super) fn measure(polygon: &Polygon, size: u32, out: &mut Recorder) -> Result<()> {
     let tolerance = polygon.tolerance(size);
     for (name, interpolation) in [
         ("back-scanline", Interpolation::Scanline),

@@ -1,9 +1,7 @@
 //! A material with a highlight, and how much its light changes with the normal.
 
-use super::super::effect::Threshold;
-use crate::num::{Degrees, LinearRgb, Radians, steepest_slope};
-use crate::shade::{Material, Reflectance};
-use glam::DVec3;
+use super::super::prelude::*;
+use crate::num::steepest_slope;
 
 /// The shares of light that the material scatters and mirrors.
 pub(super) const DIFFUSE: f64 = 0.3;

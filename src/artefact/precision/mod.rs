@@ -9,22 +9,10 @@ mod plate;
 // A part of a sphere with normals of different precision, and how far they are from the true ones.
 mod sphere;
 
-use super::effect::Threshold;
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Check, Recorder};
-use super::triangle_mesh::TriangleMesh;
-use crate::metric::{image_error, normal_deviation};
+use super::prelude::*;
+use crate::metric::normal_deviation;
 use crate::normals::encoding::{Encoding, Snorm};
-use crate::num::{Degrees, Radians, steepest_slope};
-use crate::raster::{Image, Object, Shading, Shape};
-use crate::shade::{Material, Reflection};
-use crate::surface::{Primitive, Sphere};
-use crate::text::{Catalogue, Value, catalogue};
-use glam::DVec3;
+use crate::num::steepest_slope;
 use highlight::{SPECULAR, bound, material, needed, with_shares};
 use sphere::Scene;
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -47,7 +35,7 @@ const AWAY: f64 = 3e3;
 /// The largest error of a normal on an octahedron with twice 16 bits, in degrees.
 const SIXTEEN: f64 = 0.0037;
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let Parameters { size, segments, exponent, .. } = setup.parameters;
     let values = [
         ("exponent", Value::number(exponent)),
@@ -146,8 +134,8 @@ impl Spheres {
         exponent: f64,
         largest: f64,
         out: &mut Recorder,
-    ) -> Result<[f64; 2], ArtefactError> {
-        let change = |shares: [f64; 2], reflection: Reflection| -> Result<f64, ArtefactError> {
+    ) -> Result<[f64; 2]> {
+        let change = |shares: [f64; 2], reflection: Reflection| -> Result<f64> {
             let material = Material { reflection, ..with_shares(exponent, shares) };
             let lit = |mesh: &TriangleMesh| scene.light(&mesh.object(material), Shading::Phong);
             Ok(image_error(&lit(&self.eight)?, &lit(&self.own)?, 0.5)?.linear.max / 255.0)
@@ -177,7 +165,7 @@ impl Spheres {
     }
 
     /// The mean errors of the pixels' normals.
-    fn measure_pixels(&self, scene: &Scene, exponent: f64, out: &mut Recorder) -> Result<(), ArtefactError> {
+    fn measure_pixels(&self, scene: &Scene, exponent: f64, out: &mut Recorder) -> Result<()> {
         let exact = Object::new(Shape::Surface(Primitive::from(Sphere::default())), material(exponent));
         let truth = scene.normals(&exact, Shading::Exact)?;
         for (name, mesh) in [

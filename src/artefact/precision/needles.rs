@@ -1,10 +1,8 @@
 //! Slivers: triangles whose normals cancel in plain arithmetic.
 
-use super::super::outcome::Drawn;
-use super::super::recorder::{Axis, Check, Recorder};
+use super::super::prelude::*;
 use crate::normals::{Scratch, face_normals};
-use crate::num::{Degrees, Radians};
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 
 /// Heights of needles over their lengths.
 const NEEDLES: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];

@@ -1,17 +1,9 @@
 //! The effect of the normals of slivers on a highlight: a flat plate cut into them, in a light nearby.
 
-use super::super::drawing::{draw, front, settings};
-use super::super::effect::Threshold;
-use super::super::error::ArtefactError;
-use super::super::recorder::{Check, Recorder};
-use super::super::triangle_mesh::TriangleMesh;
+use super::super::prelude::*;
 use super::highlight::{angle, bound, material};
-use crate::metric::image_error;
 use crate::normals::{Scratch, face_normals};
-use crate::num::LinearRgb;
-use crate::raster::{Image, Interpolation, Shading};
-use crate::shade::{Attenuation, Light};
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 
 /// Across the plate and along its needles, in whole numbers. A needle's corners are sums of multiples of them below 2²⁴: single
 /// precision holds them exactly, so that the plate is flat to the last digit and every error is one of arithmetic.
@@ -72,7 +64,7 @@ fn stripes(normals: &[DVec3]) -> TriangleMesh {
     TriangleMesh::new(&positions, (0..normals.len() as u32).flat_map(halves).collect(), &all)
 }
 
-fn light(normals: &[DVec3], size: u32, exponent: f64) -> Result<Image, ArtefactError> {
+fn light(normals: &[DVec3], size: u32, exponent: f64) -> Result<Image> {
     let position = DVec3::Z * LIGHT;
     let light = Light::Point { position, colour: LinearRgb::WHITE, attenuation: Attenuation::None };
     let settings = settings([size; 2], Shading::Phong, Interpolation::Perspective);
@@ -81,11 +73,7 @@ fn light(normals: &[DVec3], size: u32, exponent: f64) -> Result<Image, ArtefactE
 }
 
 /// The plate with normals by plain arithmetic and by exact differences of products.
-pub(super) fn record(
-    [size, segments]: [u32; 2],
-    exponent: f64,
-    out: &mut Recorder,
-) -> Result<(), ArtefactError> {
+pub(super) fn record([size, segments]: [u32; 2], exponent: f64, out: &mut Recorder) -> Result<()> {
     let Normals { plain, careful } = Normals::of(3 * segments);
     let reference = light(&vec![DVec3::Z; plain.len()], size, exponent)?;
     let (lit_plain, lit_careful) = (light(&plain, size, exponent)?, light(&careful, size, exponent)?);

@@ -1,13 +1,8 @@
 //! A part of a sphere with normals of different precision, and how far they are from the true ones.
 
-use super::super::drawing::{draw, front, settings};
-use super::super::error::ArtefactError;
-use super::super::triangle_mesh::{Diagonal, TriangleMesh};
+use super::super::prelude::*;
 use super::highlight::angle;
-use crate::num::{Degrees, LinearRgb, Radians};
-use crate::raster::{Image, Interpolation, Object, RenderSettings, Shading, Show};
-use crate::shade::Light;
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 
 /// The window's side: a close look at the highlight on a sphere of radius 1.
 const WINDOW: f64 = 0.25;
@@ -19,15 +14,15 @@ pub(super) struct Scene {
 }
 
 impl Scene {
-    pub(super) fn light(&self, object: &Object, shading: Shading) -> Result<Image, ArtefactError> {
+    pub(super) fn light(&self, object: &Object, shading: Shading) -> Result<Image> {
         self.paint(object, shading, Show::Shaded)
     }
 
-    pub(super) fn normals(&self, object: &Object, shading: Shading) -> Result<Image, ArtefactError> {
+    pub(super) fn normals(&self, object: &Object, shading: Shading) -> Result<Image> {
         self.paint(object, shading, Show::Normals)
     }
 
-    fn paint(&self, object: &Object, shading: Shading, show: Show) -> Result<Image, ArtefactError> {
+    fn paint(&self, object: &Object, shading: Shading, show: Show) -> Result<Image> {
         // A little off the axis, so that the highlight does not sit on a vertex.
         let light = Light::Directional { towards: DVec3::new(0.05, 0.03, 1.0), colour: LinearRgb::WHITE };
         let settings =

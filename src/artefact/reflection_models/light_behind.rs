@@ -1,14 +1,8 @@
 //! Light from behind the sphere, and the highlight that it leaves on the dark side.
 
-use super::super::drawing::linear;
-use super::super::effect::Threshold;
-use super::super::error::ArtefactError;
-use super::super::recorder::{Check, Recorder};
+use super::super::prelude::*;
 use super::scene::{WINDOW, ball};
-use crate::num::{Degrees, Radians};
-use crate::raster::Image;
-use crate::shade::{Guards, Reflection};
-use glam::DVec3;
+use crate::shade::Guards;
 
 /// Light almost behind the sphere.
 pub(super) const BEHIND: Degrees = Degrees(150.0);
@@ -56,7 +50,7 @@ pub(super) fn record_light_behind(
     exponent: f64,
     size: u32,
     out: &mut Recorder,
-) -> Result<(), ArtefactError> {
+) -> Result<()> {
     let [bad, guarded] = match reflection {
         Reflection::Phong => ["behind-phong", "behind-phong-guarded"],
         Reflection::Blinn => ["behind", "behind-guarded"],

@@ -7,18 +7,8 @@ mod light_behind;
 // A sphere with nothing but a highlight.
 mod scene;
 
-use super::effect::{Effect, Threshold};
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Drawn, Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Axis, Check, Recorder};
-use crate::metric::image_error;
-use crate::num::{Degrees, Radians};
-use crate::raster::Image;
-use crate::shade::{Guards, Reflection, blinn_exponent};
-use crate::text::{Catalogue, catalogue};
+use super::prelude::*;
+use crate::shade::{Guards, blinn_exponent};
 use highlight_width::HalfWidths;
 use light_behind::{BEHIND, record_light_behind};
 use scene::{GRAZING, WINDOW, ball};
@@ -39,7 +29,7 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
 /// How many times nearer to Phong's highlight four times the exponent has to be.
 const FACTOR: f64 = 5.0;
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let Parameters { size, exponent, .. } = setup.parameters;
     let [blinn, phong] = highlight_width::in_front(exponent);
     let values = [
@@ -64,7 +54,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
 }
 
 /// Light and viewer in front: Blinn's highlight with Phong's exponent and with four times that.
-fn matched_exponent(size: u32, exponent: f64, out: &mut Recorder) -> Result<Effect, ArtefactError> {
+fn matched_exponent(size: u32, exponent: f64, out: &mut Recorder) -> Result<Effect> {
     let ball = |reflection, exponent| ball(reflection, exponent, Degrees(0.0), Guards::default(), size);
     let phong = ball(Reflection::Phong, exponent)?;
     let blinn = ball(Reflection::Blinn, exponent)?;
@@ -103,7 +93,7 @@ fn largest_difference(exponent: f64, of_blinn: f64) -> f64 {
 }
 
 /// Grazing light, in which Phong's highlight is stretched.
-fn grazing_light(size: u32, exponent: f64, out: &mut Recorder) -> Result<(), ArtefactError> {
+fn grazing_light(size: u32, exponent: f64, out: &mut Recorder) -> Result<()> {
     let four = blinn_exponent(exponent);
     let ball = |reflection, exponent| ball(reflection, exponent, GRAZING, Guards::default(), size);
     let (phong, blinn) = (ball(Reflection::Phong, exponent)?, ball(Reflection::Blinn, four)?);

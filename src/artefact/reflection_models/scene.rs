@@ -1,11 +1,7 @@
 //! A sphere with nothing but a highlight.
 
-use super::super::drawing::{draw, front, light_at, settings};
-use super::super::error::ArtefactError;
-use crate::num::{Degrees, LinearRgb};
-use crate::raster::{Image, Interpolation, Object, RenderSettings, Shading, Shape};
-use crate::shade::{Guards, Material, Reflectance, Reflection};
-use crate::surface::{Primitive, Sphere};
+use super::super::prelude::*;
+use crate::shade::Guards;
 
 /// Light far round the sphere.
 pub(super) const GRAZING: Degrees = Degrees(120.0);
@@ -19,7 +15,7 @@ pub(super) fn ball(
     light: Degrees,
     guards: Guards,
     size: u32,
-) -> Result<Image, ArtefactError> {
+) -> Result<Image> {
     let material = Material {
         ambient: Reflectance::NONE,
         diffuse: Reflectance::NONE,

@@ -1,15 +1,8 @@
 //! The prism on which one facet turns away from the light.
 
-use super::super::drawing::{GAP, linear, tiles};
-use super::super::error::ArtefactError;
-use super::super::outcome::Drawn;
-use super::super::recorder::{Axis, Recorder};
-use super::super::triangle_mesh::{Diagonal, TriangleMesh};
+use super::super::prelude::*;
 use super::scene::{LEVEL, WINDOW, paint, towards};
-use crate::num::{Degrees, Radians};
-use crate::raster::Image;
 use crate::shade::Terminator;
-use glam::DVec3;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Pictures of a film.
@@ -88,7 +81,7 @@ impl Prism {
     }
 
     /// One row across the prism.
-    fn row(&self, light: Degrees, terminator: Terminator) -> Result<Vec<f64>, ArtefactError> {
+    fn row(&self, light: Degrees, terminator: Terminator) -> Result<Vec<f64>> {
         let image = paint(&self.mesh(), towards(light, LEVEL), terminator, [self.size, 1])?;
         Ok(linear(&image).iter().map(|colour| f64::from(colour[0])).collect())
     }
@@ -103,17 +96,17 @@ impl Prism {
     }
 
     /// The prism while the light turns, from top to bottom: the facet turns away in the middle.
-    pub(super) fn film(&self, terminator: Terminator) -> Result<Image, ArtefactError> {
+    pub(super) fn film(&self, terminator: Terminator) -> Result<Image> {
         let height = self.size / PICTURES - GAP;
         let picture = |k: u32| {
             let more = self.step().0 * (f64::from(k) - 0.5 * f64::from(PICTURES) - 0.5);
             Ok(vec![paint(&self.mesh(), towards(self.light(more), LEVEL), terminator, [self.size, height])?])
         };
-        Ok(tiles(&(1..=PICTURES).map(picture).collect::<Result<Vec<_>, ArtefactError>>()?))
+        Ok(tiles(&(1..=PICTURES).map(picture).collect::<Result<Vec<_>>>()?))
     }
 
     /// The largest change on that facet when the light turns.
-    pub(super) fn pop(&self, terminator: Terminator) -> Result<f64, ArtefactError> {
+    pub(super) fn pop(&self, terminator: Terminator) -> Result<f64> {
         let half = 0.5 * self.turn().0;
         let [before, after] = [-half, half].map(|more| self.row(self.light(more), terminator));
         let (before, after) = (before?, after?);
@@ -149,7 +142,7 @@ impl Prism {
     }
 
     /// The light on one facet as the light turns.
-    pub(super) fn chart(&self, out: &mut Recorder) -> Result<(), ArtefactError> {
+    pub(super) fn chart(&self, out: &mut Recorder) -> Result<()> {
         let pixel = self.facet().last().map_or(0, |(pixel, _)| pixel);
         let mut curves = Vec::new();
         for (name, terminator, drawn) in [

@@ -1,12 +1,7 @@
 //! Light on a sphere and on a prism, and the pixels where their normals and facets disagree.
 
-use super::super::drawing::{chalk, draw, front, linear, settings};
-use super::super::error::ArtefactError;
-use super::super::triangle_mesh::TriangleMesh;
-use crate::num::{Degrees, LinearRgb, Radians};
-use crate::raster::{Image, Interpolation, Object, RenderSettings, Shading, Show};
-use crate::shade::{Light, Terminator};
-use glam::DVec3;
+use super::super::prelude::*;
+use crate::shade::Terminator;
 
 /// The window's side; prism and sphere have the radius 1.
 pub(super) const WINDOW: f64 = 2.2;
@@ -27,7 +22,7 @@ pub(super) fn paint(
     towards: DVec3,
     terminator: Terminator,
     size: [u32; 2],
-) -> Result<Image, ArtefactError> {
+) -> Result<Image> {
     picture(mesh.object(chalk()), towards, (Shading::Phong, terminator), size)
 }
 
@@ -36,7 +31,7 @@ pub(super) fn picture(
     towards: DVec3,
     (shading, terminator): (Shading, Terminator),
     size: [u32; 2],
-) -> Result<Image, ArtefactError> {
+) -> Result<Image> {
     let settings = RenderSettings { terminator, ..settings(size, shading, Interpolation::Perspective) };
     let height = WINDOW * f64::from(size[1]) / f64::from(size[0]);
     let light = Light::Directional { towards, colour: LinearRgb::WHITE };
@@ -44,11 +39,7 @@ pub(super) fn picture(
 }
 
 /// 1 for pixels whose normal faces the light and whose facet does not, 0 for others.
-pub(super) fn concerned(
-    mesh: &TriangleMesh,
-    towards: DVec3,
-    size: u32,
-) -> Result<Vec<Option<f64>>, ArtefactError> {
+pub(super) fn concerned(mesh: &TriangleMesh, towards: DVec3, size: u32) -> Result<Vec<Option<f64>>> {
     let normals = |shading| {
         let settings = RenderSettings {
             show: Show::Normals,

@@ -1,10 +1,8 @@
 //! Curved triangles over those of a mesh, from its normals alone.
 
-use super::super::triangle_mesh::TriangleMesh;
-use crate::mesh::{Mesh, Topology, Weld, triangulate};
-use crate::normals::NormalField;
+use super::super::prelude::*;
+use crate::mesh::{Topology, Weld, triangulate};
 use crate::num::UnitVec3;
-use glam::DVec3;
 
 /// The mesh with every triangle as a Bézier triangle of third order, cut into parts² flat ones (A. Vlachos et al., *Curved
 /// PN triangles*, I3D 2001): at the corners it has the mesh's positions, and its edges leave at right angles to the

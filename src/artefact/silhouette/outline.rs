@@ -1,10 +1,7 @@
 //! Outlines of drawn surfaces and the distance between them.
 
-use super::super::drawing::{draw, map, settings};
-use super::super::error::ArtefactError;
+use super::super::prelude::*;
 use crate::metric::{Contour, ContourDistance, contour_distance};
-use crate::raster::{Camera, Image, Interpolation, Object, RenderSettings, Samples, Shading};
-use crate::shade::Light;
 
 /// A camera and a light.
 pub(super) struct View {
@@ -27,7 +24,7 @@ impl View {
     const OF_OUTLINES: Samples = Samples::Four;
     const WIDEST: u32 = 2048;
 
-    pub(super) fn draw(&self, object: Object, shading: Shading) -> Result<Image, ArtefactError> {
+    pub(super) fn draw(&self, object: Object, shading: Shading) -> Result<Image> {
         let settings = RenderSettings {
             samples: Self::SAMPLES,
             ..settings([self.size; 2], shading, Interpolation::Perspective)
@@ -45,7 +42,7 @@ impl View {
         2.0 * (1.5 - std::f64::consts::SQRT_2 + 0.25) / f64::from(self.scale())
     }
 
-    pub(super) fn outline(&self, object: Object, shading: Shading) -> Result<Outline, ArtefactError> {
+    pub(super) fn outline(&self, object: Object, shading: Shading) -> Result<Outline> {
         let scale = self.scale();
         let settings = RenderSettings {
             samples: Self::OF_OUTLINES,
@@ -59,7 +56,7 @@ impl View {
 
 impl Outline {
     /// How far it is from the true one, in pixels of the pictures.
-    pub(super) fn distance(&self, truth: &Outline) -> Result<ContourDistance, ArtefactError> {
+    pub(super) fn distance(&self, truth: &Outline) -> Result<ContourDistance> {
         Ok(contour_distance(&self.contour, &truth.contour)?.scaled(1.0 / self.scale))
     }
 }

@@ -1,18 +1,12 @@
 //! Boxes, whose six faces can be cut in 64 ways, and what weightings make of them.
 
-use super::super::drawing::smooth;
-use super::super::error::ArtefactError;
-use super::super::triangle_mesh::{BOX_FACES, box_corners};
-use crate::mesh::{Faces, Mesh, MeshBuilder};
-use crate::normals::Weight;
-use crate::num::{Degrees, angle_between};
-use glam::DVec3;
-
 /// Ways to cut the six faces of a box along one or the other diagonal.
+use super::super::prelude::*;
+
 pub(super) const CUTS: u32 = 64;
 
 /// A box about the origin. Bit k of `cut` says along which diagonal face k is cut.
-pub(super) fn cut_box(sides: DVec3, cut: u32) -> Result<Mesh, ArtefactError> {
+pub(super) fn cut_box(sides: DVec3, cut: u32) -> Result<Mesh> {
     let triangles = BOX_FACES.iter().enumerate().flat_map(|(face, &[a, b, c, d])| match cut >> face & 1 {
         0 => [a, b, c, a, c, d],
         _ => [a, b, d, b, c, d],
@@ -45,7 +39,7 @@ impl Range {
 
 /// How far averaged normals at the corners of a box are from the diagonals between its faces, in degrees, over all
 /// corners and all cuts.
-pub(super) fn measured(sides: DVec3, weight: Weight) -> Result<Range, ArtefactError> {
+pub(super) fn measured(sides: DVec3, weight: Weight) -> Result<Range> {
     let mut angles = Vec::new();
     for cut in 0..CUTS {
         let mesh = cut_box(sides, cut)?;

@@ -1,16 +1,9 @@
 //! A cube and a long box, whose faces are cut in all ways.
 
-use super::super::drawing::{chalk, differences, draw, map, object, settings, smooth};
-use super::super::effect::{Effect, Threshold};
-use super::super::error::ArtefactError;
-use super::super::recorder::{Check, Recorder};
-use super::super::user_mesh::{camera, light_from};
+use super::super::prelude::*;
 use super::box_cuts::{CUTS, cut_box, law, measured};
 use super::lit_surface::View;
 use super::weights::{FLAT, ROUND};
-use crate::normals::Weight;
-use crate::raster::{Image, Interpolation, Shading};
-use glam::DVec3;
 
 /// The sides of the cube and of the long box.
 pub(super) const CUBE: DVec3 = DVec3::ONE;
@@ -19,7 +12,7 @@ pub(super) const LONG: DVec3 = DVec3::new(10.0, 1.0, 1.0);
 const FULL_LIGHT: f64 = 0.3;
 
 /// Over all corners and all 64 cuts: the largest angle, and the others that are of interest.
-pub(super) fn measure(weight: Weight, out: &mut Recorder) -> Result<(), ArtefactError> {
+pub(super) fn measure(weight: Weight, out: &mut Recorder) -> Result<()> {
     let check = |law: Option<f64>| law.map_or(Check::None, |law| Check::Near(law, 1e-9));
     let [cube_law, long_law] = [CUBE, LONG].map(|sides| law(sides, weight));
     let cube = measured(CUBE, weight)?;
@@ -36,23 +29,13 @@ pub(super) fn measure(weight: Weight, out: &mut Recorder) -> Result<(), Artefact
 }
 
 /// The largest angle on a box by some weights, and by those that do not depend on the cut.
-pub(super) fn effect(
-    name: &str,
-    sides: DVec3,
-    weight: Weight,
-    out: &Recorder,
-) -> Result<Effect, ArtefactError> {
+pub(super) fn effect(name: &str, sides: DVec3, weight: Weight, out: &Recorder) -> Result<Effect> {
     let angles = [measured(sides, weight)?.largest, measured(sides, FLAT)?.largest];
     Ok(out.effect(name, "°", angles, Threshold::half_step_of_tilt(), 1000.0))
 }
 
 /// The cube in two cuts, and the long box by Max's weights, which favour its ends.
-pub(super) fn show(
-    of_cube: &Effect,
-    weight: Weight,
-    view: &View,
-    out: &mut Recorder,
-) -> Result<(), ArtefactError> {
+pub(super) fn show(of_cube: &Effect, weight: Weight, view: &View, out: &mut Recorder) -> Result<()> {
     let of_box = effect("box", LONG, ROUND, out)?;
     let (one, other) = (draw_box(CUBE, 0, weight, view)?, draw_box(CUBE, CUTS - 1, weight, view)?);
     let between = map(one.size, &differences(&one, &other), FULL_LIGHT);
@@ -67,7 +50,7 @@ pub(super) fn show(
 }
 
 /// A box whose corners are smoothed.
-fn draw_box(sides: DVec3, cut: u32, weight: Weight, view: &View) -> Result<Image, ArtefactError> {
+fn draw_box(sides: DVec3, cut: u32, weight: Weight, view: &View) -> Result<Image> {
     let mesh = cut_box(sides, cut)?;
     let field = smooth(&mesh, weight);
     let object = object(&mesh, &field, chalk());

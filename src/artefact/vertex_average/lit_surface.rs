@@ -1,16 +1,8 @@
 //! Round surfaces in triangles of bad shape, whose own normals are known.
 
-use super::super::drawing::{draw, map, object, settings, smooth};
-use super::super::error::ArtefactError;
-use super::super::user_mesh::{camera, light_from};
-use crate::mesh::Mesh;
+use super::super::prelude::*;
 use crate::metric::{NormalDeviation, normal_deviation};
-use crate::normals::Weight;
-use crate::num::{Degrees, LinearRgb, angle_between};
-use crate::raster::{Camera, Image, Interpolation, Object, RenderSettings, Shading, Shape, Show};
-use crate::shade::{Light, Material, Reflectance};
-use crate::surface::{Primitive, Surface, Tessellation};
-use glam::DVec3;
+use crate::surface::{Surface, Tessellation};
 
 /// A mesh of a surface with camera and light.
 pub(super) struct LitSurface {
@@ -42,7 +34,7 @@ impl LitSurface {
         surface: Surface,
         tessellation: &Tessellation,
         view: &View,
-    ) -> Result<Self, ArtefactError> {
+    ) -> Result<Self> {
         let mesh = surface.tessellate(tessellation)?;
         let &View { size, light, exponent } = view;
         let camera = camera(&[Object::new(Shape::Surface(primitive), shiny(exponent))]);
@@ -63,29 +55,29 @@ impl LitSurface {
     }
 
     /// Under Phong's shading with averaged normals.
-    pub(super) fn picture(&self, weight: Weight) -> Result<Image, ArtefactError> {
+    pub(super) fn picture(&self, weight: Weight) -> Result<Image> {
         let field = smooth(&self.mesh, weight);
         self.draw(object(&self.mesh, &field, shiny(self.exponent)), Show::Shaded)
     }
 
     /// With the surface's own normals.
-    pub(super) fn truth(&self, show: Show) -> Result<Image, ArtefactError> {
+    pub(super) fn truth(&self, show: Show) -> Result<Image> {
         self.draw(Object::new(Shape::Surface(self.primitive), shiny(self.exponent)), show)
     }
 
     /// Between interpolated normals and the surface's own, pixel by pixel.
-    pub(super) fn deviation(&self, weight: Weight) -> Result<NormalDeviation, ArtefactError> {
+    pub(super) fn deviation(&self, weight: Weight) -> Result<NormalDeviation> {
         let field = smooth(&self.mesh, weight);
         let picture = self.draw(object(&self.mesh, &field, shiny(self.exponent)), Show::Normals)?;
         Ok(normal_deviation(&picture, &self.truth(Show::Normals)?)?)
     }
 
     /// That as a map, yellow at so many degrees.
-    pub(super) fn error_map(&self, weight: Weight, full: f64) -> Result<Image, ArtefactError> {
+    pub(super) fn error_map(&self, weight: Weight, full: f64) -> Result<Image> {
         Ok(map([self.size; 2], &self.deviation(weight)?.angles, full))
     }
 
-    fn draw(&self, object: Object, show: Show) -> Result<Image, ArtefactError> {
+    fn draw(&self, object: Object, show: Show) -> Result<Image> {
         let settings =
             RenderSettings { show, ..settings([self.size; 2], Shading::Phong, Interpolation::Perspective) };
         draw(vec![object], std::slice::from_ref(&self.light), self.camera, &settings)

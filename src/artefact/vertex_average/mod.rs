@@ -11,15 +11,7 @@ mod surfaces;
 // The weights of the experiment, with the keys of their names.
 mod weights;
 
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::Recorder;
-use crate::normals::Weight;
-use crate::num::Degrees;
-use crate::text::{Catalogue, catalogue};
+use super::prelude::*;
 use boxes::{CUBE, LONG};
 use lit_surface::View;
 use weights::{FLAT, MEANS, ROUND, name};
@@ -41,7 +33,7 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
     frame: None,
 };
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let Parameters { size, light, exponent, weight, .. } = setup.parameters;
     let view = View { size, light, exponent };
     let mut out = Recorder::new(&TEXTS, &[]);

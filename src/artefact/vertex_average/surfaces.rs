@@ -1,27 +1,22 @@
 //! An irregular torus and a ball of slivers.
 
-use super::super::effect::{Effect, Threshold};
-use super::super::error::ArtefactError;
-use super::super::outcome::Drawn;
-use super::super::recorder::{Axis, Check, Recorder};
+use super::super::prelude::*;
 use super::lit_surface::{LitSurface, View};
 use super::weights::{FLAT, MEANS, ROUND};
-use crate::normals::Weight;
-use crate::raster::Show;
-use crate::surface::{Pattern, Sphere, Tessellation, Torus};
+use crate::surface::{Pattern, Tessellation, Torus};
 
 /// How many times narrower every other row of the ball is than the next.
 pub(super) const SLIVERS: f64 = 12.0;
 /// Full scale of the maps of angles, in degrees.
 const FULL_ANGLE: f64 = 5.0;
 
-pub(super) fn torus(view: &View) -> Result<LitSurface, ArtefactError> {
+pub(super) fn torus(view: &View) -> Result<LitSurface> {
     let irregular = Tessellation { jitter: 0.5, ..Tessellation::default() };
     LitSurface::new(Torus::default().into(), Torus::default().into(), &irregular, view)
 }
 
 /// A ball in rows, every other one so many times narrower.
-pub(super) fn ball(ratio: f64, view: &View) -> Result<LitSurface, ArtefactError> {
+pub(super) fn ball(ratio: f64, view: &View) -> Result<LitSurface> {
     let (pattern, segments) = (Pattern::Slivers(ratio), [24, 24]);
     let tessellation = Tessellation { pattern, segments, ..Tessellation::default() };
     LitSurface::new(Sphere::default().into(), Sphere::default().into(), &tessellation, view)
@@ -54,11 +49,7 @@ fn effect(name: &str, surface: &LitSurface, weight: Weight, factor: f64, out: &R
     out.effect(name, "°", errors, Threshold::half_step_of_tilt(), factor)
 }
 
-pub(super) fn show_ball(
-    ball: &LitSurface,
-    weight: Weight,
-    out: &mut Recorder,
-) -> Result<Effect, ArtefactError> {
+pub(super) fn show_ball(ball: &LitSurface, weight: Weight, out: &mut Recorder) -> Result<Effect> {
     let slivers = effect("slivers", ball, weight, 1000.0, out);
     let by_angle = effect("slivers", ball, FLAT, 1000.0, out);
     out.set("full-angle", FULL_ANGLE);
@@ -69,11 +60,7 @@ pub(super) fn show_ball(
     Ok(slivers)
 }
 
-pub(super) fn show_torus(
-    torus: &LitSurface,
-    weight: Weight,
-    out: &mut Recorder,
-) -> Result<Effect, ArtefactError> {
+pub(super) fn show_torus(torus: &LitSurface, weight: Weight, out: &mut Recorder) -> Result<Effect> {
     // No weights are exact on a torus.
     let effect = effect("torus", torus, weight, 1.5, out);
     out.bad("torus", &effect, torus.picture(weight)?);
@@ -84,10 +71,10 @@ pub(super) fn show_torus(
 }
 
 /// Errors on the ball by the thinness of its slivers.
-pub(super) fn chart(view: &View, out: &mut Recorder) -> Result<(), ArtefactError> {
+pub(super) fn chart(view: &View, out: &mut Recorder) -> Result<()> {
     const RATIOS: [f64; 6] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0];
     let balls = RATIOS.map(|ratio| ball(ratio, view).map(|ball| (ratio, ball)));
-    let balls = balls.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let balls = balls.into_iter().collect::<Result<Vec<_>>>()?;
     let mut curves = Vec::new();
     for (weight, name) in MEANS {
         let errors = balls.iter().map(|(ratio, ball)| [*ratio, ball.at_vertices(weight).rms]);

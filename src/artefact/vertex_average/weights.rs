@@ -1,10 +1,8 @@
 //! The weights of the experiment, with the keys of their names.
 
-use super::super::recorder::Recorder;
-use crate::normals::Weight;
-use crate::text::Value;
-
 /// The weights that are means over triangles.
+use super::super::prelude::*;
+
 pub(super) const MEANS: [(Weight, &str); 6] = [
     (Weight::Uniform, "equal-weights"),
     (Weight::Area, "area-weights"),
