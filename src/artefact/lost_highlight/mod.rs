@@ -1,11 +1,7 @@
 //! A highlight that falls between vertices.
 
-// What is drawn.
-mod scene;
-
 use super::prelude::*;
 use crate::metric::Highlight;
-use scene::{TILT, WINDOW, law, look, material, of_diffuse, paint};
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2, TAU};
 
 static TEXTS: Catalogue = catalogue!("texts");
@@ -102,7 +98,7 @@ fn between_pixels(size: u32) -> f64 {
 
 /// The plate whose corners lean away from the light.
 fn plate(&Parameters { size, exponent, .. }: &Parameters, out: &mut Recorder) -> Result<()> {
-    let draw = |shading| paint(scene::plate().object(material(exponent)), size, shading);
+    let draw = |shading| paint(leaning_plate().object(material(exponent)), size, shading);
     let (gouraud, phong) = (draw(Shading::Gouraud)?, draw(Shading::Phong)?);
     let tilt = Radians::from(TILT).0;
     let lean = libm::tan(tilt) * FRAC_1_SQRT_2;
@@ -239,6 +235,54 @@ fn flicker(peaks: &[[f64; 2]]) -> f64 {
     let values = || peaks.iter().map(|peak| peak[1]);
     let largest = values().fold(0.0, f64::max);
     (largest - values().fold(f64::INFINITY, f64::min)) / largest
+}
+
+/// Of diffuse light; the rest of 1 is highlight.
+const DIFFUSE: f64 = 0.4;
+/// How far the normals at the corners of the plate lean outwards.
+const TILT: Degrees = Degrees(35.0);
+/// The window's side; plate and sphere are 2 wide.
+const WINDOW: f64 = 2.2;
+
+/// The light on a vertex whose normal is this far from the viewer and the light.
+fn law(angle: f64, exponent: f64) -> f64 {
+    let cosine = libm::cos(angle);
+    DIFFUSE * cosine + (1.0 - DIFFUSE) * libm::pow(cosine, exponent)
+}
+
+/// What is missing of the diffuse light of such a vertex.
+fn of_diffuse(angle: f64) -> f64 {
+    DIFFUSE * (1.0 - libm::cos(angle))
+}
+
+fn material(exponent: f64) -> Material {
+    Material {
+        ambient: Reflectance::NONE,
+        diffuse: Reflectance::Merged(LinearRgb::grey(DIFFUSE)),
+        specular: Reflectance::Merged(LinearRgb::grey(1.0 - DIFFUSE)),
+        exponent,
+        ..Material::default()
+    }
+}
+
+/// Two triangles whose normals at the corners lean outwards.
+fn leaning_plate() -> TriangleMesh {
+    let (sine, cosine) = libm::sincos(Radians::from(TILT).0);
+    TriangleMesh::grid([1, 1], Diagonal::Rising, |u, v| {
+        let place = DVec3::new(2.0 * u - 1.0, 2.0 * v - 1.0, 0.0);
+        (place, place * (sine / SQRT_2) + DVec3::Z * cosine)
+    })
+}
+
+/// Light and viewer in front, far away.
+fn paint(object: Object, size: u32, shading: Shading) -> Result<Image> {
+    look(object, size, shading, WINDOW)
+}
+
+/// The same through a window of any side.
+fn look(object: Object, size: u32, shading: Shading, window: f64) -> Result<Image> {
+    let light = Light::Directional { towards: DVec3::Z, colour: LinearRgb::WHITE };
+    draw(vec![object], &[light], front(window), &settings([size; 2], shading, Interpolation::Perspective))
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::super::outcome::Curve;
 use super::super::prelude::*;
-use super::laws::{Law, flat_step, gouraud_jump, phong_jump};
+use super::tube::{Law, flat_step, gouraud_jump, phong_jump};
 use super::tube::{Tube, WINDOW, is_drawn};
 use crate::metric::{DifferenceOfGaussians, MetricError, PIXELS_PER_DEGREE, Profile};
 

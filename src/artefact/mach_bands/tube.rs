@@ -1,4 +1,4 @@
-//! A cylinder in facets, and luminance across it.
+//! A cylinder in facets, luminance across it, and its jumps at an edge in closed form.
 
 use super::super::prelude::*;
 use crate::surface::Cylinder;
@@ -204,4 +204,19 @@ pub(super) fn slope_weights(at: f64, nodes: &[f64]) -> Vec<f64> {
         others().map(above).sum::<f64>() / below
     };
     (0..nodes.len()).map(weight).collect()
+}
+
+pub(super) type Law = fn(f64, Degrees, f64) -> f64;
+
+pub(super) fn flat_step(theta: f64, light: Degrees, delta: f64) -> f64 {
+    2.0 * libm::sin(theta - Radians::from(light).0).abs() * libm::sin(delta / 2.0)
+}
+
+pub(super) fn gouraud_jump(theta: f64, light: Degrees, delta: f64) -> f64 {
+    -libm::cos(Radians::from(light).0) * (libm::tan(theta + delta / 2.0) - libm::tan(theta - delta / 2.0))
+}
+
+pub(super) fn phong_jump(theta: f64, light: Degrees, delta: f64) -> f64 {
+    let bend = libm::tan(theta + delta / 2.0) - libm::tan(theta - delta / 2.0);
+    -libm::sin(theta - Radians::from(light).0) * libm::sin(theta) * bend
 }

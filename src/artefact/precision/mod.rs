@@ -1,20 +1,16 @@
 //! The effect of rounded positions and normals on a highlight.
 
-// A material with a highlight, and how much its light changes with the normal.
-mod highlight;
-// Slivers: triangles whose normals cancel in plain arithmetic.
+// Slivers: triangles whose normals cancel in plain arithmetic, and a plate cut into them in a light nearby.
 mod needles;
-// The effect of the normals of slivers on a highlight: a flat plate cut into them, in a light nearby.
-mod plate;
-// A part of a sphere with normals of different precision, and how far they are from the true ones.
+// A part of a sphere with normals of different precision, how far they are from the true ones, and its highlight.
 mod sphere;
 
 use super::prelude::*;
 use crate::metric::normal_deviation;
 use crate::normals::encoding::{Encoding, Snorm};
 use crate::num::steepest_slope;
-use highlight::{SPECULAR, bound, material, needed, with_shares};
 use sphere::Scene;
+use sphere::{SPECULAR, bound, material, needed, with_shares};
 use std::f64::consts::FRAC_1_SQRT_2;
 
 static TEXTS: Catalogue = catalogue!("texts");
@@ -67,7 +63,7 @@ fn run(setup: &Setup) -> Result<Outcome> {
     let of_far = out.effect("far", "", errors, Threshold::half_step(), 20.0);
     out.bad("far-away", &of_far, far);
     out.cured("centred", &of_far, centred);
-    plate::record([size, segments], exponent, &mut out)?;
+    needles::record_plate([size, segments], exponent, &mut out)?;
     let verdict = verdict(changes, exponent, [largest, SIXTEEN], &mut out);
     Ok(out.finish(verdict, effect))
 }

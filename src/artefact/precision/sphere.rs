@@ -1,7 +1,7 @@
-//! A part of a sphere with normals of different precision, and how far they are from the true ones.
+//! A part of a sphere with normals of different precision, how far they are from the true ones, and its highlight.
 
 use super::super::prelude::*;
-use super::highlight::angle;
+use crate::num::steepest_slope;
 use glam::Vec3;
 
 /// The window's side: a close look at the highlight on a sphere of radius 1.
@@ -97,4 +97,39 @@ impl TriangleMesh {
         let sum: f64 = self.triangles.iter().map(square).sum();
         Degrees::from(Radians((sum / self.triangles.len() as f64).sqrt())).0
     }
+}
+
+/// The shares of light that the material scatters and mirrors.
+pub(super) const DIFFUSE: f64 = 0.3;
+pub(super) const SPECULAR: f64 = 0.7;
+
+/// A material that scatters and mirrors these shares of the light.
+pub(super) fn with_shares(exponent: f64, [diffuse, specular]: [f64; 2]) -> Material {
+    Material {
+        ambient: Reflectance::NONE,
+        diffuse: Reflectance::Merged(LinearRgb::grey(diffuse)),
+        specular: Reflectance::Merged(LinearRgb::grey(specular)),
+        exponent,
+        ..Material::default()
+    }
+}
+
+/// The material of the pictures.
+pub(super) fn material(exponent: f64) -> Material {
+    with_shares(exponent, [DIFFUSE, SPECULAR])
+}
+
+/// The error of a normal, in degrees, at which this highlight changes by half a step of 8 bits where it is steepest.
+pub(super) fn needed(exponent: f64) -> f64 {
+    Degrees::from(Radians(Threshold::HALF_STEP / (SPECULAR * steepest_slope(exponent)))).0
+}
+
+/// The largest change of the light for a normal that is off by so many degrees: Δ_d ≤ δ and Δ_s ≤ M(n) δ.
+pub(super) fn bound(exponent: f64, degrees: f64) -> f64 {
+    (DIFFUSE + SPECULAR * steepest_slope(exponent)) * Radians::from(Degrees(degrees)).0
+}
+
+/// The angle between two directions, in degrees.
+pub(super) fn angle(a: DVec3, b: DVec3) -> f64 {
+    Degrees::from(Radians(libm::atan2(a.cross(b).length(), a.dot(b)))).0
 }

@@ -2,16 +2,14 @@
 
 // The ratio of length to width of a highlight on the sphere.
 mod highlight_width;
-// Light from behind the sphere, and the highlight that it leaves on the dark side.
-mod light_behind;
-// A sphere with nothing but a highlight.
-mod scene;
+// A sphere with nothing but a highlight, and light from behind it, which leaves a highlight on the dark side.
+mod ball;
 
 use super::prelude::*;
 use crate::shade::{Guards, blinn_exponent};
+use ball::{BEHIND, record_light_behind};
+use ball::{GRAZING, WINDOW, ball};
 use highlight_width::HalfWidths;
-use light_behind::{BEHIND, record_light_behind};
-use scene::{GRAZING, WINDOW, ball};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 static TEXTS: Catalogue = catalogue!("texts");

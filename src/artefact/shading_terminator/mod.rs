@@ -1,13 +1,11 @@
 //! The border between light and shadow on a coarse mesh.
 
-// The prism on which one facet turns away from the light.
-mod prism;
-// Light on a sphere and on a prism, and the pixels where their normals and facets disagree.
+// Light on a sphere and on a prism, one facet of which turns away from it.
 mod scene;
 
 use super::prelude::*;
 use crate::shade::Terminator;
-use prism::Prism;
+use scene::Prism;
 use scene::{HEIGHT, LEVEL, concerned, mean_where, paint, picture, share, towards};
 
 static TEXTS: Catalogue = catalogue!("texts");

@@ -1,20 +1,14 @@
 //! Vertex normals as means of faces: how a mesh is cut shows through.
 
-// Boxes, whose six faces can be cut in 64 ways, and what weightings make of them.
-mod box_cuts;
-// A cube and a long box, whose faces are cut in all ways.
+// A cube and a long box, whose six faces can be cut in 64 ways, and what weightings make of them.
 mod boxes;
-// Round surfaces in triangles of bad shape, whose own normals are known.
-mod lit_surface;
-// An irregular torus and a ball of slivers.
+// Round surfaces in triangles of bad shape, whose own normals are known: an irregular torus and a ball of slivers.
 mod surfaces;
-// The weights of the experiment, with the keys of their names.
-mod weights;
 
 use super::prelude::*;
 use boxes::{CUBE, LONG};
-use lit_surface::View;
-use weights::{FLAT, MEANS, ROUND, name};
+use surfaces::View;
+use surfaces::{FLAT, MEANS, ROUND, name};
 
 static TEXTS: Catalogue = catalogue!("texts");
 

@@ -1,8 +1,33 @@
-//! Light from behind the sphere, and the highlight that it leaves on the dark side.
+//! A sphere with nothing but a highlight, and light from behind it, which leaves a highlight on the dark side.
 
 use super::super::prelude::*;
-use super::scene::{WINDOW, ball};
 use crate::shade::Guards;
+
+/// Light far round the sphere.
+pub(super) const GRAZING: Degrees = Degrees(120.0);
+/// The window's side; the sphere has the radius 1.
+pub(super) const WINDOW: f64 = 2.2;
+
+/// The true sphere with nothing but a highlight.
+pub(super) fn ball(
+    reflection: Reflection,
+    exponent: f64,
+    light: Degrees,
+    guards: Guards,
+    size: u32,
+) -> Result<Image> {
+    let material = Material {
+        ambient: Reflectance::NONE,
+        diffuse: Reflectance::NONE,
+        specular: Reflectance::Merged(LinearRgb::WHITE),
+        exponent,
+        reflection,
+    };
+    let sphere = Object::new(Shape::Surface(Primitive::from(Sphere::default())), material);
+    let settings =
+        RenderSettings { guards, ..settings([size; 2], Shading::Exact, Interpolation::Perspective) };
+    draw(vec![sphere], &[light_at(light)], front(WINDOW), &settings)
+}
 
 /// Light almost behind the sphere.
 pub(super) const BEHIND: Degrees = Degrees(150.0);
