@@ -123,39 +123,29 @@ struct Wall {
 impl Wall {
     fn new(ratio: f64, pieces: u32) -> Result<Self> {
         let (near, far) = (DVec3::new(-REACH, 0.0, -1.0), DVec3::new(REACH * ratio, 0.0, -ratio));
-        let (mut positions, mut colours) = (Vec::new(), Vec::new());
         let row = pieces + 1;
         let share = |k: u32| f64::from(k) / f64::from(pieces);
-        for (s, v) in (0..row * row).map(|k| (share(k / row), share(k % row))) {
-            positions.push(near.lerp(far, s) + DVec3::Y * REACH * (2.0 * v - 1.0));
-            colours.push(LinearRgb::new(s, v, 0.0));
-        }
-        let piece = |k: u32| {
-            let first = k / pieces * row + k % pieces;
-            [0, row, row + 1, 1].map(|corner| first + corner)
-        };
-        let corners: Vec<u32> = (0..pieces * pieces).flat_map(piece).collect();
-        let faces = Faces::polygons(corners, (0..=pieces * pieces).map(|k| 4 * k).collect());
-        let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build()?;
+        let places = || (0..row * row).map(|k| (share(k % row), share(k / row)));
+        let point = |(s, v)| near.lerp(far, s) + DVec3::Y * REACH * (2.0 * v - 1.0);
+        let mesh = sheets(places().map(point).collect(), [pieces; 2])?;
+        let colours = places().map(|(s, v)| LinearRgb::new(s, v, 0.0)).collect();
         Ok(Self { mesh, colours, ratio })
     }
 
     fn draw(&self, size: [u32; 2], interpolation: Interpolation) -> Result<Image> {
         let normals = smooth(&self.mesh, Weight::Angle);
-        let object = Object {
-            paint: Paint::Given(self.colours.as_slice().into()),
-            ..Object::new(Shape::Mesh { mesh: &self.mesh, normals: &normals }, Material::default())
-        };
+        let object = painted(&self.mesh, &normals, &self.colours);
         // As wide as 90°, whatever the height.
         let slope = f64::from(size[1]) / f64::from(size[0]);
         let camera = Camera {
             eye: DVec3::ZERO,
             target: DVec3::NEG_Z,
-            up: DVec3::Y,
-            projection: Projection::Perspective(crate::num::Radians(2.0 * libm::atan(slope))),
+            projection: Projection::Perspective(Radians(2.0 * libm::atan(slope))),
             near: 0.1,
+            ..front(1.0)
         };
-        draw(vec![object], &[], camera, &settings(size, Shading::Gouraud, interpolation))
+        let settings = RenderSettings { interpolation, ..settings(size, Shading::Gouraud) };
+        draw(vec![object], &[], camera, settings)
     }
 
     /// The largest error of the place across, along the middle row of a picture of 4096 pixels.

@@ -134,7 +134,7 @@ impl Wall {
         faces.push(&[1, 4, 5, 7]);
         faces.push(&[7, 5, 6, 2]);
         let positions = points.map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec();
-        Ok(MeshBuilder { positions, faces, ..MeshBuilder::default() }.build()?)
+        build(positions, faces)
     }
 
     /// By the lectures' algorithm, in colours that depend on the height alone.
@@ -142,13 +142,13 @@ impl Wall {
         let [low, high] = ENDS;
         let colours = [low, low, high, high, low, MIDDLE, high, MIDDLE].map(LinearRgb::grey);
         let normals = smooth(mesh, Weight::Angle);
-        let object = Object {
-            paint: Paint::Given(colours.as_slice().into()),
-            ..Object::new(Shape::Mesh { mesh, normals: &normals }, Material::default())
+        let settings = RenderSettings {
+            samples,
+            interpolation: Interpolation::Scanline,
+            ..settings([size; 2], Shading::Gouraud)
         };
-        let settings =
-            RenderSettings { samples, ..settings([size; 2], Shading::Gouraud, Interpolation::Scanline) };
-        draw(vec![object], &[], front(2.0), &settings)
+        let object = painted(mesh, &normals, &colours);
+        draw(vec![object], &[], front(2.0), settings)
     }
 
     /// The area within the wall that is not covered, in pixels.
@@ -194,14 +194,8 @@ impl Tube {
                 DVec3::new(libm::sin(angle), y, libm::cos(angle))
             })
         };
-        let quad = |k: u32| [k, k + 1, k + segments + 2, k + segments + 1];
-        let corners: Vec<u32> = (0..segments).flat_map(quad).collect();
-        let builder = MeshBuilder {
-            positions: ring(-0.8).chain(ring(0.8)).collect(),
-            faces: Faces::polygons(corners, (0..=segments).map(|k| 4 * k).collect()),
-            ..MeshBuilder::default()
-        };
-        Ok(Self { mesh: builder.build()?, segments })
+        let mesh = sheets(ring(-0.8).chain(ring(0.8)).collect(), [segments, 1])?;
+        Ok(Self { mesh, segments })
     }
 
     fn draw(&self, size: [u32; 2], light: Degrees, weld: Weld) -> Result<Image> {
@@ -209,15 +203,15 @@ impl Tube {
             NormalRecipe { weight: Weight::Uniform, crease: Crease::OFF, weld, ..NormalRecipe::default() };
         let normals = compute(&self.mesh, &recipe);
         let camera = front(2.2 * f64::from(size[1]) / f64::from(size[0]));
-        let settings = settings(size, Shading::Phong, Interpolation::Perspective);
-        draw(vec![object(&self.mesh, &normals, chalk())], &[light_at(light)], camera, &settings)
+        let object = object(&self.mesh, &normals, chalk());
+        draw(vec![object], &[light_at(light)], camera, settings(size, Shading::Phong))
     }
 
     /// The jump at the seam, along a scanline of many pixels.
     fn jump(&self, light: Degrees, weld: Weld) -> Result<f64> {
         const LINE: u32 = 8192;
         let image = self.draw([LINE, 1], light, weld)?;
-        let red = |pixel: u32| f64::from(linear(&image)[pixel as usize][0]);
+        let red = |pixel| colour_at(&image, [pixel, 0]).x;
         Ok((red(LINE / 2 + 1) - red(LINE / 2 - 2)).abs())
     }
 

@@ -55,7 +55,7 @@ fn waves(
     let pair = |cells, shading| -> Result<[Image; 2]> {
         Ok([draw(cells, Diagonal::Rising, shading)?, draw(cells, Diagonal::Falling, shading)?])
     };
-    let rms = |a: &Image, b: &Image| image_error(a, b, 0.5).map(|error| error.linear.rms / 255.0);
+    let rms = |a: &Image, b: &Image| errors(a, b).map(|[_, rms]| rms);
     let [rising, falling] = pair(segments, Shading::Gouraud)?;
     let fine = draw(FINER * segments, Diagonal::Rising, Shading::Gouraud)?;
     let [phong, phong_falling] = pair(segments, Shading::Phong)?;
@@ -195,14 +195,9 @@ fn diamond(cut: Cut, size: u32) -> Result<Image> {
     let mean = CORNERS.iter().fold(LinearRgb::BLACK, |sum, &colour| sum + colour) * 0.25;
     let colours: Vec<LinearRgb> = CORNERS.into_iter().chain([mean]).collect();
     let object = Object { paint: Paint::Given(Cow::Owned(colours)), ..body.object(chalk()) };
-    let settings = settings([size; 2], Shading::Gouraud, Interpolation::Affine);
-    draw(vec![object], &[], front(WINDOW), &settings)
-}
-
-/// The pixel in the middle.
-fn centre(image: &Image) -> [f64; 3] {
-    let index = image.index(image.size[0] / 2, image.size[1] / 2);
-    index.map_or([f64::NAN; 3], |index| linear(image)[index].map(f64::from))
+    let settings =
+        RenderSettings { interpolation: Interpolation::Affine, ..settings([size; 2], Shading::Gouraud) };
+    draw(vec![object], &[], front(WINDOW), settings)
 }
 
 /// A surface of waves that run aslant, with its own normals.
@@ -211,8 +206,7 @@ fn draw_waves(cells: u32, diagonal: Diagonal, shading: Shading, light: Degrees, 
         let height = HEIGHT * libm::sin(TAU * WAVES * (u + v));
         (DVec3::new(2.0 * u - 1.0, 2.0 * v - 1.0, height), wave_normal(u, v))
     });
-    let settings = settings([size; 2], shading, Interpolation::Perspective);
-    draw(vec![body.object(chalk())], &[light_at(light)], front(WINDOW), &settings)
+    draw(vec![body.object(chalk())], &[light_at(light)], front(WINDOW), settings([size; 2], shading))
 }
 
 /// The normal of the waves; they rise by 2π HEIGHT WAVES / 2 at the most, in x = 2u − 1 as in y = 2v − 1.
@@ -223,14 +217,14 @@ fn wave_normal(u: f64, v: f64) -> DVec3 {
 
 /// The waves without triangles: every pixel has the light of its own normal.
 fn exact_waves(light: Degrees, size: u32) -> Image {
-    let (sine, cosine) = libm::sincos(Radians::from(light).0);
+    let light = direction(light);
     let at = |pixel: u32| WINDOW * ((f64::from(pixel) + 0.5) / f64::from(size) - 0.5);
     let places = (0..size).flat_map(|y| (0..size).map(move |x| [at(x), -at(y)]));
     let shown = places.map(|[x, y]| {
         if x.abs() > 1.0 || y.abs() > 1.0 {
             return (BACKGROUND.to_array().map(|component| component as f32), 0);
         }
-        let cosine = wave_normal(0.5 * (x + 1.0), 0.5 * (y + 1.0)).dot(DVec3::new(sine, 0.0, cosine));
+        let cosine = wave_normal(0.5 * (x + 1.0), 0.5 * (y + 1.0)).dot(light);
         ([cosine.max(0.0) as f32; 3], 1)
     });
     let (colours, coverage) = shown.unzip();

@@ -120,8 +120,8 @@ fn floor(rule: Attenuation, colour: LinearRgb, tone: ToneRule, size: u32) -> Res
         (DVec3::new((2.0 * u - 1.0) * half, (2.0 * v - 1.0) * half, 0.0), DVec3::Z)
     });
     let light = Light::Point { position: DVec3::Z * HEIGHT, colour, attenuation: rule };
-    let settings = RenderSettings { tone, ..settings([size; 2], Shading::Phong, Interpolation::Perspective) };
-    draw(vec![body.object(chalk())], &[light], front(WINDOW), &settings)
+    let settings = RenderSettings { tone, ..settings([size; 2], Shading::Phong) };
+    draw(vec![body.object(chalk())], &[light], front(WINDOW), settings)
 }
 
 /// The luminance of a white floor.
@@ -142,8 +142,7 @@ fn share(image: &Image) -> f64 {
 /// The middle pixel over the one half-way down the right edge.
 fn contrast(image: &Image) -> f64 {
     let [width, height] = image.size;
-    let value = |x| image.index(x, height / 2).map_or(f64::NAN, |i| f64::from(linear(image)[i][0]));
-    value(width / 2) / value(width - 1)
+    colour_at(image, [width / 2, height / 2]).x / colour_at(image, [width - 1, height / 2]).x
 }
 
 fn expected_contrast(rule: impl Fn(f64) -> f64, pixel: f64) -> f64 {
@@ -202,13 +201,10 @@ fn plates(depth_cue: Option<DepthCue>, size: u32) -> Result<Image> {
         near: 1.0,
         ..front(1.0)
     };
-    let light = Light::Directional {
-        towards: DVec3::Z,
-        colour: LinearRgb::grey(if depth_cue.is_some() { 4.0 } else { 0.8 }),
-    };
-    let settings =
-        RenderSettings { depth_cue, ..settings([size; 2], Shading::Phong, Interpolation::Perspective) };
-    draw(bodies.iter().map(|body| body.object(chalk())).collect(), &[light], camera, &settings)
+    let colour = LinearRgb::grey(if depth_cue.is_some() { 4.0 } else { 0.8 });
+    let light = Light::Directional { towards: DVec3::Z, colour };
+    let settings = RenderSettings { depth_cue, ..settings([size; 2], Shading::Phong) };
+    draw(bodies.iter().map(|body| body.object(chalk())).collect(), &[light], camera, settings)
 }
 
 /// The pixel in the middle of a plate.
@@ -224,8 +220,7 @@ fn obliqueness(pixel: [u32; 2], size: u32) -> f64 {
 
 /// The luminance in the middle of a plate.
 fn plate_value(image: &Image, plate: usize) -> f64 {
-    let [x, y] = plate_pixel(image.size, plate);
-    image.index(x, y).map_or(f64::NAN, |i| f64::from(linear(image)[i][0]))
+    colour_at(image, plate_pixel(image.size, plate)).x
 }
 
 #[cfg(test)]

@@ -39,10 +39,9 @@ impl LitMesh {
     pub(super) fn render(&self, weight: Weight, crease: Crease) -> Result<Rendering> {
         let field = self.normals(weight, crease);
         let picture = |shading, show| {
-            let settings =
-                RenderSettings { show, ..settings([self.size; 2], shading, Interpolation::Perspective) };
+            let settings = RenderSettings { show, ..settings([self.size; 2], shading) };
             let lights = std::slice::from_ref(&self.light);
-            draw(vec![object(&self.mesh, &field, chalk())], lights, self.camera, &settings)
+            draw(vec![object(&self.mesh, &field, chalk())], lights, self.camera, settings)
         };
         let [smooth, faces] = [Shading::Phong, Shading::Flat].map(|shading| picture(shading, Show::Normals));
         Ok(Rendering {
@@ -90,12 +89,12 @@ impl Rendering {
 
     /// The luminance in the middle of the picture.
     pub(super) fn middle(&self) -> f64 {
-        middle(&self.lit)
+        LinearRgb::from(centre(&self.lit).to_array()).luminance()
     }
 
     /// The same of the faces.
     pub(super) fn true_middle(&self) -> f64 {
-        middle(&self.flat)
+        LinearRgb::from(centre(&self.flat).to_array()).luminance()
     }
 
     /// Maps of the angle between normals, and of the error of diffuse light.
@@ -106,10 +105,4 @@ impl Rendering {
             map(size, &differences(&self.lit, &self.flat), FULL_LIGHT),
         ]
     }
-}
-
-fn middle(image: &Image) -> f64 {
-    let [x, y] = image.size.map(|side| side / 2);
-    let place = image.index(x, y).filter(|&index| index < linear(image).len());
-    place.map_or(f64::NAN, |index| luminance(image)[index])
 }

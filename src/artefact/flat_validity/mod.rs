@@ -127,25 +127,20 @@ fn show_box(size: u32, segments: u32, out: &mut Recorder) -> Result<()> {
         (DVec3::new(-1.0, 1.0, 1.0), DVec3::X * 2.0, DVec3::Z * -2.0),
     ];
     let camera = Camera { eye: DVec3::new(60.0, 45.0, 80.0), ..front(3.8) };
-    let lamp = DVec3::new(1.5, 1.8, 2.1);
+    let place = DVec3::new(1.5, 1.8, 2.1);
     let paint = |cells: u32, away: f64, shading| -> Result<Image> {
         let mesh = squares(cells, &sides)?;
         let normals = compute(&mesh, &NormalRecipe::default());
-        let light =
-            Light::Point { position: lamp * away, colour: LinearRgb::WHITE, attenuation: Attenuation::None };
-        let settings = settings([size; 2], shading, Interpolation::Perspective);
-        draw(vec![object(&mesh, &normals, chalk())], &[light], camera, &settings)
+        let object = object(&mesh, &normals, chalk());
+        draw(vec![object], &[lamp(place * away)], camera, settings([size; 2], shading))
     };
     let near = paint(1, 1.0, Shading::Phong)?;
     let [flat, cut_up] = [1, segments].map(|cells| paint(cells, 1.0, Shading::Flat));
     let (flat, cut_up, far) = (flat?, cut_up?, paint(1, 100.0, Shading::Flat)?);
-    let off = |image: &Image, truth: &Image| {
-        Ok::<f64, ArtefactError>(image_error(image, truth, 0.5)?.linear.max / 255.0)
-    };
     // Of faces a third as long already.
-    let errors = [off(&flat, &near)?, off(&cut_up, &near)?];
+    let errors = [largest_error(&flat, &near)?, largest_error(&cut_up, &near)?];
     let small = out.effect("small-faces", "", errors, Threshold::half_step(), 2.0);
-    let cured = off(&far, &paint(1, 100.0, Shading::Phong)?)?;
+    let cured = largest_error(&far, &paint(1, 100.0, Shading::Phong)?)?;
     let away = Effect { cured, factor: 10.0, ..small.clone() };
     out.bad("flat", &small, flat);
     out.truth("every-pixel", near);

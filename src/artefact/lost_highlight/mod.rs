@@ -256,13 +256,7 @@ fn of_diffuse(angle: f64) -> f64 {
 }
 
 fn material(exponent: f64) -> Material {
-    Material {
-        ambient: Reflectance::NONE,
-        diffuse: Reflectance::Merged(LinearRgb::grey(DIFFUSE)),
-        specular: Reflectance::Merged(LinearRgb::grey(1.0 - DIFFUSE)),
-        exponent,
-        ..Material::default()
-    }
+    shiny([DIFFUSE, 1.0 - DIFFUSE], exponent)
 }
 
 /// Two triangles whose normals at the corners lean outwards.
@@ -281,8 +275,7 @@ fn paint(object: Object, size: u32, shading: Shading) -> Result<Image> {
 
 /// The same through a window of any side.
 fn look(object: Object, size: u32, shading: Shading, window: f64) -> Result<Image> {
-    let light = Light::Directional { towards: DVec3::Z, colour: LinearRgb::WHITE };
-    draw(vec![object], &[light], front(window), &settings([size; 2], shading, Interpolation::Perspective))
+    draw(vec![object], &[far_light(DVec3::Z)], front(window), settings([size; 2], shading))
 }
 
 #[cfg(test)]

@@ -28,17 +28,11 @@ impl Tube {
         let angle = |k: u32| start + TAU * f64::from(k) / f64::from(segments);
         let ring =
             |y: f64| (0..segments).map(move |k| DVec3::new(libm::sin(angle(k)), y, libm::cos(angle(k))));
-        let quad = |k: u32| {
-            let next = (k + 1) % segments;
-            [k, next, next + segments, k + segments]
-        };
-        let corners: Vec<u32> = (0..segments).flat_map(quad).collect();
-        let builder = MeshBuilder {
-            positions: ring(-0.8).chain(ring(0.8)).collect(),
-            faces: Faces::polygons(corners, (0..=segments).map(|k| 4 * k).collect()),
-            ..MeshBuilder::default()
-        };
-        let mesh = builder.build()?;
+        let mut faces = Faces::new();
+        for (k, next) in (0..segments).map(|k| (k, (k + 1) % segments)) {
+            faces.push(&[k, next, next + segments, k + segments]);
+        }
+        let mesh = build(ring(-0.8).chain(ring(0.8)).collect(), faces)?;
         // Between two facets alike, the mean of their normals is the cylinder's.
         let normals = smooth(&mesh, Weight::Uniform);
         Ok(Self { mesh, normals, segments, start })
@@ -65,7 +59,7 @@ impl Tube {
             object.shape = Shape::Surface(cylinder);
         }
         let camera = front(WINDOW * f64::from(size[1]) / f64::from(size[0]));
-        draw(vec![object], &[light_at(light)], camera, &settings(size, shading, Interpolation::Perspective))
+        draw(vec![object], &[light_at(light)], camera, settings(size, shading))
     }
 
     /// One scanline across.

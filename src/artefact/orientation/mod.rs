@@ -7,7 +7,7 @@ mod polygon;
 
 use super::prelude::*;
 use pictures::Pictures;
-use polygon::{Polygon, centre};
+use polygon::Polygon;
 
 static TEXTS: Catalogue = catalogue!("texts");
 

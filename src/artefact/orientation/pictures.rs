@@ -41,8 +41,7 @@ impl Pictures {
     /// Shows the pictures, with the effect of a turn on the centre.
     pub(super) fn show(self, effect: &Effect, out: &mut Recorder) {
         let Self { upright, half, turned, back, triangles_back, cuts: [one, other], has_one_cut } = self;
-        let largest = |a: &Image, b: &Image| differences(a, b).into_iter().flatten().fold(0.0, f64::max);
-        let changes = [largest(&upright, &back), largest(&one, &triangles_back)];
+        let changes = [largest_difference(&upright, &back), largest_difference(&one, &triangles_back)];
         let seam = out.effect("seam", "", changes, effect.present.clone(), 10.0);
         out.set("cuts", if has_one_cut { "one" } else { "two" });
         let difference = map(upright.size, &differences(&upright, &back), FULL);
@@ -84,7 +83,7 @@ pub(super) fn measure(polygon: &Polygon, size: u32, out: &mut Recorder) -> Resul
     ] {
         let upright = polygon.draw(size, Degrees(0.0), interpolation)?;
         let back = turned_back(&polygon.draw(size, QUARTER, interpolation)?, QUARTER);
-        let found = image_error(&back, &upright, 0.5)?.linear.rms / 255.0;
+        let found = errors(&back, &upright)?[1];
         let law = match interpolation {
             Interpolation::Scanline => law(polygon, &upright, &back, tolerance),
             _ => 0.0,

@@ -85,7 +85,7 @@ impl Polygon {
             None => Faces::polygons((0..count).collect(), vec![0, count]),
         };
         let positions = corners.iter().map(|corner| corner.extend(0.0)).collect();
-        let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build()?;
+        let mesh = build(positions, faces)?;
         let normals = smooth(&mesh, Weight::Angle);
         Ok(Self { corners, colours, mesh, normals })
     }
@@ -161,10 +161,10 @@ impl Polygon {
     ) -> Result<Image> {
         let object = Object {
             transform: place * DMat4::from_cols_array(&turn(angle)),
-            paint: Paint::Given(self.colours.as_slice().into()),
-            ..Object::new(Shape::Mesh { mesh: &self.mesh, normals: &self.normals }, Material::default())
+            ..painted(&self.mesh, &self.normals, &self.colours)
         };
-        draw(vec![object], &[], camera, &settings([size; 2], Shading::Gouraud, interpolation))
+        let settings = RenderSettings { interpolation, ..settings([size; 2], Shading::Gouraud) };
+        draw(vec![object], &[], camera, settings)
     }
 
     /// The largest change of a colour along an edge, and the shortest edge in pixels.
@@ -246,12 +246,6 @@ impl Polygon {
     }
 }
 
-/// The colour of the pixel in the middle.
-pub(super) fn centre(image: &Image) -> DVec3 {
-    let middle = linear(image)[linear(image).len() / 2];
-    DVec3::from(middle.map(f64::from))
-}
-
 /// A triangle from each of its corners on.
 fn rotations([a, b, c]: [u32; 3]) -> impl Iterator<Item = [u32; 3]> {
     [[a, b, c], [b, c, a], [c, a, b]].into_iter()
@@ -312,12 +306,9 @@ fn centred(corners: Vec<DVec2>) -> Result<Vec<DVec2>> {
         return Ok(corners);
     }
     let count = corners.len() as u32;
-    let builder = MeshBuilder {
-        positions: corners.iter().map(|corner| corner.extend(0.0)).collect(),
-        faces: Faces::polygons((0..count).collect(), vec![0, count]),
-        ..MeshBuilder::default()
-    };
-    let triangles = triangulate(&builder.build()?).triangles;
+    let positions = corners.iter().map(|corner| corner.extend(0.0)).collect();
+    let mesh = build(positions, Faces::polygons((0..count).collect(), vec![0, count]))?;
+    let triangles = triangulate(&mesh).triangles;
     let points = |triangle: &[u32; 3]| triangle.map(|corner| corners[corner as usize]);
     let area = |triangle: &[u32; 3]| {
         let [a, b, c] = points(triangle);

@@ -10,7 +10,7 @@ use crate::metric::normal_deviation;
 use crate::normals::encoding::{Encoding, Snorm};
 use crate::num::steepest_slope;
 use sphere::Scene;
-use sphere::{SPECULAR, bound, material, needed, with_shares};
+use sphere::{SPECULAR, bound, material, needed};
 use std::f64::consts::FRAC_1_SQRT_2;
 
 static TEXTS: Catalogue = catalogue!("texts");
@@ -43,7 +43,7 @@ fn run(setup: &Setup) -> Result<Outcome> {
     let largest = spheres.measure_stored_normals(&mut out);
     let reference = scene.light(&spheres.own.object(material(exponent)), Shading::Phong)?;
     let lit = |mesh: &TriangleMesh| scene.light(&mesh.object(material(exponent)), Shading::Phong);
-    let error = |image: &Image| image_error(image, &reference, 0.5).map(|error| error.linear.max / 255.0);
+    let error = |image: &Image| largest_error(image, &reference);
     let (eight, sixteen) = (lit(&spheres.eight)?, lit(&spheres.sixteen)?);
     let (of_eight, of_sixteen) = (error(&eight)?, error(&sixteen)?);
     out.measure("change-over-bound", "", of_eight / bound(exponent, largest), Check::AtMost(1.0));
@@ -132,9 +132,9 @@ impl Spheres {
         out: &mut Recorder,
     ) -> Result<[f64; 2]> {
         let change = |shares: [f64; 2], reflection: Reflection| -> Result<f64> {
-            let material = Material { reflection, ..with_shares(exponent, shares) };
+            let material = Material { reflection, ..shiny(shares, exponent) };
             let lit = |mesh: &TriangleMesh| scene.light(&mesh.object(material), Shading::Phong);
-            Ok(image_error(&lit(&self.eight)?, &lit(&self.own)?, 0.5)?.linear.max / 255.0)
+            largest_error(&lit(&self.eight)?, &lit(&self.own)?)
         };
         let diffuse = change([1.0, 0.0], Reflection::Blinn)?;
         let blinn = change([0.0, 1.0], Reflection::Blinn)?;

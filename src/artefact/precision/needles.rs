@@ -124,11 +124,9 @@ fn stripes(normals: &[DVec3]) -> TriangleMesh {
 }
 
 fn light(normals: &[DVec3], size: u32, exponent: f64) -> Result<Image> {
-    let position = DVec3::Z * LIGHT;
-    let light = Light::Point { position, colour: LinearRgb::WHITE, attenuation: Attenuation::None };
-    let settings = settings([size; 2], Shading::Phong, Interpolation::Perspective);
-    let object = stripes(normals);
-    draw(vec![object.object(material(exponent))], &[light], front(1.0), &settings)
+    let stripes = stripes(normals);
+    let object = stripes.object(material(exponent));
+    draw(vec![object], &[lamp(DVec3::Z * LIGHT)], front(1.0), settings([size; 2], Shading::Phong))
 }
 
 /// The plate with normals by plain arithmetic and by exact differences of products.
@@ -136,7 +134,7 @@ pub(super) fn record_plate([size, segments]: [u32; 2], exponent: f64, out: &mut 
     let Normals { plain, careful } = Normals::of(3 * segments);
     let reference = light(&vec![DVec3::Z; plain.len()], size, exponent)?;
     let (lit_plain, lit_careful) = (light(&plain, size, exponent)?, light(&careful, size, exponent)?);
-    let error = |image: &Image| image_error(image, &reference, 0.5).map(|error| error.linear.max / 255.0);
+    let error = |image: &Image| largest_error(image, &reference);
     let largest = plain.iter().map(|&normal| angle(normal, DVec3::Z)).fold(0.0, f64::max);
     let errors = [error(&lit_plain)?, error(&lit_careful)?];
     out.set("largest", largest);

@@ -24,10 +24,9 @@ impl Scene {
 
     fn paint(&self, object: &Object, shading: Shading, show: Show) -> Result<Image> {
         // A little off the axis, so that the highlight does not sit on a vertex.
-        let light = Light::Directional { towards: DVec3::new(0.05, 0.03, 1.0), colour: LinearRgb::WHITE };
-        let settings =
-            RenderSettings { show, ..settings([self.size; 2], shading, Interpolation::Perspective) };
-        draw(vec![object.clone()], &[light], front(WINDOW), &settings)
+        let light = far_light(DVec3::new(0.05, 0.03, 1.0));
+        let settings = RenderSettings { show, ..settings([self.size; 2], shading) };
+        draw(vec![object.clone()], &[light], front(WINDOW), settings)
     }
 }
 
@@ -103,20 +102,9 @@ impl TriangleMesh {
 pub(super) const DIFFUSE: f64 = 0.3;
 pub(super) const SPECULAR: f64 = 0.7;
 
-/// A material that scatters and mirrors these shares of the light.
-pub(super) fn with_shares(exponent: f64, [diffuse, specular]: [f64; 2]) -> Material {
-    Material {
-        ambient: Reflectance::NONE,
-        diffuse: Reflectance::Merged(LinearRgb::grey(diffuse)),
-        specular: Reflectance::Merged(LinearRgb::grey(specular)),
-        exponent,
-        ..Material::default()
-    }
-}
-
 /// The material of the pictures.
 pub(super) fn material(exponent: f64) -> Material {
-    with_shares(exponent, [DIFFUSE, SPECULAR])
+    shiny([DIFFUSE, SPECULAR], exponent)
 }
 
 /// The error of a normal, in degrees, at which this highlight changes by half a step of 8 bits where it is steepest.

@@ -16,17 +16,10 @@ pub(super) fn ball(
     guards: Guards,
     size: u32,
 ) -> Result<Image> {
-    let material = Material {
-        ambient: Reflectance::NONE,
-        diffuse: Reflectance::NONE,
-        specular: Reflectance::Merged(LinearRgb::WHITE),
-        exponent,
-        reflection,
-    };
+    let material = Material { reflection, ..shiny([0.0, 1.0], exponent) };
     let sphere = Object::new(Shape::Surface(Primitive::from(Sphere::default())), material);
-    let settings =
-        RenderSettings { guards, ..settings([size; 2], Shading::Exact, Interpolation::Perspective) };
-    draw(vec![sphere], &[light_at(light)], front(WINDOW), &settings)
+    let settings = RenderSettings { guards, ..settings([size; 2], Shading::Exact) };
+    draw(vec![sphere], &[light_at(light)], front(WINDOW), settings)
 }
 
 /// Light almost behind the sphere.
@@ -40,15 +33,10 @@ fn normal(pixel: u32, size: u32) -> Option<DVec3> {
     (square > 0.0).then(|| DVec3::new(x, y, square.sqrt()))
 }
 
-fn light() -> DVec3 {
-    let (sine, cosine) = libm::sincos(Radians::from(BEHIND).0);
-    DVec3::new(sine, 0.0, cosine)
-}
-
 /// Pixels with N·L < 0, by more than single precision leaves open.
 fn turned_away(size: u32) -> impl Iterator<Item = (usize, DVec3)> {
     let pixels = (0..size * size).filter_map(move |pixel| Some((pixel as usize, normal(pixel, size)?)));
-    pixels.filter(|(_, normal)| normal.dot(light()) < -1e-6)
+    pixels.filter(|(_, normal)| normal.dot(direction(BEHIND)) < -1e-6)
 }
 
 /// The brightest of them.
@@ -59,7 +47,7 @@ fn brightest(image: &Image) -> f64 {
 
 /// The same by the formula: Blinn's (N·H)ⁿ or Phong's (R·V)ⁿ.
 fn law(reflection: Reflection, exponent: f64, size: u32) -> f64 {
-    let light = light();
+    let light = direction(BEHIND);
     let half = (light + DVec3::Z).normalize();
     let cosine = |normal: DVec3| match reflection {
         Reflection::Blinn => normal.dot(half),

@@ -57,7 +57,7 @@ fn matched_exponent(size: u32, exponent: f64, out: &mut Recorder) -> Result<Effe
     let phong = ball(Reflection::Phong, exponent)?;
     let blinn = ball(Reflection::Blinn, exponent)?;
     let matched = ball(Reflection::Blinn, blinn_exponent(exponent))?;
-    let largest = |image: &Image| image_error(image, &phong, 0.5).map(|error| error.linear.max / 255.0);
+    let largest = |image: &Image| largest_error(image, &phong);
     let (same, fourfold) = (largest(&blinn)?, largest(&matched)?);
     let radius = f64::from(size) / WINDOW;
     // Half a pixel turns the normal by 1/R over the cosine of its angle to the viewer, and the mirrored ray by twice that. Powers

@@ -75,17 +75,19 @@ fn sphere(
     let (coarse, fine) = (globe(segments, Terminator::Soft)?, globe(finest(segments), Terminator::Soft)?);
     let concerned = |segments| concerned(&TriangleMesh::globe(segments, 0.0), towards(light, HEIGHT), size);
     let (map_of_coarse, map_of_fine) = (concerned(segments)?, concerned(finest(segments))?);
-    let largest = |a: &Image, b: &Image| differences(a, b).into_iter().flatten().fold(0.0, f64::max);
     out.measure("sphere-share", "", share(&map_of_coarse), Check::None);
     out.measure("fine-sphere-share", "", share(&map_of_fine), Check::None);
-    out.measure("sphere-shadow", "", largest(&hard, &smooth), Check::None);
+    out.measure("sphere-shadow", "", largest_difference(&hard, &smooth), Check::None);
     let exact = Object::new(Shape::Surface(Primitive::from(Sphere::default())), chalk());
     let truth = picture(exact, towards(light, HEIGHT), (Shading::Exact, Terminator::Smooth), [size; 2])?;
     let error = |image: &Image| mean_where(&map_of_coarse, &differences(image, &truth));
     let errors = [error(&hard), error(&smooth)];
     let effect = out.effect("shadow", "", errors, Threshold::half_step(), 10.0);
     // With a quarter of the cost the teeth are still visible.
-    let costs = [largest(&coarse, &smooth), largest(&fine, &globe(finest(segments), Terminator::Smooth)?)];
+    let costs = [
+        largest_difference(&coarse, &smooth),
+        largest_difference(&fine, &globe(finest(segments), Terminator::Smooth)?),
+    ];
     let cost = out.effect("cost", "", costs, Threshold::half_step(), 10.0);
     out.bad("hard", &effect, hard);
     out.cured("smooth", &effect, smooth);

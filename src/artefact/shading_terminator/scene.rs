@@ -33,20 +33,16 @@ pub(super) fn picture(
     (shading, terminator): (Shading, Terminator),
     size: [u32; 2],
 ) -> Result<Image> {
-    let settings = RenderSettings { terminator, ..settings(size, shading, Interpolation::Perspective) };
+    let settings = RenderSettings { terminator, ..settings(size, shading) };
     let height = WINDOW * f64::from(size[1]) / f64::from(size[0]);
-    let light = Light::Directional { towards, colour: LinearRgb::WHITE };
-    draw(vec![object], &[light], front(height), &settings)
+    draw(vec![object], &[far_light(towards)], front(height), settings)
 }
 
 /// 1 for pixels whose normal faces the light and whose facet does not, 0 for others.
 pub(super) fn concerned(mesh: &TriangleMesh, towards: DVec3, size: u32) -> Result<Vec<Option<f64>>> {
     let normals = |shading| {
-        let settings = RenderSettings {
-            show: Show::Normals,
-            ..settings([size; 2], shading, Interpolation::Perspective)
-        };
-        draw(vec![mesh.object(chalk())], &[], front(WINDOW), &settings)
+        let settings = RenderSettings { show: Show::Normals, ..settings([size; 2], shading) };
+        draw(vec![mesh.object(chalk())], &[], front(WINDOW), settings)
     };
     let light_on = |colour: &[f32; 3]| (DVec3::from(colour.map(f64::from)) * 2.0 - 1.0).dot(towards);
     let (smooth, faces) = (normals(Shading::Phong)?, normals(Shading::Flat)?);

@@ -25,11 +25,8 @@ impl View {
     const WIDEST: u32 = 2048;
 
     pub(super) fn draw(&self, object: Object, shading: Shading) -> Result<Image> {
-        let settings = RenderSettings {
-            samples: Self::SAMPLES,
-            ..settings([self.size; 2], shading, Interpolation::Perspective)
-        };
-        draw(vec![object], std::slice::from_ref(&self.light), self.camera, &settings)
+        let settings = RenderSettings { samples: Self::SAMPLES, ..settings([self.size; 2], shading) };
+        draw(vec![object], std::slice::from_ref(&self.light), self.camera, settings)
     }
 
     /// How many of an outline's pixels are one of a picture, along a side.
@@ -47,9 +44,9 @@ impl View {
         let settings = RenderSettings {
             samples: Self::OF_OUTLINES,
             keep_linear: false,
-            ..settings([scale * self.size; 2], shading, Interpolation::Perspective)
+            ..settings([scale * self.size; 2], shading)
         };
-        let image = draw(vec![object], &[], self.camera, &settings)?;
+        let image = draw(vec![object], &[], self.camera, settings)?;
         Ok(Outline { contour: Contour::of(&image, Self::OF_OUTLINES), scale: scale.into() })
     }
 }

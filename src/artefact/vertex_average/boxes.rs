@@ -54,8 +54,8 @@ fn draw_box(sides: DVec3, cut: u32, weight: Weight, view: &View) -> Result<Image
     let field = smooth(&mesh, weight);
     let object = object(&mesh, &field, chalk());
     let camera = camera(std::slice::from_ref(&object));
-    let settings = settings([view.size; 2], Shading::Phong, Interpolation::Perspective);
-    draw(vec![object], &[light_from(&camera, view.light)?], camera, &settings)
+    let light = light_from(&camera, view.light)?;
+    draw(vec![object], &[light], camera, settings([view.size; 2], Shading::Phong))
 }
 
 pub(super) const CUTS: u32 = 64;
@@ -67,7 +67,7 @@ pub(super) fn cut_box(sides: DVec3, cut: u32) -> Result<Mesh> {
         _ => [a, b, d, b, c, d],
     });
     let faces = Faces::triangles(triangles.collect());
-    Ok(MeshBuilder { positions: box_corners(sides), faces, ..MeshBuilder::default() }.build()?)
+    build(box_corners(sides), faces)
 }
 
 /// Angles in degrees.

@@ -116,7 +116,7 @@ impl LitSurface {
     ) -> Result<Self> {
         let mesh = surface.tessellate(tessellation)?;
         let &View { size, light, exponent } = view;
-        let camera = camera(&[Object::new(Shape::Surface(primitive), shiny(exponent))]);
+        let camera = camera(&[Object::new(Shape::Surface(primitive), shiny(SHARES, exponent))]);
         Ok(Self { light: light_from(&camera, light)?, mesh, primitive, exponent, camera, size })
     }
 
@@ -136,18 +136,18 @@ impl LitSurface {
     /// Under Phong's shading with averaged normals.
     pub(super) fn picture(&self, weight: Weight) -> Result<Image> {
         let field = smooth(&self.mesh, weight);
-        self.draw(object(&self.mesh, &field, shiny(self.exponent)), Show::Shaded)
+        self.draw(object(&self.mesh, &field, shiny(SHARES, self.exponent)), Show::Shaded)
     }
 
     /// With the surface's own normals.
     pub(super) fn truth(&self, show: Show) -> Result<Image> {
-        self.draw(Object::new(Shape::Surface(self.primitive), shiny(self.exponent)), show)
+        self.draw(Object::new(Shape::Surface(self.primitive), shiny(SHARES, self.exponent)), show)
     }
 
     /// Between interpolated normals and the surface's own, pixel by pixel.
     pub(super) fn deviation(&self, weight: Weight) -> Result<NormalDeviation> {
         let field = smooth(&self.mesh, weight);
-        let picture = self.draw(object(&self.mesh, &field, shiny(self.exponent)), Show::Normals)?;
+        let picture = self.draw(object(&self.mesh, &field, shiny(SHARES, self.exponent)), Show::Normals)?;
         Ok(normal_deviation(&picture, &self.truth(Show::Normals)?)?)
     }
 
@@ -157,22 +157,13 @@ impl LitSurface {
     }
 
     fn draw(&self, object: Object, show: Show) -> Result<Image> {
-        let settings =
-            RenderSettings { show, ..settings([self.size; 2], Shading::Phong, Interpolation::Perspective) };
-        draw(vec![object], std::slice::from_ref(&self.light), self.camera, &settings)
+        let settings = RenderSettings { show, ..settings([self.size; 2], Shading::Phong) };
+        draw(vec![object], std::slice::from_ref(&self.light), self.camera, settings)
     }
 }
 
 /// Half diffuse, half highlight, which shows small angles.
-fn shiny(exponent: f64) -> Material {
-    Material {
-        ambient: Reflectance::NONE,
-        diffuse: Reflectance::Merged(LinearRgb::grey(0.5)),
-        specular: Reflectance::Merged(LinearRgb::grey(0.5)),
-        exponent,
-        ..Material::default()
-    }
-}
+const SHARES: [f64; 2] = [0.5, 0.5];
 
 pub(super) const MEANS: [(Weight, &str); 6] = [
     (Weight::Uniform, "equal-weights"),
