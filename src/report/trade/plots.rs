@@ -28,7 +28,7 @@ fn guide(name: &str, points: [[f64; 2]; 2]) -> Series {
 pub(super) fn frontier_plot(trade: &Trade, tiling: Tiling) -> Plot {
     let points = trade.of_class(tiling);
     Plot {
-        title: format!("Error against cost: {}", tiling.describes()),
+        title: format!("Error against cost: {}", tiling.about()),
         x: Axis::log("times the plain f32 loop, one thread; sums by slices, quadric on a mesh"),
         ..pareto_plot(&points, "")
     }

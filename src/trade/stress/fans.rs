@@ -1,15 +1,9 @@
 //! Vertex normals of fans, by three methods, against the same formula in 256 bits.
 
-use super::case::{Bound, Measured, StressCase, Unit};
 use super::face_normals::{FAST, indexed};
-use super::group::Group;
-use super::plain;
-use crate::mesh::Mesh;
-use crate::normals::{
-    Crease, NormalField, NormalRecipe, Precision, Scope, Scratch, Slivers, Weight, compute, vertex_normals,
-};
+use super::prelude::*;
+use crate::normals::{Scope, vertex_normals};
 use crate::trade::exact;
-use glam::{DVec3, Vec3};
 
 /// All weights that sum faces.
 pub(super) const WEIGHTS: [Weight; 6] =
@@ -36,7 +30,7 @@ impl Fan {
     pub(super) fn cone(sides: usize, height: f64) -> Self {
         let askew = (0.5 / height).min(0.2);
         let rim = |k: usize| {
-            let turn = std::f64::consts::TAU * k as f64 / sides as f64;
+            let turn = TAU * k as f64 / sides as f64;
             let radius = 1.0 + askew * (libm::sin(turn + 0.5) + libm::sin(2.0 * turn));
             DVec3::new(radius * libm::cos(turn), radius * libm::sin(turn), 0.0).as_vec3()
         };
