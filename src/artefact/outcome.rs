@@ -1,6 +1,6 @@
 //! The result of an experiment: data and linear pictures, no markup.
 
-use super::effect::Effect;
+use super::effect::{Effect, judged};
 use super::shot::{Role, Shot};
 use crate::text::Text;
 use serde::{Serialize, Serializer};
@@ -11,7 +11,7 @@ pub struct Outcome {
     /// Whether the claim holds here.
     pub verdict: Verdict,
     /// The number that the cure changes.
-    #[serde(rename = "moved")]
+    #[serde(rename = "moved", serialize_with = "judged")]
     pub effect: Effect,
     /// All numbers.
     pub measures: Vec<Measure>,

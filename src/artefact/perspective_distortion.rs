@@ -65,8 +65,7 @@ fn run(setup: &Setup) -> Result<Outcome> {
     out.cured("pieces", &of_pieces, board(&cut));
     out.difference("error", error_map(&affine, &right));
     out.difference("error-pieces", error_map(&cut, &right));
-    let verdict = Verdict::HoldsOnlyIf(out.text("holds-only-if"));
-    Ok(out.finish(verdict, effect))
+    Ok(out.finish(Verdict::HoldsOnlyIf(out.text("holds-only-if")), effect))
 }
 
 /// The largest errors by depth ratio, and the place on the surface by the place on the picture.

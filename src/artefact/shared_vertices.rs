@@ -38,8 +38,7 @@ fn run(setup: &Setup) -> Result<Outcome> {
     t_junction(&wall, size, &mut out)?;
     crack(&wall, size, edge, &mut out)?;
     let effect = seam(&Tube::new(segments)?, size, light, &mut out)?;
-    let verdict = Verdict::HoldsOnlyIf(out.text("holds-only-if"));
-    Ok(out.finish(verdict, effect))
+    Ok(out.finish(Verdict::HoldsOnlyIf(out.text("holds-only-if")), effect))
 }
 
 /// The jump of colour at a vertex that the large face does not have.

@@ -41,8 +41,7 @@ fn run(setup: &Setup) -> Result<Outcome> {
     diamonds.measure(&mut out);
     let effect = waves(&setup.parameters, diamonds.change(), &mut out)?;
     diamonds.show(&mut out);
-    let verdict = Verdict::Holds(out.text("holds"));
-    Ok(out.finish(verdict, effect))
+    Ok(out.finish(Verdict::Holds(out.text("holds")), effect))
 }
 
 /// The waves cut across and along, in coarse and in fine squares, under Gouraud's shading and Phong's.

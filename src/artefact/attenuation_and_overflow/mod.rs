@@ -40,8 +40,7 @@ fn run(setup: &Setup) -> Result<Outcome> {
     depth_cueing(size, &mut out)?;
     out.measure("peak", "", peak, Check::None);
     chart(&mut out);
-    let verdict = Verdict::HoldsOnlyIf(out.text("holds-only-if"));
-    Ok(out.finish(verdict, effect))
+    Ok(out.finish(Verdict::HoldsOnlyIf(out.text("holds-only-if")), effect))
 }
 
 /// A floor under three rules of attenuation. Returns the effect that the experiment reports, and the largest luminance under 1/d².

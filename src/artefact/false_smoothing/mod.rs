@@ -44,8 +44,7 @@ fn run(setup: &Setup) -> Result<Outcome> {
         return user_mesh::run(own, &setup.parameters, out);
     }
     let effect = shapes(&setup.parameters, &mut out)?;
-    let verdict = Verdict::Holds(out.text("holds"));
-    Ok(out.finish(verdict, effect))
+    Ok(out.finish(Verdict::Holds(out.text("holds")), effect))
 }
 
 /// The cube, the gear, the zig-zag and the roof, averaged and split. Returns the effect on the gear.

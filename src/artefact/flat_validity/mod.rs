@@ -38,8 +38,7 @@ fn run(setup: &Setup) -> Result<Outcome> {
     show_plate(&near, &effect, segments, size, &mut out)?;
     show_highlight(exponent, segments, size, &mut out)?;
     errors.chart(exponent, &mut out);
-    let verdict = Verdict::HoldsOnlyIf(out.text("holds-only-if"));
-    Ok(out.finish(verdict, effect))
+    Ok(out.finish(Verdict::HoldsOnlyIf(out.text("holds-only-if")), effect))
 }
 
 /// The largest errors of one flat face, by distance in circumradii.

@@ -45,8 +45,7 @@ fn run(setup: &Setup) -> Result<Outcome> {
     out.set("cured", effect.cured);
     colours.chart(&mut out);
     pictures.show(&effect, &mut out);
-    let verdict = Verdict::Holds(out.text("holds"));
-    Ok(out.finish(verdict, effect))
+    Ok(out.finish(Verdict::Holds(out.text("holds")), effect))
 }
 
 /// The colours at the centre of the polygon over a whole turn.

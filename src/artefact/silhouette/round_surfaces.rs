@@ -43,8 +43,7 @@ pub(super) fn run(parameters: &Parameters, mut out: Recorder) -> Result<Outcome>
     let effect = out.effect("outline", "px", of_ball, present, factor);
     let [bad, cured] = of_torus;
     show([&ball, &torus], [segments, fine], [&effect, &Effect { bad, cured, ..effect.clone() }], &mut out)?;
-    let verdict = Verdict::Holds(out.text("holds"));
-    Ok(out.finish(verdict, effect))
+    Ok(out.finish(Verdict::Holds(out.text("holds")), effect))
 }
 
 /// The errors of the coarse and the fine ball. Returns their largest distances.

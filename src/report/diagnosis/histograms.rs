@@ -75,7 +75,7 @@ fn histogram(name: &str, values: &[f64], end: f64) -> Plot {
         size: [560, 260],
         x: Axis { range: Some([0.0, end]), ..Axis::linear(&unit) },
         y: Axis::linear("per cent"),
-        series: vec![Series { points, mark: Mark::Steps, ..Series::default() }],
+        series: vec![Series::new("", points, Mark::Steps)],
         ..Plot::default()
     }
 }

@@ -68,6 +68,13 @@ pub struct Series {
     pub colour: Option<usize>,
 }
 
+impl Series {
+    /// Points drawn in one way, in the colour of the series' position.
+    pub fn new(name: &str, points: Vec<[f64; 2]>, mark: Mark) -> Self {
+        Self { name: name.to_owned(), points, mark, colour: None }
+    }
+}
+
 /// How a series is drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Mark {
