@@ -154,7 +154,7 @@ pub(super) fn picture(size: [u32; 2], linear: Vec<[f32; 3]>, coverage: Vec<u8>) 
 }
 
 /// Numbers from 0 to `full` as colours from dark violet over green to yellow, which get lighter all the way: they can be
-/// told apart without colour vision and in black and white (the map *viridis* at five places). `None` is background.
+/// distinguished without colour vision and in black and white (the map *viridis* at five places). `None` is background.
 pub(super) fn map(size: [u32; 2], values: &[Option<f64>], full: f64) -> Image {
     let colour = |value: f64| viridis(value / full).to_array().map(|component| component as f32);
     let background = BACKGROUND.to_array().map(|component| component as f32);

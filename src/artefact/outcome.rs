@@ -68,7 +68,7 @@ impl Outcome {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "verdict", content = "condition", rename_all = "kebab-case")]
 pub enum Verdict {
-    /// Wherever it was looked at: these conditions.
+    /// Wherever it was tested: under these conditions.
     Holds(Text),
     /// Under this condition; it fails without.
     HoldsOnlyIf(Text),
@@ -193,7 +193,7 @@ pub struct Chart {
 pub struct Scale {
     /// What it measures, with its unit.
     pub label: Text,
-    /// Whether powers of ten are equally far apart.
+    /// Whether powers of ten are at equal distances.
     pub logarithmic: bool,
 }
 

@@ -90,7 +90,7 @@ fn law(ratio: f64) -> f64 {
     (ratio.sqrt() - 1.0) / (ratio.sqrt() + 1.0)
 }
 
-/// The error's derivative by the place is up to ρ: half a pixel of 4096·0.9 is 10/7400 at ρ = 10 beside the largest error, where it
+/// The error's derivative by the place is up to ρ: half a pixel of 4096·0.9 is 10/7400 at ρ = 10 next to the largest error, where it
 /// is 0 to first order; vertices snap to 256ths of pixels; single precision, 6·10⁻⁸, is far below.
 const TOLERANCE: f64 = 2e-5;
 
@@ -210,7 +210,7 @@ mod tests {
         assert!(outcome.effect.bad > 0.33 && outcome.effect.reduction() > 1e3, "{:?}", outcome.effect);
     }
 
-    /// Figures computed apart from this program.
+    /// Figures computed outside this program.
     #[test]
     fn largest_errors_have_their_published_values() {
         for (ratio, printed) in [(1.5, 0.101_02), (2.0, 0.171_57), (4.0, 0.333_33), (10.0, 0.519_49)] {

@@ -12,7 +12,7 @@ pub(super) use super::outcome::{Drawn, Outcome, Verdict};
 pub(super) use super::parameters::{ParameterName, Parameters, Setup, UserMesh};
 pub(super) use super::recorder::{Axis, Check, Recorder};
 pub(super) use super::triangle_mesh::{BOX_FACES, Diagonal, TriangleMesh, box_corners};
-pub(super) use super::user_mesh::{Normalisation, camera, light_from, unseen};
+pub(super) use super::user_mesh::{Normalisation, camera, light_from, not_visible};
 pub(super) use crate::mesh::{Faces, Mesh};
 pub(super) use crate::normals::{Crease, NormalField, NormalRecipe, Weight, compute};
 pub(super) use crate::num::{Degrees, LinearRgb, Radians, angle_between};

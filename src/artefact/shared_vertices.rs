@@ -59,7 +59,7 @@ fn t_junction(wall: &Wall, size: u32, out: &mut Recorder) -> Result<()> {
     };
     let curves = vec![curve("t-junction", &bad), curve("t-junction-shared", &cured)];
     out.chart("jump", [Axis::Linear; 2], curves);
-    // Beside the edge the large face has gone half a pixel towards its far edge, or a whole one: of the smallest picture a
+    // Next to the edge the large face has gone half a pixel towards its far edge, or a whole one: of the smallest picture a
     // fourteenth.
     let effect = out.effect("t-junction", "", [jump, left], Threshold::half_step(), 10.0);
     out.bad("t-junction", &effect, bad);
@@ -230,7 +230,7 @@ mod tests {
         let setup = Setup { parameters: Parameters { size: 96, ..EXPERIMENT.defaults }, mesh: None };
         let outcome = EXPERIMENT.run(&setup).unwrap();
         outcome.prove();
-        // 2 sin 50° sin 11.25°, computed apart from this program; a pixel and a half on both sides.
+        // 2 sin 50° sin 11.25°, computed outside this program; a pixel and a half on both sides.
         assert!((outcome.effect.bad - 0.298_90).abs() < 2e-3, "{:?}", outcome.effect);
         // A tube of 16 facets jumps by 0.3 under a light at 50°; welded, luminance moves by its slope over three pixels.
         assert!(outcome.effect.bad > 0.2 && outcome.effect.reduction() > 100.0, "{:?}", outcome.effect);

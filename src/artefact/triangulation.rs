@@ -199,7 +199,7 @@ fn diamond(cut: Cut, size: u32) -> Result<Image> {
     draw(vec![object], &[], front(WINDOW), settings)
 }
 
-/// A surface of waves that run aslant, with its own normals.
+/// A surface of diagonal waves, with its own normals.
 fn draw_waves(cells: u32, diagonal: Diagonal, shading: Shading, light: Degrees, size: u32) -> Result<Image> {
     let body = TriangleMesh::grid([cells; 2], diagonal, |u, v| {
         let height = HEIGHT * libm::sin(TAU * WAVES * (u + v));

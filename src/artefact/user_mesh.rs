@@ -25,12 +25,12 @@ pub(super) fn light_from(camera: &Camera, Degrees(angle): Degrees) -> Result<Lig
 }
 
 /// That a picture of so many pixels shows nothing of a mesh.
-pub(super) fn unseen(own: &UserMesh, size: u32) -> ArtefactError {
+pub(super) fn not_visible(own: &UserMesh, size: u32) -> ArtefactError {
     let values = [("mesh", own.name.into()), ("size", size.to_string().into())];
     ArtefactError::request("not-visible", &values)
 }
 
-/// The box of what is looked at, which is moved to the origin and made 2 wide, so that single precision will do for it.
+/// The bounding box of a mesh, which is moved to the origin and scaled to a width of 2: single precision suffices there.
 pub(super) struct Normalisation {
     centre: DVec3,
     half: f64,
@@ -57,8 +57,8 @@ impl Normalisation {
 
     /// Whether two are as good as the same.
     fn is_like(&self, other: &Self) -> bool {
-        let apart = (self.centre - other.centre).abs().max_element();
-        apart <= 0.25 * other.half && (self.half / other.half - 1.0).abs() <= 0.25
+        let distance = (self.centre - other.centre).abs().max_element();
+        distance <= 0.25 * other.half && (self.half / other.half - 1.0).abs() <= 0.25
     }
 
     pub(super) fn apply(&self, mesh: &Mesh) -> Result<Mesh> {

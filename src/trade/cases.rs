@@ -68,7 +68,7 @@ described! {
         /// Cells ten times as long one way.
         Stretched = "stretched": "triangles ten times as long as wide",
         /// Every other row a thousand times as close to the next.
-        Slivers = "slivers": "good triangles beside needles",
+        Slivers = "slivers": "good triangles next to slivers",
         /// The cells of a jittered grid, uncut.
         Quads = "quads": "irregular quads",
         /// The dual of a jittered grid.

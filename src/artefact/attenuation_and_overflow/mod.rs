@@ -232,7 +232,7 @@ mod tests {
             let parameters = Parameters { size, ..EXPERIMENT.defaults };
             let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
             outcome.prove();
-            // Present: π [(I₀h)^(2/3) − h²]/36 with I₀h = 3/4, computed apart from this program. Cured: nothing.
+            // Present: π [(I₀h)^(2/3) − h²]/36 with I₀h = 3/4, computed outside this program. Cured: nothing.
             assert!((outcome.effect.bad - 0.050_22).abs() < 1e-3, "{:?}", outcome.effect);
             assert_eq!(outcome.effect.cured, 0.0);
             // Clamping makes orange yellow, division keeps it; the lectures' [0.9, 1.1, 0.3] keeps its 0.9 or gets 0.818.

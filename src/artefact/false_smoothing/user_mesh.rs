@@ -8,7 +8,7 @@ pub(super) fn run(own: &UserMesh, parameters: &Parameters, mut out: Recorder) ->
     let mesh = LitMesh::from_corner(Normalisation::of(own)?.apply(own.mesh)?, light, size)?;
     let (smooth, sharp) = (mesh.render(weight, Crease::OFF)?, mesh.render(weight, Crease::Angle(crease))?);
     if smooth.lit.coverage.iter().all(|&covered| covered == 0) {
-        return Err(unseen(own, size));
+        return Err(not_visible(own, size));
     }
     out.measure("own-share-averaged", "", smooth.share_over(crease), Check::None);
     out.measure("own-share-split", "", sharp.share_over(crease), Check::None);

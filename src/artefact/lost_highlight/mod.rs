@@ -284,7 +284,7 @@ mod tests {
 
     #[test]
     fn highlights_are_lost_and_found() {
-        // The last: 1 − 0.4 cos(Δ/2) − 0.6 cosⁿ(Δ/2), computed apart from this program.
+        // The last: 1 − 0.4 cos(Δ/2) − 0.6 cosⁿ(Δ/2), computed outside this program.
         for (segments, exponent, flicker) in [(12, 16.0, 0.2691), (16, 32.0, 0.2852), (24, 100.0, 0.3493)] {
             let parameters = Parameters { size: 160, segments, exponent, ..EXPERIMENT.defaults };
             let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();

@@ -18,7 +18,7 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "mach-bands",
     texts: &TEXTS,
     takes: &[ParameterName::Size, ParameterName::Segments, ParameterName::Light],
-    // Of fewer facets no edge may be in sight; those of four times as many more would be a few pixels wide.
+    // Of fewer facets no edge may be visible; those of four times as many more would be a few pixels wide.
     segments: 6..=128,
     // So few that bands are seen with the naked eye; with an odd number of facets in the light no two neighbours are alike.
     defaults: Parameters { segments: 10, light: Degrees(30.0), ..Parameters::USUAL },
@@ -153,7 +153,7 @@ fn measure_counter_example(segments: u32, out: &mut Recorder) -> Result<()> {
     let theta = half(GRAZING);
     let delta = 2.0 * PI / f64::from(segments);
     let law = phong_jump(theta, GRAZING, delta) / gouraud_jump(theta, GRAZING, delta);
-    // The facets beside the edge have to be lit as a whole: half of 80° and one facet are less than 90° then.
+    // The facets next to the edge have to be lit as a whole: half of 80° and one facet are less than 90° then.
     let check = |value, tolerance| match theta + delta > PI / 2.0 {
         true => Check::Untested("facets-lit-in-part"),
         false => Check::Near(value, tolerance),
@@ -229,7 +229,7 @@ mod tests {
         }
     }
 
-    /// Figures computed apart from this program: N = 16 at θ = 30° under a light from the viewer, and at −45° under one at
+    /// Figures computed outside this program: N = 16 at θ = 30° under a light from the viewer, and at −45° under one at
     /// −80°.
     #[test]
     fn closed_forms_have_their_published_values() {

@@ -69,7 +69,7 @@ fn largest(jumps: &[[f64; 2]]) -> f64 {
 /// Half the width of the bars in maps of jumps, in pixels.
 const HALF_BAR: f64 = 2.5;
 
-/// Where the slope jumps: a bar at each edge that is measured, as light as the jump is large. Facets beside which nothing is
+/// Where the slope jumps: a bar at each edge that is measured, as light as the jump is large. Facets next to which nothing is
 /// measured are omitted.
 fn jump_map(drawn: &Image, tube: &Tube, light: Degrees, jumps: &[[f64; 2]], full: f64) -> Image {
     let pixel = WINDOW / f64::from(drawn.size[0]);

@@ -56,7 +56,7 @@ impl Prediction {
         Self { answer, open: 0.12 * answer.abs() + 2.0 * f64::from(f32::EPSILON) }
     }
 
-    /// Beside the edge Phong's shading bends, to which the answer is −Y″ (σs² − σc²)/2: as the normal turns along the chord of
+    /// Next to the edge Phong's shading bends, to which the answer is −Y″ (σs² − σc²)/2: as the normal turns along the chord of
     /// a facet of the width w, by α′ = sin Δ/w at its ends and α″ = ±2 sin Δ (1 − cos Δ)/w². On the edge that is the mean of both
     /// sides, and two pixels off more of one.
     fn with_bends(self, theta: f64, light: Degrees, delta: f64) -> Self {

@@ -84,7 +84,7 @@ impl Tube {
         (0..self.segments).map(turned).filter(is_lit)
     }
 
-    /// From where to where across the picture, in radii, the facets beside those edges lie, but for a little at both ends, where
+    /// From where to where across the picture, in radii, the facets next to those edges lie, but for a little at both ends, where
     /// differences would reach beyond; everywhere if there is no such edge.
     pub(super) fn near_edges(&self, light: Degrees) -> (f64, f64) {
         let edges: Vec<f64> = self.edges(light).collect();
@@ -96,7 +96,7 @@ impl Tube {
         }
     }
 
-    /// The width across the picture of the narrowest facet beside one of those edges, in radii.
+    /// The width across the picture of the narrowest facet next to one of those edges, in radii.
     pub(super) fn narrowest(&self) -> f64 {
         let Radians(farthest) = FARTHEST.into();
         libm::sin((farthest + self.delta()).min(PI / 2.0)) - libm::sin(farthest)
@@ -163,7 +163,7 @@ impl Profile {
         (right - left, by_right + by_left)
     }
 
-    /// The slope beside an edge from five samples, and how far roundings may move it.
+    /// The slope next to an edge from five samples, and how far roundings may move it.
     fn slope(&self, tube: &Tube, theta: f64, side: f64) -> [f64; 2] {
         let (edge, next) = (libm::sin(theta), libm::sin(theta + side * tube.delta()));
         let reach = (SPAN / tube.delta()).min(0.9) * (next - edge);

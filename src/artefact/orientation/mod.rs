@@ -196,7 +196,7 @@ mod tests {
         Setup { parameters: Parameters { size, ..EXPERIMENT.defaults }, mesh: None }
     }
 
-    /// c(θ) of the diamond at angles that were computed apart from this program.
+    /// c(θ) of the diamond at angles that were computed outside this program.
     #[test]
     fn the_law_has_its_printed_values() {
         let diamond = Polygon::of(None, 33).unwrap();

@@ -102,7 +102,7 @@ fn law(polygon: &Polygon, upright: &Image, back: &Image, tolerance: f64) -> f64 
         if index.is_some_and(|index| upright.coverage[index] > 0 && back.coverage[index] > 0) {
             let place = Polygon::place(pixel, width);
             let colour = |angle| polygon.scanline(place, angle);
-            // Where the law jumps it is that of either side: what is there stands for it.
+            // Where the law jumps it is that of either side: the picture's own colour is used.
             let angles = [QUARTER, Degrees(0.0)];
             let jumps = angles.iter().any(|&angle| polygon.jumps(place, angle, width, tolerance));
             let [turned, straight] = match index.filter(|_| jumps) {

@@ -1,7 +1,7 @@
 //! The effect of rounded positions and normals on a highlight.
 
 // Slivers: triangles whose normals cancel in plain arithmetic, and a plate cut into them in a light nearby.
-mod needles;
+mod slivers;
 // A part of a sphere with normals of different precision, how far they are from the true ones, and its highlight.
 mod sphere;
 
@@ -53,7 +53,7 @@ fn run(setup: &Setup) -> Result<Outcome> {
     let most = bound(exponent, SIXTEEN) + 1e-5 + 1.2e-7 * exponent;
     out.measure("change-sixteen", "", of_sixteen, Check::AtMost(most));
     spheres.measure_far_faces(segments, &mut out);
-    needles::record(&mut out);
+    slivers::record(&mut out);
     spheres.measure_pixels(&scene, exponent, &mut out)?;
     let effect = out.effect("bits", "", [of_eight, of_sixteen], Threshold::half_step(), 20.0);
     out.bad("eight-bits", &effect, eight);
@@ -63,7 +63,7 @@ fn run(setup: &Setup) -> Result<Outcome> {
     let of_far = out.effect("far", "", errors, Threshold::half_step(), 20.0);
     out.bad("far-away", &of_far, far);
     out.cured("centred", &of_far, centred);
-    needles::record_plate([size, segments], exponent, &mut out)?;
+    slivers::record_plate([size, segments], exponent, &mut out)?;
     let verdict = verdict(changes, exponent, [largest, SIXTEEN], &mut out);
     Ok(out.finish(verdict, effect))
 }
@@ -203,7 +203,7 @@ mod tests {
         }
     }
 
-    /// The two means that are told, over a spiral of evenly spread normals: of all directions, and of those of the cap.
+    /// The two means that are stated, over a spiral of evenly spread normals: of all directions, and of those of the cap.
     #[test]
     fn errors_of_8_bits_are_those_reported() {
         let golden = std::f64::consts::PI * (3.0 - 5_f64.sqrt());

@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// The window's side; prism and sphere have the radius 1.
 pub(super) const WINDOW: f64 = 2.2;
-/// How high the light stands over the sphere, so that its border crosses facets askew.
+/// How high the light stands over the sphere, so that its border crosses facets obliquely.
 pub(super) const HEIGHT: Degrees = Degrees(25.0);
 /// No height at all: light at right angles to the prism.
 pub(super) const LEVEL: Degrees = Degrees(0.0);
@@ -99,7 +99,7 @@ impl Prism {
     }
 
     /// Whether a place across the prism is concerned: the cosine, which is linear between edges, is positive on a facet turned
-    /// away. `None` beside the prism.
+    /// away. `None` outside the prism.
     fn is_concerned(&self, x: f64, light: f64) -> Option<bool> {
         let of_facet = |facet: u32| {
             let edge = |k: u32| f64::from(facet + k) * self.delta();

@@ -80,7 +80,7 @@ impl Edges<'_> {
 
     /// The control point of the edge between two corners that is next to the first.
     fn control(&self, corner: u32, to: u32) -> DVec3 {
-        /// Sine of the least angle between normals that tells which way a crease runs.
+        /// Sine of the least angle between normals that determines the direction of a crease.
         const LEAST: f64 = 0.01;
         let (place, normal) = (self.position(corner), self.normal(corner));
         let third = (self.position(to) - place) / 3.0;

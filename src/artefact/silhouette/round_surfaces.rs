@@ -166,7 +166,7 @@ impl RoundSurface {
         self.outline(segments, Shading::Flat)?.distance(circle)
     }
 
-    /// The fewest segments whose outline is measured to be right to half a pixel, near those that should be, beside what outlines
+    /// The fewest segments whose outline is measured to be right to half a pixel, near those that should be, in addition to what outlines
     /// of pixels are off even with so many segments that their polygon is a circle to a hundredth of a pixel.
     fn found_enough(&self, expected: u32, circle: &Outline) -> Result<u32> {
         let of_pixels = self.error(8 * expected, circle)?.hausdorff;

@@ -13,7 +13,7 @@ const MOST_TRIANGLES: usize = 1 << 21;
 
 pub(super) fn run(own: &UserMesh, parameters: &Parameters, out: Recorder) -> Result<Outcome> {
     measure(own, parameters, out).map_err(|error| match error {
-        ArtefactError::Metric(MetricError::Empty) => unseen(own, parameters.size),
+        ArtefactError::Metric(MetricError::Empty) => not_visible(own, parameters.size),
         other => other,
     })
 }

@@ -140,7 +140,7 @@ fn of_face(weight: Weight, a: f64, b: f64) -> Option<[f64; 2]> {
 mod tests {
     use super::*;
 
-    /// Figures computed apart from this program.
+    /// Figures computed outside this program.
     #[test]
     fn all_cuts_of_boxes_have_their_published_values() {
         let long = DVec3::new(1.0, 1.0, 10.0);

@@ -91,7 +91,7 @@ pub(super) fn miss(values: &[(&'static str, Value)]) -> Text {
     TEXTS.with("miss", values)
 }
 
-/// All numbers of an experiment beside what they should be.
+/// All numbers of an experiment next to what they should be.
 pub fn measure_table(outcome: &Outcome, language: Language) -> Table {
     let keys = [
         "column-quantity",

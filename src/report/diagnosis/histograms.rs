@@ -50,7 +50,7 @@ fn counted(mut plot: Plot, all: usize) -> Plot {
 }
 
 fn histogram(name: &str, values: &[f64], end: f64) -> Plot {
-    /// The share of a bin that a value may be below its edge by rounding: right angles are to stand in one bin.
+    /// The share of a bin that a value may be below its edge by rounding: right angles belong in one bin.
     const ROUNDED: f64 = 1e-3;
     let mut counts = [0usize; BINS];
     for value in values.iter().filter(|value| value.is_finite()) {

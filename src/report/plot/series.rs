@@ -155,7 +155,7 @@ impl SeriesStyle {
             (None, _) => Vec::new(),
             (_, Mark::Points | Mark::Line) => (0..count).collect(),
             _ => {
-                // Twice the number modulo five: neighbours are far apart.
+                // Twice the number modulo five: neighbours are far from each other.
                 let first = 0.1 + (2 * self.number % 5) as f64 / 5.0;
                 let place = |k: usize| ((k as f64 + first) / FEW as f64 * count as f64) as usize;
                 let mut places: Vec<usize> = (0..FEW).map(place).filter(|&place| place < count).collect();

@@ -210,7 +210,7 @@ pub fn approximation_table(trade: &Trade) -> Table {
         ("ns", &|row| three_digits(row.ns)),
         ("ns exactly", &|row| three_digits(row.exact_ns)),
     ];
-    let caption = "Approximations of this crate beside libm, and single precision beside double";
+    let caption = "Approximations of this crate compared with libm, and single precision with double";
     Table::of(caption, &trade.approximations, &columns)
 }
 

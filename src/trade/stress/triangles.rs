@@ -95,8 +95,8 @@ fn true_coverage(triangle: &[Vec3; 3], view: &View) -> Vec<Option<bool>> {
     centres.map(certain).collect()
 }
 
-/// The number of triangles that cover each pixel. They are drawn in several passes, so that the triangles of one pass, a
-/// multiple of `passes` apart, have no edge in common.
+/// The number of triangles that cover each pixel. They are drawn in several passes, so that the triangles of one pass, at
+/// a distance of a multiple of `passes`, have no edge in common.
 fn coverage_count(view: &View, positions: &[Vec3], triangles: &[[u32; 3]], passes: usize) -> Vec<u32> {
     let mut count = vec![0; (view.size[0] * view.size[1]) as usize];
     for pass in 0..passes {

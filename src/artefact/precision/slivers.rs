@@ -5,17 +5,17 @@ use super::sphere::{angle, bound, material};
 use crate::normals::{Scratch, face_normals};
 use glam::Vec3;
 
-/// Heights of needles over their lengths.
-const NEEDLES: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
+/// Heights of slivers over their lengths.
+const SLIVERS: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 
 /// Each height with the largest error of the normal in degrees: by plain single precision, and as this library computes it.
 fn errors() -> [Vec<[f64; 2]>; 2] {
-    [0, 1].map(|way| NEEDLES.map(|ratio| [ratio, needle(ratio)[way]]).to_vec())
+    [0, 1].map(|way| SLIVERS.map(|ratio| [ratio, sliver(ratio)[way]]).to_vec())
 }
 
 /// The error of the normal of a triangle that is so much lower than long, over some positions: by plain single precision, and
 /// as this library computes it; NaN if it refused.
-fn needle(ratio: f64) -> [f64; 2] {
+fn sliver(ratio: f64) -> [f64; 2] {
     let mut worst = [0.0_f64; 2];
     for k in 0..400 {
         // Directions that share no digits with the axes.
@@ -55,7 +55,7 @@ pub(super) fn record(out: &mut Recorder) {
     out.measure("needle-plain", "°", plain[4][1], Check::None);
     let largest = careful.iter().map(|point| point[1]).fold(0.0, f64::max);
     out.measure("needles-exact", "°", largest, Check::AtMost(6e-6));
-    let guide = NEEDLES.iter().map(|&ratio| [ratio, rounding(ratio)]).collect();
+    let guide = SLIVERS.iter().map(|&ratio| [ratio, rounding(ratio)]).collect();
     let curves = vec![
         out.curve("plain", Drawn::Points, plain),
         out.curve("exact", Drawn::Points, careful),
@@ -64,16 +64,16 @@ pub(super) fn record(out: &mut Recorder) {
     out.chart("needles", [Axis::Log; 2], curves);
 }
 
-/// Across the plate and along its needles, in whole numbers. A needle's corners are sums of multiples of them below 2²⁴: single
+/// Across the plate and along its slivers, in whole numbers. A sliver's corners are sums of multiples of them below 2²⁴: single
 /// precision holds them exactly, so that the plate is flat to the last digit and every error is one of arithmetic.
 const ACROSS: DVec3 = DVec3::new(18.0, 16.0, 13.0);
 const ALONG: DVec3 = DVec3::new(3001.0, -4999.0, 2003.0);
-/// How many times [`ALONG`] a needle is long: about 300 000 times its height.
+/// How many times [`ALONG`] a sliver is long: about 300 000 times its height.
 const LENGTH: u32 = 1333;
 /// How far away the light is, in sides of the window: its highlight is a fifth of the window to each side.
 const LIGHT: f64 = 4.0;
 
-/// The normals of needles as arithmetic has them, turned so that the true one is +z.
+/// The normals of slivers as arithmetic has them, turned so that the true one is +z.
 struct Normals {
     /// By products and differences in single precision.
     plain: Vec<DVec3>,
@@ -82,7 +82,7 @@ struct Normals {
 }
 
 impl Normals {
-    /// Of so many needles, each with its third corner elsewhere along it; those that the library refuses look nowhere.
+    /// Of so many slivers, each with its third corner elsewhere along it; those that the library refuses look nowhere.
     fn of(count: u32) -> Self {
         let x = ALONG.normalize();
         let z = ALONG.cross(ACROSS).normalize();
@@ -109,7 +109,7 @@ impl Normals {
     }
 }
 
-/// Stripes from below upwards over a window of the side 1, each with the normal of the needle whose middle it is.
+/// Stripes from below upwards over a window of the side 1, each with the normal of the sliver whose middle it is.
 fn stripes(normals: &[DVec3]) -> TriangleMesh {
     let count = normals.len() as f64;
     let (mut positions, mut all) = (Vec::new(), Vec::new());
@@ -153,14 +153,14 @@ mod tests {
     #[test]
     fn needles_cancel_in_plain_arithmetic() {
         for ratio in [1e-3, 1e-4, 1e-5] {
-            let [naive, careful] = needle(ratio);
+            let [naive, careful] = sliver(ratio);
             let size = naive / rounding(ratio);
             assert!((0.2..6.0).contains(&size), "{ratio}: {naive}");
             assert!(careful < 6e-6, "{ratio}: {careful}");
         }
     }
 
-    /// Whole numbers below 2²⁴, so that corners are what they are meant to be, and as slim as is told.
+    /// Whole numbers below 2²⁴, so that corners are what they are meant to be, and as slim as stated.
     #[test]
     fn needles_are_exactly_in_one_plane() {
         let corner = f64::from(LENGTH) * ALONG + 256.0 * ACROSS;
