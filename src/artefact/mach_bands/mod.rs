@@ -1,11 +1,11 @@
 //! Mach bands on a cylinder: steps of flat shading, slope jumps of Gouraud's and Phong's.
 
+// A cylinder in facets, luminance across it, and its jumps at an edge in closed form.
+mod tube;
 // Pictures of the cylinder, maps of its slope jumps, and luminance across it with its derivatives.
 mod pictures;
 // The overshoot at edges that a model of lateral inhibition predicts.
 mod predicted_overshoot;
-// A cylinder in facets, luminance across it, and its jumps at an edge in closed form.
-mod tube;
 
 use super::prelude::*;
 use pictures::{Jumps, Lines};

@@ -1,9 +1,9 @@
 //! The lectures' diamond: rotating a polygon changes its colours under the scanline algorithm.
 
-// Pictures of the polygon in its positions, under scanlines and in triangles, and of the rotated one rotated back.
-mod pictures;
 // A rotated polygon, and the law of its scanline.
 mod polygon;
+// Pictures of the polygon in its positions, under scanlines and in triangles, and of the rotated one rotated back.
+mod pictures;
 
 use super::prelude::*;
 use pictures::Pictures;

@@ -1,9 +1,9 @@
 //! The effect of rounded positions and normals on a highlight.
 
-// Slivers: triangles whose normals cancel in plain arithmetic, and a plate cut into them in a light nearby.
-mod slivers;
 // A part of a sphere with normals of different precision, how far they are from the true ones, and its highlight.
 mod sphere;
+// Slivers: triangles whose normals cancel in plain arithmetic, and a plate cut into them in a light nearby.
+mod slivers;
 
 use super::prelude::*;
 use crate::metric::normal_deviation;

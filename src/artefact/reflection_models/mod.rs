@@ -1,9 +1,9 @@
 //! Phong's and Blinn's highlights.
 
-// The ratio of length to width of a highlight on the sphere.
-mod highlight_width;
 // A sphere with nothing but a highlight, and light from behind it, which leaves a highlight on the dark side.
 mod ball;
+// The ratio of length to width of a highlight on the sphere.
+mod highlight_width;
 
 use super::prelude::*;
 use crate::shade::{Guards, blinn_exponent};

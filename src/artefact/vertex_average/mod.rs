@@ -1,9 +1,9 @@
 //! Vertex normals as means of faces: how a mesh is cut shows through.
 
-// A cube and a long box, whose six faces can be cut in 64 ways, and what weightings make of them.
-mod boxes;
 // Round surfaces in triangles of bad shape, whose own normals are known: an irregular torus and a ball of slivers.
 mod surfaces;
+// A cube and a long box, whose six faces can be cut in 64 ways, and what weightings make of them.
+mod boxes;
 
 use super::prelude::*;
 use boxes::{CUBE, LONG};

@@ -1,14 +1,14 @@
 //! The artefact laboratory for people: a page an experiment, an index with thumbnails, sheets of panels, tables, plots; in
 //! English or Portuguese.
 
-// Pages of experiments: for a browser, paper and a projector.
-mod page;
-// Pictures of experiments: panels, thumbnails, plots.
-mod pictures;
 // Formulas as MathML and in words, and sub- and superscripts in running text, where there is no room for a formula.
 mod notation;
 // The texts of the pages: tables and sentences.
 mod tables;
+// Pictures of experiments: panels, thumbnails, plots.
+mod pictures;
+// Pages of experiments: for a browser, paper and a projector.
+mod page;
 // The gallery's structure, in both languages.
 #[cfg(test)]
 mod tests;

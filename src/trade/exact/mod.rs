@@ -10,8 +10,7 @@ mod face;
 // Rays and triangles, for the coverage of pixels.
 mod ray;
 
-pub(crate) use face::vertex_normal;
-pub(crate) use face::{degenerate, dihedral, face_normal, radians, turn};
+pub(crate) use face::{degenerate, dihedral, face_normal, radians, turn, vertex_normal};
 pub(crate) use ray::Target;
 pub(crate) use vector::{Vector, angle, degrees_to, distance, dot, error_in_ulps, length, unit};
 

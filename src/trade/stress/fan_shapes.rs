@@ -139,11 +139,11 @@ const STORED: [Stored; 4] = [
     ("4 decimals", 5e-5, |x| (x * 1e4).round() / 1e4),
 ];
 
-pub(super) fn cases() -> Vec<StressCase> {
-    STORED.map(case).into()
+pub(super) fn quadric_cases() -> Vec<StressCase> {
+    STORED.map(quadric_case).into()
 }
 
-fn case((name, moved, store): Stored) -> StressCase {
+fn quadric_case((name, moved, store): Stored) -> StressCase {
     // A corner that moves by d = √3 coordinates tilts a face by 2d over its shorter edge, here the side of the cylinder of
     // most sides, and a mean no more. Fits may differ from their neighbours by twice as much, 2·2 such tilts.
     let shorter = TAU / f64::from(SIDES[2]);

@@ -49,11 +49,11 @@ mod fan_shapes;
 mod creases;
 // Normals in few bits.
 mod encodings;
-// Highlights: large exponents, light from behind, and half-vectors of nearly no length. One point under one light, in three
+// Highlights: large exponents, light from behind, half-vectors of nearly no length.
 mod highlights;
 // Light close to its source.
 mod attenuation;
-// Triangles that are hard to draw: the pixels that they cover by the rasterizer, by exact arithmetic, and by plain `f32` edge
+// Triangles that are hard to draw, and the pixels that they cover.
 mod triangles;
 
 pub use case::{Bound, Measured, StressCase, StressResult, Unit, Worst};
@@ -73,7 +73,7 @@ pub fn cases_of(group: Group) -> Vec<StressCase> {
         Group::Degenerate => degenerate::zero_area_cases(),
         Group::NonFinite => non_finite::cases(),
         Group::Valence => fan_shapes::valence_cases(),
-        Group::Fan => fan_shapes::fan_cases().into_iter().chain(fan_shapes::cases()).collect(),
+        Group::Fan => fan_shapes::fan_cases().into_iter().chain(fan_shapes::quadric_cases()).collect(),
         Group::Angle => arithmetic::angle_cases(),
         Group::Crease => creases::cases(),
         Group::Unit => arithmetic::unit_vector_cases(),
