@@ -1,14 +1,15 @@
 //! Scenes, lights and tiled pictures that experiments share.
 
-use super::error::ArtefactError;
-use crate::mesh::Mesh;
+use super::error::Result;
+use crate::mesh::{Faces, Mesh, MeshBuilder};
+use crate::metric::image_error;
 use crate::normals::{Crease, NormalField, NormalRecipe, Weight, compute};
 use crate::num::{Degrees, LinearRgb, Radians, Transfer, viridis};
 use crate::raster::{
-    Camera, Image, Interpolation, Object, Pixels, Projection, RenderSettings, Scene, Shading, Shape,
-    Statistics, render,
+    Camera, Image, Object, Paint, Pixels, Projection, RenderSettings, Scene, Shading, Shape, Statistics,
+    render,
 };
-use crate::shade::{Light, Material, Reflectance};
+use crate::shade::{Attenuation, Light, Material, Reflectance};
 use glam::DVec3;
 
 /// What is seen where there is nothing: a dark grey that neither black nor white surfaces vanish in.
@@ -23,11 +24,36 @@ pub(super) fn chalk() -> Material {
     }
 }
 
-/// A white light from far away, turned by an angle from the viewer (+z) to the right.
-pub(super) fn light_at(angle: Degrees) -> Light {
-    let Radians(angle) = angle.into();
-    let towards = DVec3::new(libm::sin(angle), 0.0, libm::cos(angle));
+/// A material of white light: its diffuse share, the share of its highlight, and the exponent of that.
+pub(super) fn shiny([diffuse, specular]: [f64; 2], exponent: f64) -> Material {
+    Material {
+        ambient: Reflectance::NONE,
+        diffuse: Reflectance::Merged(LinearRgb::grey(diffuse)),
+        specular: Reflectance::Merged(LinearRgb::grey(specular)),
+        exponent,
+        ..Material::default()
+    }
+}
+
+/// The direction at an angle from the viewer (+z) to the right.
+pub(super) fn direction(angle: Degrees) -> DVec3 {
+    let (sine, cosine) = libm::sincos(Radians::from(angle).0);
+    DVec3::new(sine, 0.0, cosine)
+}
+
+/// A white light from far away in a direction.
+pub(super) fn far_light(towards: DVec3) -> Light {
     Light::Directional { towards, colour: LinearRgb::WHITE }
+}
+
+/// A white light from far away, turned by an angle from the viewer to the right.
+pub(super) fn light_at(angle: Degrees) -> Light {
+    far_light(direction(angle))
+}
+
+/// A white lamp at a point, whose light does not fade.
+pub(super) fn lamp(position: DVec3) -> Light {
+    Light::Point { position, colour: LinearRgb::WHITE, attenuation: Attenuation::None }
 }
 
 /// A parallel camera that looks at the origin from +z at a window of this height.
@@ -36,16 +62,9 @@ pub(super) fn front(height: f64) -> Camera {
     Camera { eye: DVec3::Z * 100.0, target: DVec3::ZERO, up: DVec3::Y, projection, near: 0.0 }
 }
 
-/// Both sides lit, linear samples kept.
-pub(super) fn settings(size: [u32; 2], shading: Shading, interpolation: Interpolation) -> RenderSettings {
-    RenderSettings {
-        size,
-        shading,
-        interpolation,
-        two_sided: true,
-        keep_linear: true,
-        ..RenderSettings::default()
-    }
+/// Both sides lit, linear samples kept, interpolation in the scene.
+pub(super) fn settings(size: [u32; 2], shading: Shading) -> RenderSettings {
+    RenderSettings { size, shading, two_sided: true, keep_linear: true, ..RenderSettings::default() }
 }
 
 /// Draws objects on the common background.
@@ -53,15 +72,37 @@ pub(super) fn draw(
     objects: Vec<Object>,
     lights: &[Light],
     camera: Camera,
-    settings: &RenderSettings,
-) -> Result<Image, ArtefactError> {
+    settings: RenderSettings,
+) -> Result<Image> {
     let scene = Scene { objects, lines: Vec::new(), lights: lights.to_vec(), camera, background: BACKGROUND };
-    Ok(render(&scene, settings)?)
+    Ok(render(&scene, &settings)?)
 }
 
 /// A mesh with its normals as an object.
 pub(super) fn object<'a>(mesh: &'a Mesh, normals: &'a NormalField, material: Material) -> Object<'a> {
     Object::new(Shape::Mesh { mesh, normals }, material)
+}
+
+/// A mesh with its normals as an object whose vertices have these colours, unlit.
+pub(super) fn painted<'a>(mesh: &'a Mesh, normals: &'a NormalField, colours: &'a [LinearRgb]) -> Object<'a> {
+    Object { paint: Paint::Given(colours.into()), ..object(mesh, normals, Material::default()) }
+}
+
+/// A mesh of faces over positions.
+pub(super) fn build(positions: Vec<DVec3>, faces: Faces) -> Result<Mesh> {
+    Ok(MeshBuilder { positions, faces, ..MeshBuilder::default() }.build()?)
+}
+
+/// A mesh of sheets of quadrilaterals, so many along each row and so many rows, over the positions of their corners row by row.
+pub(super) fn sheets(positions: Vec<DVec3>, [columns, rows]: [u32; 2]) -> Result<Mesh> {
+    let (row, sheet) = (columns + 1, (columns + 1) * (rows + 1));
+    let mut faces = Faces::new();
+    for first in (0..positions.len() as u32).step_by(sheet as usize) {
+        for corner in (0..columns * rows).map(|k| first + k / columns * row + k % columns) {
+            faces.push(&[0, 1, row + 1, row].map(|step| corner + step));
+        }
+    }
+    build(positions, faces)
 }
 
 /// Normals by a weight, smooth over every edge.
@@ -72,6 +113,27 @@ pub(super) fn smooth(mesh: &Mesh, weight: Weight) -> NormalField {
 /// The linear samples of a picture, which every picture of an experiment has.
 pub(super) fn linear(image: &Image) -> &[[f32; 3]] {
     image.linear.as_deref().unwrap_or_default()
+}
+
+/// The linear colour of a pixel; not a number outside the picture.
+pub(super) fn colour_at(image: &Image, [x, y]: [u32; 2]) -> DVec3 {
+    image.index(x, y).map_or(DVec3::NAN, |index| DVec3::from(linear(image)[index].map(f64::from)))
+}
+
+/// The linear colour of the pixel in the middle.
+pub(super) fn centre(image: &Image) -> DVec3 {
+    colour_at(image, image.size.map(|side| side / 2))
+}
+
+/// The largest error of a component of a pixel, and the root mean square of all.
+pub(super) fn errors(image: &Image, truth: &Image) -> Result<[f64; 2]> {
+    let error = image_error(image, truth, 0.5)?.linear;
+    Ok([error.max / 255.0, error.rms / 255.0])
+}
+
+/// The largest error of a component of a pixel.
+pub(super) fn largest_error(image: &Image, truth: &Image) -> Result<f64> {
+    Ok(errors(image, truth)?[0])
 }
 
 /// The relative luminance of every pixel.
@@ -92,7 +154,7 @@ pub(super) fn picture(size: [u32; 2], linear: Vec<[f32; 3]>, coverage: Vec<u8>) 
 }
 
 /// Numbers from 0 to `full` as colours from dark violet over green to yellow, which get lighter all the way: they can be
-/// told apart without colour vision and in black and white (the map *viridis* at five places). `None` is background.
+/// distinguished without colour vision and in black and white (the map *viridis* at five places). `None` is background.
 pub(super) fn map(size: [u32; 2], values: &[Option<f64>], full: f64) -> Image {
     let colour = |value: f64| viridis(value / full).to_array().map(|component| component as f32);
     let background = BACKGROUND.to_array().map(|component| component as f32);
@@ -109,6 +171,11 @@ pub(super) fn differences(first: &Image, second: &Image) -> Vec<Option<f64>> {
         (first.coverage[pixel] > 0 && second.coverage[pixel] > 0).then_some(largest)
     };
     (0..colours.len()).map(difference).collect()
+}
+
+/// The largest of these differences.
+pub(super) fn largest_difference(first: &Image, second: &Image) -> f64 {
+    differences(first, second).into_iter().flatten().fold(0.0, f64::max)
 }
 
 /// What is free between pictures that are shown as one, in pixels.

@@ -7,8 +7,8 @@ use std::f64::consts::PI;
 /// The texts that all experiments share.
 pub(super) static SHARED: Catalogue = catalogue!("shared");
 
-/// A number with the artefact and without. As JSON it has two members more, `is_present` and `is_cured`.
-#[derive(Clone, Debug, PartialEq)]
+/// A number with the artefact and without.
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Effect {
     /// What it measures.
     pub name: Text,
@@ -81,25 +81,17 @@ impl Effect {
     }
 }
 
-impl Serialize for Effect {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        #[derive(Serialize)]
-        struct Judged<'a> {
-            name: &'a Text,
-            unit: &'a str,
-            bad: f64,
-            present: &'a Threshold,
-            cure: &'a Text,
-            cured: f64,
-            factor: f64,
-            is_present: bool,
-            is_cured: bool,
-        }
-        let Self { name, unit, bad, present, cure, cured, factor } = self;
-        let [bad, cured, factor] = [*bad, *cured, *factor];
-        let (is_present, is_cured) = (self.is_present(), self.is_cured());
-        Judged { name, unit, bad, present, cure, cured, factor, is_present, is_cured }.serialize(serializer)
+/// An effect as JSON, with two members more: `is_present` and `is_cured`.
+pub(super) fn judged<S: Serializer>(effect: &Effect, serializer: S) -> Result<S::Ok, S::Error> {
+    #[derive(Serialize)]
+    struct Judged<'a> {
+        #[serde(flatten)]
+        effect: &'a Effect,
+        is_present: bool,
+        is_cured: bool,
     }
+    let (is_present, is_cured) = (effect.is_present(), effect.is_cured());
+    Judged { effect, is_present, is_cured }.serialize(serializer)
 }
 
 #[cfg(test)]
@@ -143,7 +135,7 @@ mod tests {
         ] {
             let effect = effect(bad, cured);
             assert_eq!((effect.is_present(), effect.is_cured()), (is_present, is_cured), "{bad} {cured}");
-            let json = serde_json::to_value(&effect).unwrap();
+            let json = judged(&effect, serde_json::value::Serializer).unwrap();
             assert_eq!((&json["is_present"], &json["is_cured"]), (&is_present.into(), &is_cured.into()));
         }
         assert_eq!([effect(0.0, 0.0).reduction(), effect(1.0, 0.0).reduction()], [1.0, f64::INFINITY]);

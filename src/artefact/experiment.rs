@@ -2,12 +2,11 @@
 
 use super::error::ArtefactError;
 use super::outcome::{Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
+use super::parameters::{ParameterName, Parameters, Setup};
 use super::shot::Role;
 use crate::io::shell_word;
 use crate::raster::Image;
-use crate::text::{Catalogue, Language, Text};
+use crate::text::{Catalogue, Language, Text, Value, given};
 use serde::Serialize;
 use std::ops::RangeInclusive;
 
@@ -136,17 +135,26 @@ impl Experiment {
     /// Whether parameters are within their ranges, and within the experiment's own.
     ///
     /// # Errors
-    /// [`ArtefactError::Range`], [`ArtefactError::Segments`].
+    /// [`ArtefactError::Request`] for the first that is not.
     pub fn accept(&self, parameters: &Parameters) -> Result<(), ArtefactError> {
-        parameters.check()?;
-        match self.segments.contains(&parameters.segments) {
-            true => Ok(()),
-            false => Err(ArtefactError::Segments {
-                experiment: self.id,
-                found: parameters.segments,
-                range: self.segments.clone(),
-            }),
+        for (name, found) in ParameterName::NUMBERS.map(|name| (name, parameters.number(name))) {
+            let Some((range, found)) = name.range().zip(found) else { continue };
+            if !range.contains(&found) {
+                let key = format!("{}-{}", name.name(), "range");
+                return Err(ArtefactError::request(&key, &[("found", given(found).into())]));
+            }
         }
+        if self.segments.contains(&parameters.segments) {
+            return Ok(());
+        }
+        let number = |number: u32| Value::from(number.to_string());
+        let values = [
+            ("experiment", self.id.into()),
+            ("found", number(parameters.segments)),
+            ("least", number(*self.segments.start())),
+            ("most", number(*self.segments.end())),
+        ];
+        Err(ArtefactError::request("own-segments", &values))
     }
 
     /// The least and the most of a number that it takes; `None` for what is no number, and for what it does not take.
@@ -163,13 +171,18 @@ impl Experiment {
     /// Refuses the first of some parameters that the experiment does not take.
     ///
     /// # Errors
-    /// [`ArtefactError::NotTaken`].
+    /// [`ArtefactError::Request`].
     pub fn refuse(&self, given: impl IntoIterator<Item = ParameterName>) -> Result<(), ArtefactError> {
         match given.into_iter().find(|name| !self.takes.contains(name)) {
             None => Ok(()),
             Some(name) => {
                 let takes: Vec<String> = self.takes.iter().map(|name| format!("--{}", name.name())).collect();
-                Err(ArtefactError::NotTaken { experiment: self.id, name, takes: takes.join(", ") })
+                let values = [
+                    ("experiment", self.id.into()),
+                    ("name", name.name().into()),
+                    ("takes", takes.join(", ").into()),
+                ];
+                Err(ArtefactError::request("not-taken", &values))
             }
         }
     }

@@ -31,13 +31,19 @@ pub static EXPERIMENTS: [&Experiment; 14] = [
 /// The experiment of an id.
 ///
 /// # Errors
-/// [`ArtefactError::Unknown`], with the id that is most like it.
+/// [`ArtefactError::Request`], with the id that is most like it.
 pub fn experiment(id: &str) -> Result<&'static Experiment, ArtefactError> {
     EXPERIMENTS.into_iter().find(|experiment| experiment.id == id).ok_or_else(|| {
         let shared =
             |other: &str| id.split('-').filter(|word| word.len() > 2 && other.contains(word)).count();
         let nearest = EXPERIMENTS.iter().map(|experiment| experiment.id).max_by_key(|other| shared(other));
-        ArtefactError::Unknown { found: id.to_owned(), nearest: nearest.filter(|other| shared(other) > 0) }
+        let found = ("found", id.into());
+        match nearest.filter(|other| shared(other) > 0) {
+            Some(nearest) => {
+                ArtefactError::request("unknown-but-similar", &[found, ("nearest", nearest.into())])
+            }
+            None => ArtefactError::request("unknown", &[found]),
+        }
     })
 }
 
@@ -54,7 +60,7 @@ impl Experiment {
     /// Refuses to be animated if nothing in it moves.
     ///
     /// # Errors
-    /// [`ArtefactError::Still`], with the names of those that have an animation.
+    /// [`ArtefactError::Request`], with the names of those that have an animation.
     pub fn refuse_still(&self) -> Result<(), ArtefactError> {
         self.frame_fn().map(|_| ())
     }
@@ -63,7 +69,8 @@ impl Experiment {
         self.frame.ok_or_else(|| {
             let animated = EXPERIMENTS.iter().filter(|other| other.is_animated());
             let names: Vec<&str> = animated.map(|other| other.id).collect();
-            ArtefactError::Still(self.id, names.join(", "))
+            let values = [("experiment", self.id.into()), ("animated", names.join(", ").into())];
+            ArtefactError::request("still", &values)
         })
     }
 }
@@ -84,7 +91,7 @@ mod tests {
                 experiment.id.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-');
             assert!(is_plain && ids.insert(experiment.id), "{}", experiment.id);
             assert!(!experiment.sources().is_empty() && !experiment.takes.is_empty(), "{}", experiment.id);
-            assert_eq!(experiment.defaults.check(), Ok(()), "{}", experiment.id);
+            assert_eq!(experiment.accept(&experiment.defaults), Ok(()), "{}", experiment.id);
             assert!(self::experiment(experiment.id).is_ok());
             let takes_mesh = experiment.takes.contains(&ParameterName::Mesh);
             assert_eq!(experiment.own_mesh().is_some(), takes_mesh, "{}", experiment.id);
@@ -109,7 +116,7 @@ mod tests {
         assert!(reported.contains("no crease") && reported.contains("--segments"), "{reported}");
         let parameters = Parameters { segments: 2, ..mach_bands.defaults };
         let error = mach_bands.run(&Setup { parameters, mesh: None }).unwrap_err();
-        assert!(matches!(error, ArtefactError::Range { name: ParameterName::Segments, .. }));
+        assert!(error.to_string().contains("--segments is 2"), "{error}");
         let still =
             mach_bands.frame(&Setup { parameters: mach_bands.defaults, mesh: None }, 0, 2).unwrap_err();
         assert!(still.to_string().contains("orientation"), "{still}");

@@ -21,7 +21,7 @@
 //!    thumbnails, the command line and the structural tests of the gallery take it from there.
 //! 2. `takes` lists its parameters, `defaults` their values; the command line refuses all others. If it takes
 //!    [`ParameterName::Mesh`], `setup.mesh` may hold a user's mesh: its text `own-mesh` says what is measured on the mesh, and
-//!    [`ArtefactError::Mesh`] what to do about an unsuitable one. `frame` draws frame k of n of its animation, if it has one.
+//!    [`ArtefactError::Request`] what to do about an unsuitable one. `frame` draws frame k of n of its animation, if it has one.
 //! 3. `run` draws pictures with `drawing::draw` at `parameters.size`, measures their linear samples (`drawing::luminance`) with
 //!    the metrics of [`metric`](crate::metric) where there is one, and passes both to a `Recorder`, which looks up the texts: of
 //!    the picture `plate` these are `plate-title`, `plate-caption` and `plate-seen`. The caption must be true with all
@@ -33,11 +33,9 @@
 //!    [`Verdict::Absent`], with the text `shown-by`.
 //! 5. Tests at small sizes: all measures agree, the artefact is present in the bad case, the cure reduces it by a stated factor.
 
-// What a run takes.
+// The errors of experiments.
 mod error;
-// The names and ranges of the parameters of experiments.
-mod parameter_name;
-// The parameters of experiments and their values.
+// The parameters of experiments: names, ranges, values.
 mod parameters;
 // Scenes, pictures made of pictures, and the meshes that experiments draw.
 mod drawing;
@@ -53,10 +51,12 @@ mod outcome;
 mod recorder;
 // Pictures with captions.
 mod shot;
-// The experiments.
-mod attenuation_and_overflow;
 // The definition of an experiment.
 mod experiment;
+// The names that the code of every experiment uses.
+mod prelude;
+// Light that fades with distance, and light above the displayable range.
+mod attenuation_and_overflow;
 // Sharp edges that averaged normals smooth away.
 mod false_smoothing;
 // When one colour for each face is exact.
@@ -92,6 +92,5 @@ pub use error::ArtefactError;
 pub use experiment::{Experiment, Formula};
 pub use gallery::{EXPERIMENTS, experiment};
 pub use outcome::{Chart, Curve, Drawn, Expected, Measure, Outcome, Range, Scale, Verdict};
-pub use parameter_name::ParameterName;
-pub use parameters::{Changes, ParameterValues, Parameters, Setup, UserMesh};
+pub use parameters::{Changes, ParameterName, ParameterValues, Parameters, Setup, UserMesh};
 pub use shot::{Amount, Role, Shot};

@@ -1,6 +1,6 @@
 //! The result of an experiment: data and linear pictures, no markup.
 
-use super::effect::Effect;
+use super::effect::{Effect, judged};
 use super::shot::{Role, Shot};
 use crate::text::Text;
 use serde::{Serialize, Serializer};
@@ -11,7 +11,7 @@ pub struct Outcome {
     /// Whether the claim holds here.
     pub verdict: Verdict,
     /// The number that the cure changes.
-    #[serde(rename = "moved")]
+    #[serde(rename = "moved", serialize_with = "judged")]
     pub effect: Effect,
     /// All numbers.
     pub measures: Vec<Measure>,
@@ -68,7 +68,7 @@ impl Outcome {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "verdict", content = "condition", rename_all = "kebab-case")]
 pub enum Verdict {
-    /// Wherever it was looked at: these conditions.
+    /// Wherever it was tested: under these conditions.
     Holds(Text),
     /// Under this condition; it fails without.
     HoldsOnlyIf(Text),
@@ -193,7 +193,7 @@ pub struct Chart {
 pub struct Scale {
     /// What it measures, with its unit.
     pub label: Text,
-    /// Whether powers of ten are equally far apart.
+    /// Whether powers of ten are at equal distances.
     pub logarithmic: bool,
 }
 

@@ -1,7 +1,5 @@
-//! The parameters of experiments and their values.
+//! The parameters of experiments: their names, ranges and values.
 
-use super::error::ArtefactError;
-use super::parameter_name::{ParameterName, SEGMENTS};
 use crate::mesh::Mesh;
 use crate::normals::Weight;
 use crate::num::Degrees;
@@ -9,6 +7,57 @@ use crate::raster::Interpolation;
 use crate::text::given;
 use serde::{Serialize, Serializer};
 use std::ops::RangeInclusive;
+
+/// A parameter of experiments. Not every experiment has all of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ParameterName {
+    /// [`Parameters::size`].
+    Size,
+    /// [`Parameters::segments`].
+    Segments,
+    /// [`Parameters::light`].
+    Light,
+    /// [`Parameters::exponent`].
+    Exponent,
+    /// [`Parameters::weight`].
+    Weight,
+    /// [`Parameters::crease`].
+    Crease,
+    /// [`Parameters::interpolation`].
+    Interpolation,
+    /// [`Setup::mesh`].
+    Mesh,
+}
+
+/// The name of each parameter, in the order of [`ParameterName`], and the range of a number.
+const TABLE: [(&str, Option<RangeInclusive<f64>>); 8] = [
+    ("size", Some(32.0..=1024.0)),
+    ("segments", Some(3.0..=1024.0)),
+    ("light", Some(-180.0..=180.0)),
+    ("exponent", Some(0.0..=1e6)),
+    ("weight", None),
+    ("crease", Some(0.0..=180.0)),
+    ("interpolation", None),
+    ("mesh", None),
+];
+
+impl ParameterName {
+    /// The parameters that are numbers.
+    pub(super) const NUMBERS: [Self; 5] =
+        [Self::Size, Self::Segments, Self::Light, Self::Exponent, Self::Crease];
+
+    /// The range of a number; `None` for parameters that are not numbers. An experiment may have a smaller range, see
+    /// [`Experiment::range`](super::Experiment::range).
+    pub fn range(self) -> Option<RangeInclusive<f64>> {
+        TABLE[self as usize].1.clone()
+    }
+
+    /// Its name, which is also that of the command-line option.
+    pub fn name(self) -> &'static str {
+        TABLE[self as usize].0
+    }
+}
 
 /// The settings of an experiment. Its page explains what each means to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +80,7 @@ pub struct Parameters {
 
 impl Parameters {
     /// The range of segments; some experiments have a smaller one.
-    pub const SEGMENTS: RangeInclusive<u32> = SEGMENTS;
+    pub const SEGMENTS: RangeInclusive<u32> = 3..=1024;
     /// The defaults of most experiments: 320 pixels, 16 segments, light 30° off the axis of view, n = 32, angle weights, creases
     /// over 40°, perspective interpolation.
     pub const USUAL: Parameters = Parameters {
@@ -44,44 +93,28 @@ impl Parameters {
         interpolation: Interpolation::Perspective,
     };
 
-    /// The value of a parameter as the command line has it; `None` for [`ParameterName::Mesh`].
-    pub fn value(&self, name: ParameterName) -> Option<String> {
-        Some(match name {
-            ParameterName::Size => self.size.to_string(),
-            ParameterName::Segments => self.segments.to_string(),
-            ParameterName::Light => given(self.light.0),
-            ParameterName::Exponent => given(self.exponent),
-            ParameterName::Weight => self.weight.name().to_owned(),
-            ParameterName::Crease => given(self.crease.0),
-            ParameterName::Interpolation => match self.interpolation {
-                Interpolation::Scanline => "scanline",
-                Interpolation::Affine => "affine",
-                Interpolation::Perspective => "perspective",
-            }
-            .to_owned(),
-            ParameterName::Mesh => return None,
-        })
+    /// A number; `None` for parameters that are not numbers.
+    pub(super) fn number(&self, name: ParameterName) -> Option<f64> {
+        match name {
+            ParameterName::Size => Some(self.size.into()),
+            ParameterName::Segments => Some(self.segments.into()),
+            ParameterName::Light => Some(self.light.0),
+            ParameterName::Exponent => Some(self.exponent),
+            ParameterName::Crease => Some(self.crease.0),
+            ParameterName::Weight | ParameterName::Interpolation | ParameterName::Mesh => None,
+        }
     }
 
-    /// Whether everything is within its range.
-    ///
-    /// # Errors
-    /// [`ArtefactError::Range`] for the first that is not.
-    pub fn check(&self) -> Result<(), ArtefactError> {
-        let numbers = [
-            (ParameterName::Size, self.size.into(), "give 32 to 1024 pixels"),
-            (ParameterName::Segments, self.segments.into(), "give a number from 3 to 1024"),
-            (ParameterName::Light, self.light.0, "give an angle from -180 to 180 degrees"),
-            (ParameterName::Exponent, self.exponent, "give a number from 0 to 1000000"),
-            (ParameterName::Crease, self.crease.0, "give an angle from 0 to 180 degrees"),
-        ];
-        let is_out = |(name, found, _): &(ParameterName, f64, _)| {
-            name.range().is_some_and(|range| !range.contains(found))
+    /// The value of a parameter as the command line has it; `None` for [`ParameterName::Mesh`].
+    pub fn value(&self, name: ParameterName) -> Option<String> {
+        let choice = match (name, self.interpolation) {
+            (ParameterName::Weight, _) => self.weight.name(),
+            (ParameterName::Interpolation, Interpolation::Scanline) => "scanline",
+            (ParameterName::Interpolation, Interpolation::Affine) => "affine",
+            (ParameterName::Interpolation, Interpolation::Perspective) => "perspective",
+            _ => return self.number(name).map(given),
         };
-        match numbers.into_iter().find(is_out) {
-            Some((name, found, expected)) => Err(ArtefactError::Range { name, found, expected }),
-            None => Ok(()),
-        }
+        Some(choice.to_owned())
     }
 }
 
@@ -179,15 +212,6 @@ pub struct ParameterValues<'a> {
 
 impl Serialize for ParameterValues<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Parameters { size, segments, light, exponent, crease, .. } = self.parameters;
-        let number = |name| match name {
-            ParameterName::Size => Some(f64::from(*size)),
-            ParameterName::Segments => Some(f64::from(*segments)),
-            ParameterName::Light => Some(light.0),
-            ParameterName::Exponent => Some(*exponent),
-            ParameterName::Crease => Some(crease.0),
-            ParameterName::Weight | ParameterName::Interpolation | ParameterName::Mesh => None,
-        };
         /// A number or a name.
         #[derive(Serialize)]
         #[serde(untagged)]
@@ -196,7 +220,7 @@ impl Serialize for ParameterValues<'_> {
             Name(String),
         }
         let value = |&name: &ParameterName| {
-            let value = number(name).map(Value::Number);
+            let value = self.parameters.number(name).map(Value::Number);
             Some((name.name(), value.or_else(|| self.parameters.value(name).map(Value::Name))?))
         };
         serializer.collect_map(self.names.iter().filter_map(value))

@@ -1,20 +1,6 @@
 //! Interpolation on the picture against interpolation in the scene.
 
-use super::drawing::{draw, linear, map, picture, settings, smooth};
-use super::effect::{Effect, Threshold};
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Drawn, Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Axis, Check, Recorder};
-use crate::mesh::{Faces, Mesh, MeshBuilder};
-use crate::normals::Weight;
-use crate::num::LinearRgb;
-use crate::raster::{Camera, Image, Interpolation, Object, Paint, Projection, Shading, Shape};
-use crate::shade::Material;
-use crate::text::{Catalogue, Value, catalogue};
-use glam::DVec3;
+use super::prelude::*;
 
 static TEXTS: Catalogue = catalogue!("perspective_distortion");
 
@@ -43,7 +29,7 @@ fn squares(pieces: u32) -> f64 {
 /// Half the width of the wall on the picture, whose half is 1.
 const REACH: f64 = 0.9;
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let Parameters { size, segments, .. } = setup.parameters;
     let error = |pieces, interpolation| Wall::new(RATIO, pieces)?.error(interpolation);
     let corrected = error(1, Interpolation::Perspective)?;
@@ -79,8 +65,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     out.cured("pieces", &of_pieces, board(&cut));
     out.difference("error", error_map(&affine, &right));
     out.difference("error-pieces", error_map(&cut, &right));
-    let verdict = Verdict::HoldsOnlyIf(out.text("holds-only-if"));
-    Ok(out.finish(verdict, effect))
+    Ok(out.finish(Verdict::HoldsOnlyIf(out.text("holds-only-if")), effect))
 }
 
 /// The largest errors by depth ratio, and the place on the surface by the place on the picture.
@@ -105,7 +90,7 @@ fn law(ratio: f64) -> f64 {
     (ratio.sqrt() - 1.0) / (ratio.sqrt() + 1.0)
 }
 
-/// The error's derivative by the place is up to ρ: half a pixel of 4096·0.9 is 10/7400 at ρ = 10 beside the largest error, where it
+/// The error's derivative by the place is up to ρ: half a pixel of 4096·0.9 is 10/7400 at ρ = 10 next to the largest error, where it
 /// is 0 to first order; vertices snap to 256ths of pixels; single precision, 6·10⁻⁸, is far below.
 const TOLERANCE: f64 = 2e-5;
 
@@ -135,45 +120,35 @@ struct Wall {
 }
 
 impl Wall {
-    fn new(ratio: f64, pieces: u32) -> Result<Self, ArtefactError> {
+    fn new(ratio: f64, pieces: u32) -> Result<Self> {
         let (near, far) = (DVec3::new(-REACH, 0.0, -1.0), DVec3::new(REACH * ratio, 0.0, -ratio));
-        let (mut positions, mut colours) = (Vec::new(), Vec::new());
         let row = pieces + 1;
         let share = |k: u32| f64::from(k) / f64::from(pieces);
-        for (s, v) in (0..row * row).map(|k| (share(k / row), share(k % row))) {
-            positions.push(near.lerp(far, s) + DVec3::Y * REACH * (2.0 * v - 1.0));
-            colours.push(LinearRgb::new(s, v, 0.0));
-        }
-        let piece = |k: u32| {
-            let first = k / pieces * row + k % pieces;
-            [0, row, row + 1, 1].map(|corner| first + corner)
-        };
-        let corners: Vec<u32> = (0..pieces * pieces).flat_map(piece).collect();
-        let faces = Faces::polygons(corners, (0..=pieces * pieces).map(|k| 4 * k).collect());
-        let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build()?;
+        let places = || (0..row * row).map(|k| (share(k % row), share(k / row)));
+        let point = |(s, v)| near.lerp(far, s) + DVec3::Y * REACH * (2.0 * v - 1.0);
+        let mesh = sheets(places().map(point).collect(), [pieces; 2])?;
+        let colours = places().map(|(s, v)| LinearRgb::new(s, v, 0.0)).collect();
         Ok(Self { mesh, colours, ratio })
     }
 
-    fn draw(&self, size: [u32; 2], interpolation: Interpolation) -> Result<Image, ArtefactError> {
+    fn draw(&self, size: [u32; 2], interpolation: Interpolation) -> Result<Image> {
         let normals = smooth(&self.mesh, Weight::Angle);
-        let object = Object {
-            paint: Paint::Given(self.colours.as_slice().into()),
-            ..Object::new(Shape::Mesh { mesh: &self.mesh, normals: &normals }, Material::default())
-        };
+        let object = painted(&self.mesh, &normals, &self.colours);
         // As wide as 90°, whatever the height.
         let slope = f64::from(size[1]) / f64::from(size[0]);
         let camera = Camera {
             eye: DVec3::ZERO,
             target: DVec3::NEG_Z,
-            up: DVec3::Y,
-            projection: Projection::Perspective(crate::num::Radians(2.0 * libm::atan(slope))),
+            projection: Projection::Perspective(Radians(2.0 * libm::atan(slope))),
             near: 0.1,
+            ..front(1.0)
         };
-        draw(vec![object], &[], camera, &settings(size, Shading::Gouraud, interpolation))
+        let settings = RenderSettings { interpolation, ..settings(size, Shading::Gouraud) };
+        draw(vec![object], &[], camera, settings)
     }
 
     /// The largest error of the place across, along the middle row of a picture of 4096 pixels.
-    fn error(&self, interpolation: Interpolation) -> Result<f64, ArtefactError> {
+    fn error(&self, interpolation: Interpolation) -> Result<f64> {
         const LINE: u32 = 4096;
         let image = self.draw([LINE, 3], interpolation)?;
         let error = |pixel: u32| {
@@ -186,7 +161,7 @@ impl Wall {
 
     /// The largest error of the place up, of all pixels of a picture of 1024 by 1024. Its supremum is where the diagonals of
     /// pieces are, which pixels come close to and do not meet.
-    fn error_up(&self, interpolation: Interpolation) -> Result<f64, ArtefactError> {
+    fn error_up(&self, interpolation: Interpolation) -> Result<f64> {
         const SIDE: u32 = 1024;
         let image = self.draw([SIDE; 2], interpolation)?;
         let error = |(index, colour): (usize, &[f32; 3])| {
@@ -235,7 +210,7 @@ mod tests {
         assert!(outcome.effect.bad > 0.33 && outcome.effect.reduction() > 1e3, "{:?}", outcome.effect);
     }
 
-    /// Figures computed apart from this program.
+    /// Figures computed outside this program.
     #[test]
     fn largest_errors_have_their_published_values() {
         for (ratio, printed) in [(1.5, 0.101_02), (2.0, 0.171_57), (4.0, 0.333_33), (10.0, 0.519_49)] {

@@ -5,6 +5,7 @@ use super::outcome::{Chart, Curve, Drawn, Expected, Measure, Outcome, Range, Sca
 use super::shot::{Caption, Role, Shot};
 use crate::raster::Image;
 use crate::text::{Catalogue, Text, Value};
+use std::mem::take;
 
 /// An outcome under construction. The texts of a measure, picture, chart or curve have its name as their key, followed by
 /// `-measure`, `-by`, `-effect`, `-cure`, `-title`, `-caption`, `-seen`, `-x`, `-y` or `-curve`.
@@ -135,7 +136,7 @@ impl Recorder {
     }
 
     /// The outcome, with the notes of the texts `note-1`, `note-2`, ….
-    pub(super) fn finish(self, verdict: Verdict, effect: Effect) -> Outcome {
+    pub(super) fn finish(&mut self, verdict: Verdict, effect: Effect) -> Outcome {
         let keys =
             (1..).map(|number: u32| key("note", &number.to_string())).take_while(|key| self.texts.has(key));
         let notes = keys.map(|key| self.text(&key)).collect();
@@ -143,8 +144,14 @@ impl Recorder {
     }
 
     /// The outcome with other notes.
-    pub(super) fn finish_with_notes(self, notes: Vec<Text>, verdict: Verdict, effect: Effect) -> Outcome {
-        let Self { measures, shots, charts, .. } = self;
+    pub(super) fn finish_with_notes(
+        &mut self,
+        notes: Vec<Text>,
+        verdict: Verdict,
+        effect: Effect,
+    ) -> Outcome {
+        let (measures, shots, charts) =
+            (take(&mut self.measures), take(&mut self.shots), take(&mut self.charts));
         Outcome { verdict, effect, measures, shots, charts, notes }
     }
 }

@@ -1,20 +1,7 @@
 //! Vertices that neighbours do not share: T-junctions, cracks, seams.
 
-use super::drawing::{chalk, draw, front, light_at, linear, luminance, object, settings, smooth};
-use super::effect::{Effect, Threshold};
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Drawn, Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Axis, Check, Recorder};
-use crate::mesh::{Faces, Mesh, MeshBuilder, Weld};
-use crate::normals::{Crease, NormalRecipe, Weight, compute};
-use crate::num::{Degrees, LinearRgb, Radians};
-use crate::raster::{Image, Interpolation, Object, Paint, RenderSettings, Samples, Shading, Shape};
-use crate::shade::Material;
-use crate::text::{Catalogue, catalogue};
-use glam::DVec3;
+use super::prelude::*;
+use crate::mesh::Weld;
 use std::f64::consts::TAU;
 
 static TEXTS: Catalogue = catalogue!("shared_vertices");
@@ -37,7 +24,7 @@ const HALF: f64 = 0.9;
 /// How far the vertex of the crack is off its edge, in pixels.
 const OFF: f64 = 6.0;
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let Parameters { size, segments, light, .. } = setup.parameters;
     let edge = 2.0 * HALF * f64::from(size) / 2.0;
     let values = [
@@ -51,12 +38,11 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     t_junction(&wall, size, &mut out)?;
     crack(&wall, size, edge, &mut out)?;
     let effect = seam(&Tube::new(segments)?, size, light, &mut out)?;
-    let verdict = Verdict::HoldsOnlyIf(out.text("holds-only-if"));
-    Ok(out.finish(verdict, effect))
+    Ok(out.finish(Verdict::HoldsOnlyIf(out.text("holds-only-if")), effect))
 }
 
 /// The jump of colour at a vertex that the large face does not have.
-fn t_junction(wall: &Wall, size: u32, out: &mut Recorder) -> Result<(), ArtefactError> {
+fn t_junction(wall: &Wall, size: u32, out: &mut Recorder) -> Result<()> {
     let bad = wall.draw(&wall.mesh(0.0, false)?, size, Samples::One)?;
     let cured = wall.draw(&wall.mesh(0.0, true)?, size, Samples::One)?;
     let law = (MIDDLE - (ENDS[0] + wall.share() * (ENDS[1] - ENDS[0]))).abs();
@@ -73,7 +59,7 @@ fn t_junction(wall: &Wall, size: u32, out: &mut Recorder) -> Result<(), Artefact
     };
     let curves = vec![curve("t-junction", &bad), curve("t-junction-shared", &cured)];
     out.chart("jump", [Axis::Linear; 2], curves);
-    // Beside the edge the large face has gone half a pixel towards its far edge, or a whole one: of the smallest picture a
+    // Next to the edge the large face has gone half a pixel towards its far edge, or a whole one: of the smallest picture a
     // fourteenth.
     let effect = out.effect("t-junction", "", [jump, left], Threshold::half_step(), 10.0);
     out.bad("t-junction", &effect, bad);
@@ -82,7 +68,7 @@ fn t_junction(wall: &Wall, size: u32, out: &mut Recorder) -> Result<(), Artefact
 }
 
 /// The area between faces when the vertex is off its edge.
-fn crack(wall: &Wall, size: u32, edge: f64, out: &mut Recorder) -> Result<(), ArtefactError> {
+fn crack(wall: &Wall, size: u32, edge: f64, out: &mut Recorder) -> Result<()> {
     let cracked = wall.draw(&wall.mesh(OFF, false)?, size, Samples::Sixteen)?;
     let whole = wall.draw(&wall.mesh(OFF, true)?, size, Samples::Sixteen)?;
     let [open, closed] = [&cracked, &whole].map(|image| wall.uncovered(image));
@@ -96,7 +82,7 @@ fn crack(wall: &Wall, size: u32, edge: f64, out: &mut Recorder) -> Result<(), Ar
 }
 
 /// The jump of luminance along a seam, which is the effect that the experiment reports.
-fn seam(tube: &Tube, size: u32, light: Degrees, out: &mut Recorder) -> Result<Effect, ArtefactError> {
+fn seam(tube: &Tube, size: u32, light: Degrees, out: &mut Recorder) -> Result<Effect> {
     let [open, welded] = [Weld::Off, Weld::Exact].map(|weld| tube.jump(light, weld));
     let (open, welded) = (open?, welded?);
     out.measure("seam", "", open, Check::Near(tube.law(light), 2e-3));
@@ -127,7 +113,7 @@ impl Wall {
     }
 
     /// The faces, with the vertex so many pixels to the right of the edge, and in the large face too if it is shared.
-    fn mesh(&self, off: f64, is_shared: bool) -> Result<Mesh, ArtefactError> {
+    fn mesh(&self, off: f64, is_shared: bool) -> Result<Mesh> {
         let x = off * 2.0 / f64::from(self.size);
         let points = [
             [-HALF, -HALF],
@@ -147,21 +133,21 @@ impl Wall {
         faces.push(&[1, 4, 5, 7]);
         faces.push(&[7, 5, 6, 2]);
         let positions = points.map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec();
-        Ok(MeshBuilder { positions, faces, ..MeshBuilder::default() }.build()?)
+        build(positions, faces)
     }
 
     /// By the lectures' algorithm, in colours that depend on the height alone.
-    fn draw(&self, mesh: &Mesh, size: u32, samples: Samples) -> Result<Image, ArtefactError> {
+    fn draw(&self, mesh: &Mesh, size: u32, samples: Samples) -> Result<Image> {
         let [low, high] = ENDS;
         let colours = [low, low, high, high, low, MIDDLE, high, MIDDLE].map(LinearRgb::grey);
         let normals = smooth(mesh, Weight::Angle);
-        let object = Object {
-            paint: Paint::Given(colours.as_slice().into()),
-            ..Object::new(Shape::Mesh { mesh, normals: &normals }, Material::default())
+        let settings = RenderSettings {
+            samples,
+            interpolation: Interpolation::Scanline,
+            ..settings([size; 2], Shading::Gouraud)
         };
-        let settings =
-            RenderSettings { samples, ..settings([size; 2], Shading::Gouraud, Interpolation::Scanline) };
-        draw(vec![object], &[], front(2.0), &settings)
+        let object = painted(mesh, &normals, &colours);
+        draw(vec![object], &[], front(2.0), settings)
     }
 
     /// The area within the wall that is not covered, in pixels.
@@ -200,37 +186,31 @@ struct Tube {
 }
 
 impl Tube {
-    fn new(segments: u32) -> Result<Self, ArtefactError> {
+    fn new(segments: u32) -> Result<Self> {
         let ring = |y: f64| {
             (0..=segments).map(move |k| {
                 let angle = TAU * f64::from(k % segments) / f64::from(segments);
                 DVec3::new(libm::sin(angle), y, libm::cos(angle))
             })
         };
-        let quad = |k: u32| [k, k + 1, k + segments + 2, k + segments + 1];
-        let corners: Vec<u32> = (0..segments).flat_map(quad).collect();
-        let builder = MeshBuilder {
-            positions: ring(-0.8).chain(ring(0.8)).collect(),
-            faces: Faces::polygons(corners, (0..=segments).map(|k| 4 * k).collect()),
-            ..MeshBuilder::default()
-        };
-        Ok(Self { mesh: builder.build()?, segments })
+        let mesh = sheets(ring(-0.8).chain(ring(0.8)).collect(), [segments, 1])?;
+        Ok(Self { mesh, segments })
     }
 
-    fn draw(&self, size: [u32; 2], light: Degrees, weld: Weld) -> Result<Image, ArtefactError> {
+    fn draw(&self, size: [u32; 2], light: Degrees, weld: Weld) -> Result<Image> {
         let recipe =
             NormalRecipe { weight: Weight::Uniform, crease: Crease::OFF, weld, ..NormalRecipe::default() };
         let normals = compute(&self.mesh, &recipe);
         let camera = front(2.2 * f64::from(size[1]) / f64::from(size[0]));
-        let settings = settings(size, Shading::Phong, Interpolation::Perspective);
-        draw(vec![object(&self.mesh, &normals, chalk())], &[light_at(light)], camera, &settings)
+        let object = object(&self.mesh, &normals, chalk());
+        draw(vec![object], &[light_at(light)], camera, settings(size, Shading::Phong))
     }
 
     /// The jump at the seam, along a scanline of many pixels.
-    fn jump(&self, light: Degrees, weld: Weld) -> Result<f64, ArtefactError> {
+    fn jump(&self, light: Degrees, weld: Weld) -> Result<f64> {
         const LINE: u32 = 8192;
         let image = self.draw([LINE, 1], light, weld)?;
-        let red = |pixel: u32| f64::from(linear(&image)[pixel as usize][0]);
+        let red = |pixel| colour_at(&image, [pixel, 0]).x;
         Ok((red(LINE / 2 + 1) - red(LINE / 2 - 2)).abs())
     }
 
@@ -250,7 +230,7 @@ mod tests {
         let setup = Setup { parameters: Parameters { size: 96, ..EXPERIMENT.defaults }, mesh: None };
         let outcome = EXPERIMENT.run(&setup).unwrap();
         outcome.prove();
-        // 2 sin 50° sin 11.25°, computed apart from this program; a pixel and a half on both sides.
+        // 2 sin 50° sin 11.25°, computed outside this program; a pixel and a half on both sides.
         assert!((outcome.effect.bad - 0.298_90).abs() < 2e-3, "{:?}", outcome.effect);
         // A tube of 16 facets jumps by 0.3 under a light at 50°; welded, luminance moves by its slope over three pixels.
         assert!(outcome.effect.bad > 0.2 && outcome.effect.reduction() > 100.0, "{:?}", outcome.effect);

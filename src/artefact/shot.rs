@@ -22,7 +22,7 @@ pub enum Role {
     Difference,
     /// The surface itself.
     Truth,
-    /// What there is to see where the artefact is so faint that maps beside it have to show it.
+    /// What there is to see where the artefact is so faint that maps next to it have to show it.
     Seen,
 }
 

@@ -53,7 +53,7 @@ impl TriangleMesh {
         }
     }
 
-    /// Squares over 0…1 by 0…1, as many each way as told, cut into triangles; `point` gives a place and its normal.
+    /// Squares over 0…1 by 0…1, so many each way, cut into triangles; `point` gives a place and its normal.
     pub(super) fn grid(
         cells: [u32; 2],
         diagonal: Diagonal,

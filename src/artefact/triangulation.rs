@@ -1,19 +1,6 @@
 //! One polygon, cut in two ways.
 
-use super::drawing::{BACKGROUND, chalk, differences, draw, front, light_at, linear, map, picture, settings};
-use super::effect::{Effect, Threshold};
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Drawn, Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Axis, Check, Recorder};
-use super::triangle_mesh::{Diagonal, TriangleMesh};
-use crate::metric::image_error;
-use crate::num::{Degrees, LinearRgb, Radians};
-use crate::raster::{Image, Interpolation, Object, Paint, Shading};
-use crate::text::{Catalogue, catalogue};
-use glam::DVec3;
+use super::prelude::*;
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 
@@ -48,14 +35,13 @@ const HEIGHT: f64 = 0.12;
 /// How many waves lie along a side: few squares to each, so that it shows how these are cut.
 const WAVES: f64 = 2.0;
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let mut out = Recorder::new(&TEXTS, &[("full", FULL.into()), ("finer", FINER.into())]);
     let diamonds = Diamonds::draw(setup.parameters.size)?;
     diamonds.measure(&mut out);
     let effect = waves(&setup.parameters, diamonds.change(), &mut out)?;
     diamonds.show(&mut out);
-    let verdict = Verdict::Holds(out.text("holds"));
-    Ok(out.finish(verdict, effect))
+    Ok(out.finish(Verdict::Holds(out.text("holds")), effect))
 }
 
 /// The waves cut across and along, in coarse and in fine squares, under Gouraud's shading and Phong's.
@@ -63,12 +49,12 @@ fn waves(
     &Parameters { size, segments, light, .. }: &Parameters,
     diamond_change: f64,
     out: &mut Recorder,
-) -> Result<Effect, ArtefactError> {
+) -> Result<Effect> {
     let draw = |cells, diagonal, shading| draw_waves(cells, diagonal, shading, light, size);
-    let pair = |cells, shading| -> Result<[Image; 2], ArtefactError> {
+    let pair = |cells, shading| -> Result<[Image; 2]> {
         Ok([draw(cells, Diagonal::Rising, shading)?, draw(cells, Diagonal::Falling, shading)?])
     };
-    let rms = |a: &Image, b: &Image| image_error(a, b, 0.5).map(|error| error.linear.rms / 255.0);
+    let rms = |a: &Image, b: &Image| errors(a, b).map(|[_, rms]| rms);
     let [rising, falling] = pair(segments, Shading::Gouraud)?;
     let fine = draw(FINER * segments, Diagonal::Rising, Shading::Gouraud)?;
     let [phong, phong_falling] = pair(segments, Shading::Phong)?;
@@ -139,7 +125,7 @@ struct Diamonds {
 }
 
 impl Diamonds {
-    fn draw(size: u32) -> Result<Self, ArtefactError> {
+    fn draw(size: u32) -> Result<Self> {
         let [across, upright, fan] = [Cut::Across, Cut::Upright, Cut::Fan].map(|cut| diamond(cut, size));
         Ok(Self { across: across?, upright: upright?, fan: fan? })
     }
@@ -197,7 +183,7 @@ enum Cut {
 }
 
 /// The diamond of exercise 1.6.25 with its corners' colours, unlit.
-fn diamond(cut: Cut, size: u32) -> Result<Image, ArtefactError> {
+fn diamond(cut: Cut, size: u32) -> Result<Image> {
     let places = [DVec3::X, DVec3::Y, DVec3::NEG_X, DVec3::NEG_Y, DVec3::ZERO];
     let triangles = match cut {
         Cut::Across => vec![[0, 1, 2], [0, 2, 3]],
@@ -208,30 +194,18 @@ fn diamond(cut: Cut, size: u32) -> Result<Image, ArtefactError> {
     let mean = CORNERS.iter().fold(LinearRgb::BLACK, |sum, &colour| sum + colour) * 0.25;
     let colours: Vec<LinearRgb> = CORNERS.into_iter().chain([mean]).collect();
     let object = Object { paint: Paint::Given(Cow::Owned(colours)), ..body.object(chalk()) };
-    let settings = settings([size; 2], Shading::Gouraud, Interpolation::Affine);
-    draw(vec![object], &[], front(WINDOW), &settings)
+    let settings =
+        RenderSettings { interpolation: Interpolation::Affine, ..settings([size; 2], Shading::Gouraud) };
+    draw(vec![object], &[], front(WINDOW), settings)
 }
 
-/// The pixel in the middle.
-fn centre(image: &Image) -> [f64; 3] {
-    let index = image.index(image.size[0] / 2, image.size[1] / 2);
-    index.map_or([f64::NAN; 3], |index| linear(image)[index].map(f64::from))
-}
-
-/// A surface of waves that run aslant, with its own normals.
-fn draw_waves(
-    cells: u32,
-    diagonal: Diagonal,
-    shading: Shading,
-    light: Degrees,
-    size: u32,
-) -> Result<Image, ArtefactError> {
+/// A surface of diagonal waves, with its own normals.
+fn draw_waves(cells: u32, diagonal: Diagonal, shading: Shading, light: Degrees, size: u32) -> Result<Image> {
     let body = TriangleMesh::grid([cells; 2], diagonal, |u, v| {
         let height = HEIGHT * libm::sin(TAU * WAVES * (u + v));
         (DVec3::new(2.0 * u - 1.0, 2.0 * v - 1.0, height), wave_normal(u, v))
     });
-    let settings = settings([size; 2], shading, Interpolation::Perspective);
-    draw(vec![body.object(chalk())], &[light_at(light)], front(WINDOW), &settings)
+    draw(vec![body.object(chalk())], &[light_at(light)], front(WINDOW), settings([size; 2], shading))
 }
 
 /// The normal of the waves; they rise by 2π HEIGHT WAVES / 2 at the most, in x = 2u − 1 as in y = 2v − 1.
@@ -242,14 +216,14 @@ fn wave_normal(u: f64, v: f64) -> DVec3 {
 
 /// The waves without triangles: every pixel has the light of its own normal.
 fn exact_waves(light: Degrees, size: u32) -> Image {
-    let (sine, cosine) = libm::sincos(Radians::from(light).0);
+    let light = direction(light);
     let at = |pixel: u32| WINDOW * ((f64::from(pixel) + 0.5) / f64::from(size) - 0.5);
     let places = (0..size).flat_map(|y| (0..size).map(move |x| [at(x), -at(y)]));
     let shown = places.map(|[x, y]| {
         if x.abs() > 1.0 || y.abs() > 1.0 {
             return (BACKGROUND.to_array().map(|component| component as f32), 0);
         }
-        let cosine = wave_normal(0.5 * (x + 1.0), 0.5 * (y + 1.0)).dot(DVec3::new(sine, 0.0, cosine));
+        let cosine = wave_normal(0.5 * (x + 1.0), 0.5 * (y + 1.0)).dot(light);
         ([cosine.max(0.0) as f32; 3], 1)
     });
     let (colours, coverage) = shown.unzip();

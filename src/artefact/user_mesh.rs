@@ -1,7 +1,7 @@
 //! A user's mesh as the input of an experiment.
 
 use super::drawing::front;
-use super::error::ArtefactError;
+use super::error::{ArtefactError, Result};
 use super::parameters::UserMesh;
 use crate::mesh::{Mesh, MeshBuilder};
 use crate::num::{Degrees, LinearRgb, Radians};
@@ -18,58 +18,50 @@ pub(super) fn camera(objects: &[Object]) -> Camera {
 }
 
 /// A light from far away, turned from the viewer to the right.
-pub(super) fn light_from(camera: &Camera, Degrees(angle): Degrees) -> Result<Light, ArtefactError> {
+pub(super) fn light_from(camera: &Camera, Degrees(angle): Degrees) -> Result<Light> {
     let [right, _, forward] = camera.axes().map_err(RenderError::from)?;
     let (sine, cosine) = libm::sincos(Radians::from(Degrees(angle)).0);
     Ok(Light::Directional { towards: right * sine - forward * cosine, colour: LinearRgb::WHITE })
 }
 
 /// That a picture of so many pixels shows nothing of a mesh.
-pub(super) fn unseen(own: &UserMesh, size: u32) -> ArtefactError {
-    ArtefactError::Mesh {
-        found: format!("`{}` covers no pixel of a picture of {size} pixels", own.name),
-        advice: "give a larger picture (--size), or a mesh whose faces have an area and are not seen from their edge",
-    }
+pub(super) fn not_visible(own: &UserMesh, size: u32) -> ArtefactError {
+    let values = [("mesh", own.name.into()), ("size", size.to_string().into())];
+    ArtefactError::request("not-visible", &values)
 }
 
-/// The box of what is looked at, which is moved to the origin and made 2 wide, so that single precision will do for it.
+/// The bounding box of a mesh, which is moved to the origin and scaled to a width of 2: single precision suffices there.
 pub(super) struct Normalisation {
     centre: DVec3,
     half: f64,
 }
 
 impl Normalisation {
-    pub(super) fn of(own: &UserMesh) -> Result<Self, ArtefactError> {
-        let unsuitable = |found: String, advice| Err(ArtefactError::Mesh { found, advice });
-        let of = |mesh: &Mesh| {
-            let (low, high) = mesh.bounds()?;
+    pub(super) fn of(own: &UserMesh) -> Result<Self> {
+        let no_extent = |name: &str| ArtefactError::request("no-extent", &[("mesh", name.into())]);
+        let of = |name, mesh: &Mesh| {
+            let (low, high) =
+                mesh.bounds().filter(|_| mesh.face_count() > 0).ok_or_else(|| no_extent(name))?;
             let room = Self { centre: low * 0.5 + high * 0.5, half: (high * 0.5 - low * 0.5).max_element() };
-            (mesh.face_count() > 0 && room.half > 0.0).then_some(room)
+            if room.half > 0.0 { Ok(room) } else { Err(no_extent(name)) }
         };
-        let Some(room) = of(own.mesh) else {
-            return unsuitable(
-                format!("`{}` has no faces or no extent", own.name),
-                "give a mesh that can be seen",
-            );
-        };
+        let room = of(own.name, own.mesh)?;
         let Some((name, finer)) = own.finer else { return Ok(room) };
-        match of(finer) {
-            Some(other) if room.is_like(&other) => Ok(other),
-            Some(_) => unsuitable(
-                format!("`{name}` is elsewhere than `{}`, or of another size", own.name),
-                "give a finer mesh of the same thing, in the same place",
-            ),
-            None => unsuitable(format!("`{name}` has no faces or no extent"), "give a mesh that can be seen"),
+        let other = of(name, finer)?;
+        if room.is_like(&other) {
+            return Ok(other);
         }
+        let values = [("finer", name.into()), ("mesh", own.name.into())];
+        Err(ArtefactError::request("not-alike", &values))
     }
 
     /// Whether two are as good as the same.
     fn is_like(&self, other: &Self) -> bool {
-        let apart = (self.centre - other.centre).abs().max_element();
-        apart <= 0.25 * other.half && (self.half / other.half - 1.0).abs() <= 0.25
+        let distance = (self.centre - other.centre).abs().max_element();
+        distance <= 0.25 * other.half && (self.half / other.half - 1.0).abs() <= 0.25
     }
 
-    pub(super) fn apply(&self, mesh: &Mesh) -> Result<Mesh, ArtefactError> {
+    pub(super) fn apply(&self, mesh: &Mesh) -> Result<Mesh> {
         let positions = mesh.positions().iter().map(|&place| (place - self.centre) / self.half).collect();
         let builder = MeshBuilder {
             positions,

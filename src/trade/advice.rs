@@ -70,7 +70,7 @@ fn on_class(trade: &Trade, tiling: Tiling) -> Option<String> {
     let mut text = sentence(
         key,
         &[
-            ("class", tiling.describes().into()),
+            ("class", tiling.about().into()),
             ("best", best.weight.name().into()),
             ("rms", digits(best.rms)),
             ("ratio", digits(best.ratio)),

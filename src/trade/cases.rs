@@ -1,6 +1,7 @@
 //! The surfaces and tilings that errors are measured on.
 
 use super::angles::angle_between;
+use super::described::described;
 use super::effort::Effort;
 use crate::mesh::{Link, Mesh, Topology};
 use crate::normals::NormalField;
@@ -54,72 +55,36 @@ impl NamedSurface {
     }
 }
 
-/// A way to cut a surface into faces.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Tiling {
-    /// A grid, all cells cut the same way.
-    Regular,
-    /// A grid whose vertices move by up to a quarter of a cell each way, its cells cut at random: what scans and
-    /// simplified meshes look like.
-    Jittered,
-    /// Cells ten times as long one way.
-    Stretched,
-    /// Every other row a thousand times as close to the next.
-    Slivers,
-    /// The cells of a jittered grid, uncut.
-    Quads,
-    /// The dual of a jittered grid.
-    Polygons,
-    /// A subdivided icosahedron.
-    Icosphere,
-    /// Marching tetrahedra.
-    Marching,
-    /// Delaunay triangles of scattered points.
-    Scattered,
-    /// The jittered grid with vertices off the surface by up to a twentieth of an edge.
-    Noisy,
+described! {
+    /// A way to cut a surface into faces, with the class of meshes that it represents.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+    #[serde(rename_all = "kebab-case")]
+    Tiling {
+        /// A grid, all cells cut the same way.
+        Regular = "regular": "regular grids",
+        /// A grid whose vertices move by up to a quarter of a cell each way, its cells cut at random: what scans and
+        /// simplified meshes look like.
+        Jittered = "jittered": "irregular triangles",
+        /// Cells ten times as long one way.
+        Stretched = "stretched": "triangles ten times as long as wide",
+        /// Every other row a thousand times as close to the next.
+        Slivers = "slivers": "good triangles next to slivers",
+        /// The cells of a jittered grid, uncut.
+        Quads = "quads": "irregular quads",
+        /// The dual of a jittered grid.
+        Polygons = "polygons": "polygons of many corners",
+        /// A subdivided icosahedron.
+        Icosphere = "icosphere": "subdivided icosahedra",
+        /// Marching tetrahedra.
+        Marching = "marching": "marching tetrahedra",
+        /// Delaunay triangles of scattered points.
+        Scattered = "scattered": "Delaunay triangles of scattered points",
+        /// The jittered grid with vertices off the surface by up to a twentieth of an edge.
+        Noisy = "noisy": "scans with noise",
+    }
 }
 
-/// The name and the described class of meshes of each tiling, in the order of [`Tiling::ALL`].
-const DESCRIPTIONS: [(&str, &str); 10] = [
-    ("regular", "regular grids"),
-    ("jittered", "irregular triangles"),
-    ("stretched", "triangles ten times as long as wide"),
-    ("slivers", "good triangles beside needles"),
-    ("quads", "irregular quads"),
-    ("polygons", "polygons of many corners"),
-    ("icosphere", "subdivided icosahedra"),
-    ("marching", "marching tetrahedra"),
-    ("scattered", "Delaunay triangles of scattered points"),
-    ("noisy", "scans with noise"),
-];
-
 impl Tiling {
-    /// All of them.
-    pub const ALL: [Tiling; 10] = [
-        Tiling::Regular,
-        Tiling::Jittered,
-        Tiling::Stretched,
-        Tiling::Slivers,
-        Tiling::Quads,
-        Tiling::Polygons,
-        Tiling::Icosphere,
-        Tiling::Marching,
-        Tiling::Scattered,
-        Tiling::Noisy,
-    ];
-
-    /// The name in reports.
-    pub fn name(self) -> &'static str {
-        DESCRIPTIONS[self as usize].0
-    }
-
-    /// The class of meshes that it represents.
-    pub fn describes(self) -> &'static str {
-        DESCRIPTIONS[self as usize].1
-    }
-
     /// Whether a surface can be cut this way.
     pub fn fits(self, surface: &Surface) -> bool {
         match self {

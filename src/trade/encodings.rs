@@ -136,7 +136,7 @@ fn times() -> Vec<[f64; 2]> {
 mod tests {
     use super::*;
 
-    /// Means within 0.3 % and maxima within 2 % of figures computed apart from this program on other directions; and half
+    /// Means within 0.3 % and maxima within 2 % of figures computed outside this program on other directions; and half
     /// a unit of the last digit that they are printed with.
     #[test]
     fn published_errors_come_out() {

@@ -5,6 +5,8 @@
 //! the same bits at any number of threads; times depend on the machine and are ratios to a plain loop that ran in the same
 //! measurement. Module `stress` tests the limits of floating-point numbers.
 
+// Enumerations whose variants have a name and a description.
+mod described;
 // How much is measured, progress, and times that can be compared.
 mod effort;
 // Angles between normals: errors, histograms, orders of convergence.

@@ -99,7 +99,7 @@ mod tests {
         assert!(same, "{found:?} is not {printed:?}");
     }
 
-    /// All 64 triangulations; figures computed apart from this program.
+    /// All 64 triangulations; figures computed outside this program.
     #[test]
     fn cubes_and_boxes_deviate_as_published() {
         for weight in [Weight::Angle, Weight::Max] {

@@ -167,7 +167,7 @@ mod tests {
         assert!((found - printed).abs() <= 0.500_001 * unit, "{found} is not {printed}");
     }
 
-    /// Figures computed apart from this program, in double precision, to all their digits.
+    /// Figures computed outside this program, in double precision, to all their digits.
     #[test]
     fn icosphere_figures_come_out() {
         let case = VertexCase::measure(&surface("sphere"), Tiling::Icosphere, 0..4);

@@ -1,14 +1,8 @@
 //! A mesh rendered with averaged or split normals, compared with its faces.
 
-use super::super::drawing::{chalk, differences, draw, linear, luminance, map, object, settings};
-use super::super::error::ArtefactError;
-use super::super::user_mesh::{camera, light_from};
-use crate::mesh::Mesh;
+use super::super::prelude::*;
 use crate::metric::{NormalDeviation, normal_deviation};
-use crate::normals::{Crease, Groups, NormalField, NormalRecipe, Weight, compute};
-use crate::num::{Degrees, angle_between};
-use crate::raster::{Camera, Image, Interpolation, RenderSettings, Shading, Show};
-use crate::shade::Light;
+use crate::normals::Groups;
 
 /// Full scale of the maps of angles, in degrees, and of light.
 pub(super) const FULL_ANGLE: f64 = 60.0;
@@ -36,19 +30,18 @@ pub(super) struct Rendering {
 
 impl LitMesh {
     /// A mesh seen from the front, a little from above and from the right.
-    pub(super) fn from_corner(mesh: Mesh, light: Degrees, size: u32) -> Result<Self, ArtefactError> {
+    pub(super) fn from_corner(mesh: Mesh, light: Degrees, size: u32) -> Result<Self> {
         let field = compute(&mesh, &NormalRecipe::default());
         let camera = camera(&[object(&mesh, &field, chalk())]);
         Ok(Self { light: light_from(&camera, light)?, mesh, camera, size })
     }
 
-    pub(super) fn render(&self, weight: Weight, crease: Crease) -> Result<Rendering, ArtefactError> {
+    pub(super) fn render(&self, weight: Weight, crease: Crease) -> Result<Rendering> {
         let field = self.normals(weight, crease);
         let picture = |shading, show| {
-            let settings =
-                RenderSettings { show, ..settings([self.size; 2], shading, Interpolation::Perspective) };
+            let settings = RenderSettings { show, ..settings([self.size; 2], shading) };
             let lights = std::slice::from_ref(&self.light);
-            draw(vec![object(&self.mesh, &field, chalk())], lights, self.camera, &settings)
+            draw(vec![object(&self.mesh, &field, chalk())], lights, self.camera, settings)
         };
         let [smooth, faces] = [Shading::Phong, Shading::Flat].map(|shading| picture(shading, Show::Normals));
         Ok(Rendering {
@@ -96,12 +89,12 @@ impl Rendering {
 
     /// The luminance in the middle of the picture.
     pub(super) fn middle(&self) -> f64 {
-        middle(&self.lit)
+        LinearRgb::from(centre(&self.lit).to_array()).luminance()
     }
 
     /// The same of the faces.
     pub(super) fn true_middle(&self) -> f64 {
-        middle(&self.flat)
+        LinearRgb::from(centre(&self.flat).to_array()).luminance()
     }
 
     /// Maps of the angle between normals, and of the error of diffuse light.
@@ -112,10 +105,4 @@ impl Rendering {
             map(size, &differences(&self.lit, &self.flat), FULL_LIGHT),
         ]
     }
-}
-
-fn middle(image: &Image) -> f64 {
-    let [x, y] = image.size.map(|side| side / 2);
-    let place = image.index(x, y).filter(|&index| index < linear(image).len());
-    place.map_or(f64::NAN, |index| luminance(image)[index])
 }

@@ -1,15 +1,13 @@
 //! Meshes with sharp edges, whose faces share their vertices.
 
-use super::super::error::ArtefactError;
-use super::super::triangle_mesh::{BOX_FACES, box_corners};
-use crate::mesh::{Faces, Mesh, MeshBuilder};
-use crate::num::{Degrees, Radians};
-use glam::{DVec2, DVec3};
+use super::super::prelude::*;
 use std::f64::consts::TAU;
 
 /// The cube from −1 to 1.
-pub(super) fn cube() -> Result<Mesh, ArtefactError> {
-    build(box_corners(DVec3::splat(2.0)), &BOX_FACES.map(|face| face.to_vec()))
+pub(super) fn cube() -> Result<Mesh> {
+    let mut faces = Faces::new();
+    BOX_FACES.iter().for_each(|face| faces.push(face));
+    build(box_corners(DVec3::splat(2.0)), faces)
 }
 
 /// The teeth of the gear.
@@ -18,7 +16,7 @@ const TEETH: u32 = 12;
 pub(super) const BORE: u32 = 4 * TEETH;
 
 /// A gear about the z axis with a bore: flat faces, all of whose edges are sharp, but those along the bore.
-pub(super) fn gear() -> Result<Mesh, ArtefactError> {
+pub(super) fn gear() -> Result<Mesh> {
     const THICKNESS: f64 = 0.36;
     // Where a tooth's root and tip begin and end, in shares of its part of the circle, and how far out they are.
     const PROFILE: [[f64; 2]; 4] = [[0.0, 0.72], [0.42, 0.72], [0.54, 1.0], [0.88, 1.0]];
@@ -35,20 +33,20 @@ pub(super) fn gear() -> Result<Mesh, ArtefactError> {
     let ring: Vec<DVec2> = outline.chain(bore).collect();
     let layer = |z: f64| ring.iter().map(move |point| point.extend(z));
     let positions = layer(-0.5 * THICKNESS).chain(layer(0.5 * THICKNESS)).collect();
-    let mut faces = Vec::new();
+    let mut faces = Faces::new();
     for (k, next) in (0..BORE).map(|k| (k, (k + 1) % BORE)) {
         let high = 2 * BORE;
-        faces.push(vec![k, next, next + high, k + high]);
-        faces.push(vec![BORE + next, BORE + k, BORE + k + high, BORE + next + high]);
-        faces.push(vec![next, k, BORE + k, BORE + next]);
-        faces.push(vec![k + high, next + high, BORE + next + high, BORE + k + high]);
+        faces.push(&[k, next, next + high, k + high]);
+        faces.push(&[BORE + next, BORE + k, BORE + k + high, BORE + next + high]);
+        faces.push(&[next, k, BORE + k, BORE + next]);
+        faces.push(&[k + high, next + high, BORE + next + high, BORE + k + high]);
     }
-    build(positions, &faces)
+    build(positions, faces)
 }
 
 /// A sheet folded along lines upwards: strips of the width 1 along the profile, so many of them, each leaning by one of these
 /// angles in turn. It hangs about the origin with its middle.
-pub(super) fn folded(leans: &[Degrees], strips: u32) -> Result<Mesh, ArtefactError> {
+pub(super) fn folded(leans: &[Degrees], strips: u32) -> Result<Mesh> {
     const HALF: f64 = 2.2;
     let mut profile = vec![DVec2::ZERO];
     for strip in 0..strips as usize {
@@ -58,14 +56,7 @@ pub(super) fn folded(leans: &[Degrees], strips: u32) -> Result<Mesh, ArtefactErr
     let width = profile[strips as usize].x;
     let row = |y: f64| profile.iter().map(move |point| DVec3::new(point.x - 0.5 * width, y, point.y));
     let positions = row(-HALF).chain(row(HALF)).collect();
-    let faces: Vec<Vec<u32>> = (0..strips).map(|k| vec![k, k + 1, k + strips + 2, k + strips + 1]).collect();
-    build(positions, &faces)
-}
-
-fn build(positions: Vec<DVec3>, polygons: &[Vec<u32>]) -> Result<Mesh, ArtefactError> {
-    let mut faces = Faces::new();
-    polygons.iter().for_each(|polygon| faces.push(polygon));
-    Ok(MeshBuilder { positions, faces, ..MeshBuilder::default() }.build()?)
+    sheets(positions, [strips, 1])
 }
 
 #[cfg(test)]

@@ -10,19 +10,7 @@ mod tests;
 // A user's mesh, averaged over all edges and split at creases.
 mod user_mesh;
 
-use super::drawing::{front, light_at};
-use super::effect::{Effect, Threshold};
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Drawn, Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Axis, Check, Recorder};
-use crate::normals::{Crease, Weight};
-use crate::num::{Degrees, Radians};
-use crate::raster::Camera;
-use crate::text::{Catalogue, Value, catalogue};
-use glam::DVec3;
+use super::prelude::*;
 use lit_mesh::{FULL_ANGLE, LitMesh, Rendering};
 
 static TEXTS: Catalogue = catalogue!("texts");
@@ -48,7 +36,7 @@ const SLOPE: Degrees = Degrees(45.0);
 /// The angle at the cube's corners: arctan √2.
 const CUBE: f64 = 54.735_610_317_245_346;
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let crease = setup.parameters.crease.0;
     let mut out =
         Recorder::new(&TEXTS, &[("crease", Value::number(crease)), ("full-angle", FULL_ANGLE.into())]);
@@ -56,19 +44,18 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         return user_mesh::run(own, &setup.parameters, out);
     }
     let effect = shapes(&setup.parameters, &mut out)?;
-    let verdict = Verdict::Holds(out.text("holds"));
-    Ok(out.finish(verdict, effect))
+    Ok(out.finish(Verdict::Holds(out.text("holds")), effect))
 }
 
 /// The cube, the gear, the zig-zag and the roof, averaged and split. Returns the effect on the gear.
-fn shapes(parameters: &Parameters, out: &mut Recorder) -> Result<Effect, ArtefactError> {
+fn shapes(parameters: &Parameters, out: &mut Recorder) -> Result<Effect> {
     let &Parameters { size, light, weight, crease, .. } = parameters;
     let sheet = |leans: &[Degrees], light| {
         // Wider than the window, so that its ends are not visible.
         let mesh = meshes::folded(leans, 32)?;
         Ok::<_, ArtefactError>(LitMesh { mesh, camera: from_above(), light: light_at(light), size })
     };
-    let pair = |mesh: &LitMesh| -> Result<[Rendering; 2], ArtefactError> {
+    let pair = |mesh: &LitMesh| -> Result<[Rendering; 2]> {
         Ok([mesh.render(weight, Crease::OFF)?, mesh.render(weight, Crease::Angle(crease))?])
     };
     let folds = [SLOPE, Degrees(-SLOPE.0)];

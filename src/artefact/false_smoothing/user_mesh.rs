@@ -1,24 +1,14 @@
 //! A user's mesh, averaged over all edges and split at creases.
 
-use super::super::effect::Threshold;
-use super::super::error::ArtefactError;
-use super::super::outcome::{Outcome, Verdict};
-use super::super::parameters::{Parameters, UserMesh};
-use super::super::recorder::{Check, Recorder};
-use super::super::user_mesh::{Normalisation, unseen};
+use super::super::prelude::*;
 use super::lit_mesh::LitMesh;
-use crate::normals::Crease;
 
-pub(super) fn run(
-    own: &UserMesh,
-    parameters: &Parameters,
-    mut out: Recorder,
-) -> Result<Outcome, ArtefactError> {
+pub(super) fn run(own: &UserMesh, parameters: &Parameters, mut out: Recorder) -> Result<Outcome> {
     let &Parameters { size, light, weight, crease, .. } = parameters;
     let mesh = LitMesh::from_corner(Normalisation::of(own)?.apply(own.mesh)?, light, size)?;
     let (smooth, sharp) = (mesh.render(weight, Crease::OFF)?, mesh.render(weight, Crease::Angle(crease))?);
     if smooth.lit.coverage.iter().all(|&covered| covered == 0) {
-        return Err(unseen(own, size));
+        return Err(not_visible(own, size));
     }
     out.measure("own-share-averaged", "", smooth.share_over(crease), Check::None);
     out.measure("own-share-split", "", sharp.share_over(crease), Check::None);

@@ -1,20 +1,11 @@
 //! When one colour for each face is exact.
 
-// The pictures: a box and a plate under a near lamp, and a plate before a near viewer.
-mod pictures;
 // A plate under a near lamp or before a near viewer, and the closed forms of its errors.
 mod plate;
 
-use super::effect::Threshold;
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Drawn, Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Axis, Check, Recorder};
-use crate::num::{Degrees, Radians, steepest_slope};
-use crate::text::{Catalogue, catalogue};
-use plate::{Lamp, RADIUS, RATIOS, Viewer};
+use super::prelude::*;
+use crate::num::steepest_slope;
+use plate::{Lamp, RADIUS, RATIOS, Viewer, paint_plate, squares};
 
 static TEXTS: Catalogue = catalogue!("texts");
 
@@ -29,10 +20,9 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
     frame: None,
 };
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let Parameters { size, segments, light, exponent, .. } = setup.parameters;
-    let values =
-        [("segments", segments.into()), ("exponent", exponent.into()), ("aside", pictures::ASIDE.0.into())];
+    let values = [("segments", segments.into()), ("exponent", exponent.into()), ("aside", ASIDE.0.into())];
     let mut out = Recorder::new(&TEXTS, &values);
     let errors = Errors::measure(&setup.parameters, &mut out)?;
     errors.measure_share_of_bounds(&setup.parameters, &mut out);
@@ -44,12 +34,11 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     // Both follow their laws to a few units of single precision.
     let factor = (0.99 * near.law(1, size).0 / most).max(1.0);
     let effect = out.effect("plate", "", [errors.diffuse[0][1], cured], Threshold::half_step(), factor);
-    pictures::of_box(size, segments, &mut out)?;
-    pictures::of_plate(&near, &effect, segments, size, &mut out)?;
-    pictures::of_highlight(exponent, segments, size, &mut out)?;
+    show_box(size, segments, &mut out)?;
+    show_plate(&near, &effect, segments, size, &mut out)?;
+    show_highlight(exponent, segments, size, &mut out)?;
     errors.chart(exponent, &mut out);
-    let verdict = Verdict::HoldsOnlyIf(out.text("holds-only-if"));
-    Ok(out.finish(verdict, effect))
+    Ok(out.finish(Verdict::HoldsOnlyIf(out.text("holds-only-if")), effect))
 }
 
 /// The largest errors of one flat face, by distance in circumradii.
@@ -59,10 +48,7 @@ struct Errors {
 }
 
 impl Errors {
-    fn measure(
-        &Parameters { size, light, exponent, .. }: &Parameters,
-        out: &mut Recorder,
-    ) -> Result<Self, ArtefactError> {
+    fn measure(&Parameters { size, light, exponent, .. }: &Parameters, out: &mut Recorder) -> Result<Self> {
         let mut errors = Self { diffuse: Vec::new(), highlight: Vec::new() };
         for ratio in RATIOS {
             out.set("ratio", ratio);
@@ -81,7 +67,7 @@ impl Errors {
             out.measure("viewer", "", found, check);
         }
         out.set("ratio", RATIOS[0]);
-        let aside = Viewer { angle: pictures::ASIDE, distance: RATIOS[0] * RADIUS, exponent };
+        let aside = Viewer { angle: ASIDE, distance: RATIOS[0] * RADIUS, exponent };
         out.measure("viewer-aside", "", aside.error(1, size)?, of_highlight(&aside, size));
         Ok(errors)
     }
@@ -122,6 +108,61 @@ fn of_highlight(viewer: &Viewer, size: u32) -> Check {
     let (law, steepest) = viewer.law(size);
     // Cosines are rounded by up to 2·10⁻⁷ in each picture; below an exponent of 1 their power may be as steep as can be.
     Check::Near(law, (4e-7 * steepest + 2e-7).min(2e-6 + 4e-7 * viewer.exponent))
+}
+
+/// The plate on which the effect is measured.
+fn show_plate(lamp: &Lamp, effect: &Effect, segments: u32, size: u32, out: &mut Recorder) -> Result<()> {
+    let paint = |cells| paint_plate(cells, chalk(), lamp.light(), front(2.0), size, Shading::Flat);
+    out.bad("plate", effect, paint(1)?);
+    out.cured("plate-small-faces", effect, paint(segments)?);
+    Ok(())
+}
+
+/// A box under a lamp that is near its upper corner, and far away in the same direction.
+fn show_box(size: u32, segments: u32, out: &mut Recorder) -> Result<()> {
+    let sides = [
+        (DVec3::new(-1.0, -1.0, 1.0), DVec3::X * 2.0, DVec3::Y * 2.0),
+        (DVec3::new(1.0, -1.0, 1.0), DVec3::Z * -2.0, DVec3::Y * 2.0),
+        (DVec3::new(-1.0, 1.0, 1.0), DVec3::X * 2.0, DVec3::Z * -2.0),
+    ];
+    let camera = Camera { eye: DVec3::new(60.0, 45.0, 80.0), ..front(3.8) };
+    let place = DVec3::new(1.5, 1.8, 2.1);
+    let paint = |cells: u32, away: f64, shading| -> Result<Image> {
+        let mesh = squares(cells, &sides)?;
+        let normals = compute(&mesh, &NormalRecipe::default());
+        let object = object(&mesh, &normals, chalk());
+        draw(vec![object], &[lamp(place * away)], camera, settings([size; 2], shading))
+    };
+    let near = paint(1, 1.0, Shading::Phong)?;
+    let [flat, cut_up] = [1, segments].map(|cells| paint(cells, 1.0, Shading::Flat));
+    let (flat, cut_up, far) = (flat?, cut_up?, paint(1, 100.0, Shading::Flat)?);
+    // Of faces a third as long already.
+    let errors = [largest_error(&flat, &near)?, largest_error(&cut_up, &near)?];
+    let small = out.effect("small-faces", "", errors, Threshold::half_step(), 2.0);
+    let cured = largest_error(&far, &paint(1, 100.0, Shading::Phong)?)?;
+    let away = Effect { cured, factor: 10.0, ..small.clone() };
+    out.bad("flat", &small, flat);
+    out.truth("every-pixel", near);
+    out.cured("flat-small-faces", &small, cut_up);
+    out.cured("flat-lamp-far", &away, far);
+    Ok(())
+}
+
+/// How far to the side the light stands whose highlight a near viewer sees on the plate: closer to the axis than its edges.
+const ASIDE: Degrees = Degrees(15.0);
+
+/// The plate with nothing but a highlight, its viewer at two circumradii.
+fn show_highlight(exponent: f64, segments: u32, size: u32, out: &mut Recorder) -> Result<()> {
+    let viewer = Viewer { angle: ASIDE, distance: RATIOS[0] * RADIUS, exponent };
+    let (material, light, camera) = viewer.scene();
+    let paint = |cells, shading| paint_plate(cells, material, light, camera, size, shading);
+    // With an error that is only a few steps smaller the squares would still be seen.
+    let errors = [viewer.error(1, size)?, viewer.error(segments, size)?];
+    let effect = out.effect("highlight", "", errors, Threshold::half_step(), 20.0);
+    out.bad("highlight", &effect, paint(1, Shading::Flat)?);
+    out.truth("highlight-every-pixel", paint(1, Shading::Phong)?);
+    out.cured("highlight-small-faces", &effect, paint(segments, Shading::Flat)?);
+    Ok(())
 }
 
 #[cfg(test)]

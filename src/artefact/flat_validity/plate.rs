@@ -1,14 +1,6 @@
 //! A plate under a near lamp or before a near viewer, and the closed forms of its errors.
 
-use super::super::drawing::{chalk, draw, front, object, settings};
-use super::super::error::ArtefactError;
-use crate::mesh::{Faces, Mesh, MeshBuilder};
-use crate::metric::image_error;
-use crate::normals::{NormalRecipe, compute};
-use crate::num::{Degrees, LinearRgb, Radians};
-use crate::raster::{Camera, Image, Interpolation, Projection, Shading};
-use crate::shade::{Attenuation, Light, Material, Reflectance, Reflection};
-use glam::DVec3;
+use super::super::prelude::*;
 use std::f64::consts::SQRT_2;
 
 /// Distances in circumradii of the face.
@@ -17,37 +9,24 @@ pub(super) const RATIOS: [f64; 6] = [2.0, 5.0, 10.0, 50.0, 100.0, 510.0];
 pub(super) const RADIUS: f64 = SQRT_2;
 
 /// The plate of side 2 facing +z, cut into squares.
-fn plate(cells: u32) -> Result<Mesh, ArtefactError> {
+fn plate(cells: u32) -> Result<Mesh> {
     squares(cells, &[(DVec3::new(-1.0, -1.0, 0.0), DVec3::X * 2.0, DVec3::Y * 2.0)])
 }
 
 /// Parallelograms, given by a corner and two sides, cut into so many smaller ones each way.
-pub(super) fn squares(cells: u32, sides: &[(DVec3, DVec3, DVec3)]) -> Result<Mesh, ArtefactError> {
-    let (mut positions, mut corners) = (Vec::new(), Vec::new());
-    for &(corner, along, up) in sides {
-        let first = positions.len() as u32;
-        let row = cells + 1;
-        let share = |k: u32| f64::from(k) / f64::from(cells);
-        positions.extend((0..row * row).map(|k| corner + along * share(k % row) + up * share(k / row)));
-        corners.extend((0..cells * cells).flat_map(|k| {
-            let a = first + k / cells * row + k % cells;
-            [a, a + 1, a + 1 + row, a + row]
-        }));
-    }
-    let count = corners.len() as u32 / 4;
-    let faces = Faces::polygons(corners, (0..=count).map(|k| 4 * k).collect());
-    Ok(MeshBuilder { positions, faces, ..MeshBuilder::default() }.build()?)
+pub(super) fn squares(cells: u32, sides: &[(DVec3, DVec3, DVec3)]) -> Result<Mesh> {
+    let row = cells + 1;
+    let share = |k: u32| f64::from(k) / f64::from(cells);
+    let corners = sides.iter().flat_map(|&(corner, along, up)| {
+        (0..row * row).map(move |k| corner + along * share(k % row) + up * share(k / row))
+    });
+    sheets(corners.collect(), [cells; 2])
 }
 
 /// The centres of the pixels of a picture of the plate.
 fn centres(size: u32) -> impl Iterator<Item = DVec3> {
     let place = move |k: u32| (f64::from(k) + 0.5) * 2.0 / f64::from(size) - 1.0;
     (0..size * size).map(move |k| DVec3::new(place(k % size), -place(k / size), 0.0))
-}
-
-fn towards(angle: Degrees) -> DVec3 {
-    let (sine, cosine) = libm::sincos(Radians::from(angle).0);
-    DVec3::new(sine, 0.0, cosine)
 }
 
 /// A lamp over the plate's middle, and chalk.
@@ -58,19 +37,18 @@ pub(super) struct Lamp {
 
 impl Lamp {
     /// Flat shading against shading every pixel.
-    pub(super) fn error(&self, cells: u32, size: u32) -> Result<f64, ArtefactError> {
+    pub(super) fn error(&self, cells: u32, size: u32) -> Result<f64> {
         difference(cells, chalk(), self.light(), front(2.0), size)
     }
 
     pub(super) fn light(&self) -> Light {
-        let position = towards(self.angle) * self.distance;
-        Light::Point { position, colour: LinearRgb::WHITE, attenuation: Attenuation::None }
+        lamp(direction(self.angle) * self.distance)
     }
 
     /// The same by the formula: N·L at the pixel and at the middle of its square. Edges snap to 256ths of pixels, so that the
     /// centre of a pixel on an edge may count to either square: the least and the most that the error may be.
     pub(super) fn law(&self, cells: u32, size: u32) -> (f64, f64) {
-        let lamp = towards(self.angle) * self.distance;
+        let lamp = direction(self.angle) * self.distance;
         let light = |point: DVec3| ((lamp - point).z / (lamp - point).length()).max(0.0);
         let side = 2.0 / f64::from(cells);
         let snap = f64::from(cells) / (256.0 * f64::from(size));
@@ -98,20 +76,14 @@ pub(super) struct Viewer {
 
 impl Viewer {
     /// Flat shading against shading every pixel.
-    pub(super) fn error(&self, cells: u32, size: u32) -> Result<f64, ArtefactError> {
+    pub(super) fn error(&self, cells: u32, size: u32) -> Result<f64> {
         let (material, light, camera) = self.scene();
         difference(cells, material, light, camera, size)
     }
 
     pub(super) fn scene(&self) -> (Material, Light, Camera) {
-        let material = Material {
-            ambient: Reflectance::NONE,
-            diffuse: Reflectance::NONE,
-            specular: Reflectance::Merged(LinearRgb::WHITE),
-            exponent: self.exponent,
-            reflection: Reflection::Phong,
-        };
-        let light = Light::Directional { towards: towards(self.angle), colour: LinearRgb::WHITE };
+        let material = Material { reflection: Reflection::Phong, ..shiny([0.0, 1.0], self.exponent) };
+        let light = light_at(self.angle);
         let camera = Camera {
             eye: DVec3::Z * self.distance,
             projection: Projection::Perspective(Radians(2.0 * libm::atan(1.0 / self.distance))),
@@ -128,7 +100,7 @@ impl Viewer {
             return (0.0, 0.0);
         }
         let eye = DVec3::Z * self.distance;
-        let mirrored = towards(Degrees(-self.angle.0));
+        let mirrored = direction(Degrees(-self.angle.0));
         let cosine = |point: DVec3| (eye - point).normalize().dot(mirrored);
         // Even an exponent of 0 gives nothing where the mirrored ray leads away.
         let highlight = |cosine: f64| if cosine > 0.0 { libm::pow(cosine, self.exponent) } else { 0.0 };
@@ -142,15 +114,9 @@ impl Viewer {
 }
 
 /// The largest difference of flat shading and shading every pixel.
-fn difference(
-    cells: u32,
-    material: Material,
-    light: Light,
-    camera: Camera,
-    size: u32,
-) -> Result<f64, ArtefactError> {
+fn difference(cells: u32, material: Material, light: Light, camera: Camera, size: u32) -> Result<f64> {
     let paint = |shading| paint_plate(cells, material, light, camera, size, shading);
-    Ok(image_error(&paint(Shading::Flat)?, &paint(Shading::Phong)?, 0.5)?.linear.max / 255.0)
+    largest_error(&paint(Shading::Flat)?, &paint(Shading::Phong)?)
 }
 
 pub(super) fn paint_plate(
@@ -160,9 +126,8 @@ pub(super) fn paint_plate(
     camera: Camera,
     size: u32,
     shading: Shading,
-) -> Result<Image, ArtefactError> {
+) -> Result<Image> {
     let mesh = plate(cells)?;
     let normals = compute(&mesh, &NormalRecipe::default());
-    let settings = settings([size; 2], shading, Interpolation::Perspective);
-    draw(vec![object(&mesh, &normals, material)], &[light], camera, &settings)
+    draw(vec![object(&mesh, &normals, material)], &[light], camera, settings([size; 2], shading))
 }

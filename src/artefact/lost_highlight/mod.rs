@@ -1,23 +1,7 @@
 //! A highlight that falls between vertices.
 
-// What is drawn.
-mod scene;
-
-use super::drawing::{GAP, tiles};
-use super::effect::{Effect, Threshold};
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Drawn, Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Axis, Check, Recorder};
-use super::triangle_mesh::TriangleMesh;
+use super::prelude::*;
 use crate::metric::Highlight;
-use crate::num::{Degrees, Radians};
-use crate::raster::{Image, Object, Shading, Shape};
-use crate::surface::Primitive;
-use crate::text::{Catalogue, Value, catalogue};
-use scene::{TILT, WINDOW, law, look, material, of_diffuse, paint};
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2, TAU};
 
 static TEXTS: Catalogue = catalogue!("texts");
@@ -47,7 +31,7 @@ fn is_lost(angle: f64, exponent: f64) -> bool {
 /// The largest tolerance for a value of up to 1, or for a length of 1.
 const MOST_TOLERANCE: f64 = 0.5;
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let Parameters { segments, exponent, .. } = setup.parameters;
     // A vertex is at most half a segment from the highlight, whose width is that of half a segment from (N/π)² on.
     let least = (f64::from(segments) / PI) * (f64::from(segments) / PI);
@@ -71,7 +55,7 @@ fn verdict(segments: u32, exponent: f64, out: &Recorder) -> Verdict {
     }
 }
 
-fn peak(image: &Image) -> Result<f64, ArtefactError> {
+fn peak(image: &Image) -> Result<f64> {
     Ok(Highlight::of(image)?.peak)
 }
 
@@ -98,7 +82,7 @@ impl Loss {
 
     /// The light missing at a peak under Gouraud's shading and under Phong's; the true peak is 1. The nearest vertex is at an
     /// angle from it.
-    fn missing(self, images: [&Image; 2], angle: f64, out: &Recorder) -> Result<Effect, ArtefactError> {
+    fn missing(self, images: [&Image; 2], angle: f64, out: &Recorder) -> Result<Effect> {
         let bad = self.reported((1.0 - peak(images[0])? - of_diffuse(angle)).max(0.0));
         // No diffuse light is missing: the normals in the middle face the light.
         let cured = self.reported((1.0 - peak(images[1])?).max(0.0));
@@ -113,8 +97,8 @@ fn between_pixels(size: u32) -> f64 {
 }
 
 /// The plate whose corners lean away from the light.
-fn plate(&Parameters { size, exponent, .. }: &Parameters, out: &mut Recorder) -> Result<(), ArtefactError> {
-    let draw = |shading| paint(scene::plate().object(material(exponent)), size, shading);
+fn plate(&Parameters { size, exponent, .. }: &Parameters, out: &mut Recorder) -> Result<()> {
+    let draw = |shading| paint(leaning_plate().object(material(exponent)), size, shading);
     let (gouraud, phong) = (draw(Shading::Gouraud)?, draw(Shading::Phong)?);
     let tilt = Radians::from(TILT).0;
     let lean = libm::tan(tilt) * FRAC_1_SQRT_2;
@@ -141,18 +125,18 @@ impl Sphere {
         Self { size, segments, exponent, delta: TAU / f64::from(segments) }
     }
 
-    fn draw(&self, turn: f64, shading: Shading) -> Result<Image, ArtefactError> {
+    fn draw(&self, turn: f64, shading: Shading) -> Result<Image> {
         paint(TriangleMesh::globe(self.segments, turn).object(material(self.exponent)), self.size, shading)
     }
 
     /// The peak at some turns by up to a segment, in degrees.
-    fn peaks(&self, shading: Shading) -> Result<Vec<[f64; 2]>, ArtefactError> {
+    fn peaks(&self, shading: Shading) -> Result<Vec<[f64; 2]>> {
         let turns = (0..=FRAMES).map(|k| self.delta * f64::from(k) / f64::from(FRAMES));
         turns.map(|turn| Ok([Degrees::from(Radians(turn)).0, peak(&self.draw(turn, shading)?)?])).collect()
     }
 
     /// Measures and pictures, and the effect that the experiment reports.
-    fn record(&self, out: &mut Recorder) -> Result<Effect, ArtefactError> {
+    fn record(&self, out: &mut Recorder) -> Result<Effect> {
         let &Self { size, exponent, delta, .. } = self;
         let sphere = Shape::Surface(Primitive::from(crate::surface::Sphere::default()));
         let truth = paint(Object::new(sphere, material(exponent)), size, Shading::Exact)?;
@@ -209,7 +193,7 @@ impl Sphere {
     }
 
     /// Three pictures of a turn by a segment from close by, under Gouraud's shading and Phong's.
-    fn film(&self) -> Result<Image, ArtefactError> {
+    fn film(&self) -> Result<Image> {
         const PICTURES: u32 = 3;
         let row = |shading| {
             let picture = |k: u32| {
@@ -217,7 +201,7 @@ impl Sphere {
                 let globe = TriangleMesh::globe(self.segments, turn);
                 look(globe.object(material(self.exponent)), self.size / PICTURES - GAP, shading, CLOSE)
             };
-            (0..PICTURES).map(picture).collect::<Result<Vec<_>, ArtefactError>>()
+            (0..PICTURES).map(picture).collect::<Result<Vec<_>>>()
         };
         Ok(tiles(&[row(Shading::Gouraud)?, row(Shading::Phong)?]))
     }
@@ -238,7 +222,7 @@ impl Sphere {
 }
 
 /// A frame of the sphere turning by two segments, with Gouraud's shading at the left and Phong's at the right.
-fn frame(setup: &Setup, number: u32, count: u32) -> Result<Image, ArtefactError> {
+fn frame(setup: &Setup, number: u32, count: u32) -> Result<Image> {
     let Parameters { size, segments, exponent, .. } = setup.parameters;
     let turn = 2.0 * TAU / f64::from(segments) * f64::from(number) / f64::from(count.max(1));
     let globe = TriangleMesh::globe(segments, turn);
@@ -253,13 +237,54 @@ fn flicker(peaks: &[[f64; 2]]) -> f64 {
     (largest - values().fold(f64::INFINITY, f64::min)) / largest
 }
 
+/// Of diffuse light; the rest of 1 is highlight.
+const DIFFUSE: f64 = 0.4;
+/// How far the normals at the corners of the plate lean outwards.
+const TILT: Degrees = Degrees(35.0);
+/// The window's side; plate and sphere are 2 wide.
+const WINDOW: f64 = 2.2;
+
+/// The light on a vertex whose normal is this far from the viewer and the light.
+fn law(angle: f64, exponent: f64) -> f64 {
+    let cosine = libm::cos(angle);
+    DIFFUSE * cosine + (1.0 - DIFFUSE) * libm::pow(cosine, exponent)
+}
+
+/// What is missing of the diffuse light of such a vertex.
+fn of_diffuse(angle: f64) -> f64 {
+    DIFFUSE * (1.0 - libm::cos(angle))
+}
+
+fn material(exponent: f64) -> Material {
+    shiny([DIFFUSE, 1.0 - DIFFUSE], exponent)
+}
+
+/// Two triangles whose normals at the corners lean outwards.
+fn leaning_plate() -> TriangleMesh {
+    let (sine, cosine) = libm::sincos(Radians::from(TILT).0);
+    TriangleMesh::grid([1, 1], Diagonal::Rising, |u, v| {
+        let place = DVec3::new(2.0 * u - 1.0, 2.0 * v - 1.0, 0.0);
+        (place, place * (sine / SQRT_2) + DVec3::Z * cosine)
+    })
+}
+
+/// Light and viewer in front, far away.
+fn paint(object: Object, size: u32, shading: Shading) -> Result<Image> {
+    look(object, size, shading, WINDOW)
+}
+
+/// The same through a window of any side.
+fn look(object: Object, size: u32, shading: Shading, window: f64) -> Result<Image> {
+    draw(vec![object], &[far_light(DVec3::Z)], front(window), settings([size; 2], shading))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn highlights_are_lost_and_found() {
-        // The last: 1 − 0.4 cos(Δ/2) − 0.6 cosⁿ(Δ/2), computed apart from this program.
+        // The last: 1 − 0.4 cos(Δ/2) − 0.6 cosⁿ(Δ/2), computed outside this program.
         for (segments, exponent, flicker) in [(12, 16.0, 0.2691), (16, 32.0, 0.2852), (24, 100.0, 0.3493)] {
             let parameters = Parameters { size: 160, segments, exponent, ..EXPERIMENT.defaults };
             let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();

@@ -1,12 +1,8 @@
-//! Pictures of the cylinder, and maps of its slope jumps.
+//! Pictures of the cylinder, maps of its slope jumps, and luminance across it with its derivatives.
 
-use super::super::drawing::map;
-use super::super::effect::Effect;
-use super::super::error::ArtefactError;
-use super::super::recorder::Recorder;
-use super::tube::{Tube, WINDOW};
-use crate::num::Degrees;
-use crate::raster::{Image, Shading};
+use super::super::outcome::Curve;
+use super::super::prelude::*;
+use super::tube::{Profile, Tube, WINDOW};
 
 /// The cylinder under each shading, and the finer one under the worse of Gouraud's and Phong's.
 pub(super) fn record(
@@ -16,7 +12,7 @@ pub(super) fn record(
     worse: Shading,
     [of_step, of_shading, of_finer]: [&Effect; 3],
     out: &mut Recorder,
-) -> Result<(), ArtefactError> {
+) -> Result<()> {
     let draw = |tube: &Tube, shading| tube.draw([size; 2], light, shading);
     out.bad("flat", of_step, draw(tube, Shading::Flat)?);
     for (name, shading) in [("gouraud", Shading::Gouraud), ("phong", Shading::Phong)] {
@@ -38,7 +34,7 @@ pub(super) struct Jumps {
 }
 
 impl Jumps {
-    pub(super) fn measure(tube: Tube, light: Degrees) -> Result<Self, ArtefactError> {
+    pub(super) fn measure(tube: Tube, light: Degrees) -> Result<Self> {
         let (phong, gouraud) = (tube.jumps(light, Shading::Phong)?, tube.jumps(light, Shading::Gouraud)?);
         Ok(Self { tube, phong, gouraud })
     }
@@ -52,13 +48,7 @@ impl Jumps {
     }
 
     /// Maps of the jumps, and the pictures, in which they are hardly visible.
-    pub(super) fn show(
-        &self,
-        size: u32,
-        light: Degrees,
-        effect: &Effect,
-        out: &mut Recorder,
-    ) -> Result<(), ArtefactError> {
+    pub(super) fn show(&self, size: u32, light: Degrees, effect: &Effect, out: &mut Recorder) -> Result<()> {
         let full = effect.bad.max(effect.cured);
         out.set("full", full);
         let draw = |shading| self.tube.draw([size; 2], light, shading);
@@ -79,7 +69,7 @@ fn largest(jumps: &[[f64; 2]]) -> f64 {
 /// Half the width of the bars in maps of jumps, in pixels.
 const HALF_BAR: f64 = 2.5;
 
-/// Where the slope jumps: a bar at each edge that is measured, as light as the jump is large. Facets beside which nothing is
+/// Where the slope jumps: a bar at each edge that is measured, as light as the jump is large. Facets next to which nothing is
 /// measured are omitted.
 fn jump_map(drawn: &Image, tube: &Tube, light: Degrees, jumps: &[[f64; 2]], full: f64) -> Image {
     let pixel = WINDOW / f64::from(drawn.size[0]);
@@ -92,4 +82,86 @@ fn jump_map(drawn: &Image, tube: &Tube, light: Degrees, jumps: &[[f64; 2]], full
     };
     let values: Vec<Option<f64>> = (0..drawn.coverage.len()).map(|index| value(column(index))).collect();
     map(drawn.size, &values, full.max(f64::MIN_POSITIVE))
+}
+
+/// Luminance across the picture under each shading.
+pub(super) struct Lines {
+    pub(super) flat: Profile,
+    pub(super) gouraud: Profile,
+    pub(super) phong: Profile,
+    exact: Profile,
+}
+
+impl Lines {
+    pub(super) fn new(tube: &Tube, light: Degrees) -> Result<Self> {
+        Ok(Self {
+            flat: tube.profile(light, Shading::Flat)?,
+            gouraud: tube.profile(light, Shading::Gouraud)?,
+            phong: tube.profile(light, Shading::Phong)?,
+            exact: tube.profile(light, Shading::Exact)?,
+        })
+    }
+
+    /// A derivative of the shadings without steps.
+    fn curves(&self, derivative: Derivative, out: &Recorder) -> Vec<Curve> {
+        [("gouraud", &self.gouraud), ("phong", &self.phong), ("exact", &self.exact)]
+            .map(|(name, line)| out.curve(name, Drawn::Curve, points(line, derivative)))
+            .to_vec()
+    }
+}
+
+/// Luminance, its slope and its curvature.
+pub(super) fn record_charts(lines: &Lines, effect: &Effect, out: &mut Recorder) {
+    out.set("bad", effect.bad);
+    out.set("cured", effect.cured);
+    for (name, derivative) in
+        [("luminance", Derivative::Zeroth), ("slope", Derivative::First), ("curvature", Derivative::Second)]
+    {
+        let mut curves = lines.curves(derivative, out);
+        if let Derivative::Zeroth = derivative {
+            // Last, so that the others look alike in all plots.
+            curves.push(out.curve("flat", Drawn::Curve, points(&lines.flat, derivative)));
+        }
+        out.chart(name, [Axis::Linear; 2], curves);
+    }
+}
+
+/// The same in grazing light, where Phong's jumps are the larger ones.
+pub(super) fn record_grazing(tube: &Tube, light: Degrees, effect: &Effect, out: &mut Recorder) -> Result<()> {
+    let lines = Lines::new(tube, light)?;
+    out.set("bad", effect.bad);
+    out.set("cured", effect.cured);
+    out.chart("luminance-80", [Axis::Linear; 2], lines.curves(Derivative::Zeroth, out));
+    // Where the light ends, and far round, slopes jump more, but not because of the shading.
+    let (from, to) = tube.near_edges(light);
+    for (name, derivative) in [("slope-80", Derivative::First), ("curvature-80", Derivative::Second)] {
+        let mut curves = lines.curves(derivative, out);
+        curves.iter_mut().for_each(|curve| curve.points.retain(|[x, _]| (from..to).contains(x)));
+        out.chart(name, [Axis::Linear; 2], curves);
+    }
+    Ok(())
+}
+
+/// Pixels between the samples that differences are taken of.
+const STEP: usize = 32;
+
+#[derive(Clone, Copy)]
+enum Derivative {
+    Zeroth,
+    First,
+    Second,
+}
+
+fn points(line: &Profile, derivative: Derivative) -> Vec<[f64; 2]> {
+    let unit = Profile::x(STEP) - Profile::x(0);
+    let value = |values: &[f64], pixel: usize| {
+        let at = |pixel: usize| values[pixel.min(values.len() - 1)];
+        let (before, here, after) = (at(pixel.saturating_sub(STEP)), at(pixel), at(pixel + STEP));
+        match derivative {
+            Derivative::Zeroth => here,
+            Derivative::First => (after - before) / (2.0 * unit),
+            Derivative::Second => (after + before - 2.0 * here) / (unit * unit),
+        }
+    };
+    line.points(STEP, value)
 }

@@ -1,14 +1,10 @@
 //! The overshoot at edges that a model of lateral inhibition predicts. It says nothing of what observers report.
 
-use super::super::error::ArtefactError;
-use super::super::outcome::{Curve, Drawn};
-use super::super::recorder::{Axis, Check, Recorder};
-use super::laws::{Law, flat_step, gouraud_jump, phong_jump};
+use super::super::outcome::Curve;
+use super::super::prelude::*;
+use super::tube::{Law, flat_step, gouraud_jump, phong_jump};
 use super::tube::{Tube, WINDOW, is_drawn};
 use crate::metric::{DifferenceOfGaussians, MetricError, PIXELS_PER_DEGREE, Profile};
-use crate::num::{Degrees, Radians};
-use crate::raster::{Samples, Shading};
-use crate::text::Value;
 
 /// Width in pixels of the scanline that the model is applied to, whatever the size of the pictures: 15° of the field of view.
 const WIDTH: u32 = 1024;
@@ -26,7 +22,7 @@ fn radius() -> f64 {
 }
 
 impl Answers {
-    fn of(tube: &Tube, light: Degrees, shading: Shading) -> Result<Self, ArtefactError> {
+    fn of(tube: &Tube, light: Degrees, shading: Shading) -> Result<Self> {
         let image = tube.draw([WIDTH, 1], light, shading)?;
         let runs = Profile::of_row(&image, Samples::One, 0)?;
         let profile = runs.first().ok_or(MetricError::Empty)?;
@@ -60,7 +56,7 @@ impl Prediction {
         Self { answer, open: 0.12 * answer.abs() + 2.0 * f64::from(f32::EPSILON) }
     }
 
-    /// Beside the edge Phong's shading bends, to which the answer is −Y″ (σs² − σc²)/2: as the normal turns along the chord of
+    /// Next to the edge Phong's shading bends, to which the answer is −Y″ (σs² − σc²)/2: as the normal turns along the chord of
     /// a facet of the width w, by α′ = sin Δ/w at its ends and α″ = ±2 sin Δ (1 − cos Δ)/w². On the edge that is the mean of both
     /// sides, and two pixels off more of one.
     fn with_bends(self, theta: f64, light: Degrees, delta: f64) -> Self {
@@ -79,12 +75,7 @@ impl Prediction {
 }
 
 /// The overshoot predicted at the edge where it is largest, for flat, Gouraud's and Phong's shading and for the finer tube.
-pub(super) fn measure(
-    tube: &Tube,
-    fine: &Tube,
-    light: Degrees,
-    out: &mut Recorder,
-) -> Result<(), ArtefactError> {
+pub(super) fn measure(tube: &Tube, fine: &Tube, light: Degrees, out: &mut Recorder) -> Result<()> {
     let model = DifferenceOfGaussians::default();
     let [centre, surround] = model.widths();
     for (name, value) in [("centre", centre), ("surround", surround), ("density", PIXELS_PER_DEGREE)] {
@@ -114,8 +105,8 @@ pub(super) fn measure(
 }
 
 /// The answers across the picture: of slopes that jump, and of steps, which are many times larger.
-pub(super) fn charts(tube: &Tube, light: Degrees, out: &mut Recorder) -> Result<(), ArtefactError> {
-    let curve = |name, shading, out: &Recorder| -> Result<Curve, ArtefactError> {
+pub(super) fn charts(tube: &Tube, light: Degrees, out: &mut Recorder) -> Result<()> {
+    let curve = |name, shading, out: &Recorder| -> Result<Curve> {
         Ok(out.curve(name, Drawn::Curve, Answers::of(tube, light, shading)?.across()))
     };
     let slopes = vec![

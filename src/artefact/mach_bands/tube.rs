@@ -1,13 +1,7 @@
-//! A cylinder in facets, and luminance across it.
+//! A cylinder in facets, luminance across it, and its jumps at an edge in closed form.
 
-use super::super::drawing::{chalk, draw, front, light_at, luminance, object, settings, smooth};
-use super::super::error::ArtefactError;
-use crate::mesh::{Faces, Mesh, MeshBuilder};
-use crate::normals::{NormalField, Weight};
-use crate::num::{Degrees, Radians};
-use crate::raster::{Image, Interpolation, Object, Shading, Shape};
-use crate::surface::{Cylinder, Primitive};
-use glam::DVec3;
+use super::super::prelude::*;
+use crate::surface::Cylinder;
 use std::f64::consts::{PI, TAU};
 
 /// The window's side; the cylinder has the radius 1.
@@ -30,21 +24,15 @@ pub(super) struct Tube {
 }
 
 impl Tube {
-    pub(super) fn new(segments: u32, start: f64) -> Result<Self, ArtefactError> {
+    pub(super) fn new(segments: u32, start: f64) -> Result<Self> {
         let angle = |k: u32| start + TAU * f64::from(k) / f64::from(segments);
         let ring =
             |y: f64| (0..segments).map(move |k| DVec3::new(libm::sin(angle(k)), y, libm::cos(angle(k))));
-        let quad = |k: u32| {
-            let next = (k + 1) % segments;
-            [k, next, next + segments, k + segments]
-        };
-        let corners: Vec<u32> = (0..segments).flat_map(quad).collect();
-        let builder = MeshBuilder {
-            positions: ring(-0.8).chain(ring(0.8)).collect(),
-            faces: Faces::polygons(corners, (0..=segments).map(|k| 4 * k).collect()),
-            ..MeshBuilder::default()
-        };
-        let mesh = builder.build()?;
+        let mut faces = Faces::new();
+        for (k, next) in (0..segments).map(|k| (k, (k + 1) % segments)) {
+            faces.push(&[k, next, next + segments, k + segments]);
+        }
+        let mesh = build(ring(-0.8).chain(ring(0.8)).collect(), faces)?;
         // Between two facets alike, the mean of their normals is the cylinder's.
         let normals = smooth(&mesh, Weight::Uniform);
         Ok(Self { mesh, normals, segments, start })
@@ -52,7 +40,7 @@ impl Tube {
 
     /// With an edge where the light ends. There the cylinder itself has a band; a facet across that border would have another
     /// one at each of its sides under Gouraud's shading, in place of that.
-    pub(super) fn under(light: Degrees, segments: u32) -> Result<Self, ArtefactError> {
+    pub(super) fn under(light: Degrees, segments: u32) -> Result<Self> {
         Self::new(segments, Radians::from(light).0 - (PI / 2.0).copysign(light.0))
     }
 
@@ -65,22 +53,17 @@ impl Tube {
         Object { surface: cylinder, ..object(&self.mesh, &self.normals, chalk()) }
     }
 
-    pub(super) fn draw(
-        &self,
-        size: [u32; 2],
-        light: Degrees,
-        shading: Shading,
-    ) -> Result<Image, ArtefactError> {
+    pub(super) fn draw(&self, size: [u32; 2], light: Degrees, shading: Shading) -> Result<Image> {
         let mut object = self.object();
         if let (Shading::Exact, Some(cylinder)) = (shading, object.surface) {
             object.shape = Shape::Surface(cylinder);
         }
         let camera = front(WINDOW * f64::from(size[1]) / f64::from(size[0]));
-        draw(vec![object], &[light_at(light)], camera, &settings(size, shading, Interpolation::Perspective))
+        draw(vec![object], &[light_at(light)], camera, settings(size, shading))
     }
 
     /// One scanline across.
-    pub(super) fn profile(&self, light: Degrees, shading: Shading) -> Result<Profile, ArtefactError> {
+    pub(super) fn profile(&self, light: Degrees, shading: Shading) -> Result<Profile> {
         let image = self.draw([LINE, 1], light, shading)?;
         Ok(Profile { values: luminance(&image) })
     }
@@ -101,7 +84,7 @@ impl Tube {
         (0..self.segments).map(turned).filter(is_lit)
     }
 
-    /// From where to where across the picture, in radii, the facets beside those edges lie, but for a little at both ends, where
+    /// From where to where across the picture, in radii, the facets next to those edges lie, but for a little at both ends, where
     /// differences would reach beyond; everywhere if there is no such edge.
     pub(super) fn near_edges(&self, light: Degrees) -> (f64, f64) {
         let edges: Vec<f64> = self.edges(light).collect();
@@ -113,14 +96,14 @@ impl Tube {
         }
     }
 
-    /// The width across the picture of the narrowest facet beside one of those edges, in radii.
+    /// The width across the picture of the narrowest facet next to one of those edges, in radii.
     pub(super) fn narrowest(&self) -> f64 {
         let Radians(farthest) = FARTHEST.into();
         libm::sin((farthest + self.delta()).min(PI / 2.0)) - libm::sin(farthest)
     }
 
     /// The places of those edges across the picture, in radii, each with the slope's jump there.
-    pub(super) fn jumps(&self, light: Degrees, shading: Shading) -> Result<Vec<[f64; 2]>, ArtefactError> {
+    pub(super) fn jumps(&self, light: Degrees, shading: Shading) -> Result<Vec<[f64; 2]>> {
         let line = self.profile(light, shading)?;
         let jump = |theta| [libm::sin(theta), line.slope_jump(self, theta).0.abs()];
         Ok(self.edges(light).map(jump).collect())
@@ -180,7 +163,7 @@ impl Profile {
         (right - left, by_right + by_left)
     }
 
-    /// The slope beside an edge from five samples, and how far roundings may move it.
+    /// The slope next to an edge from five samples, and how far roundings may move it.
     fn slope(&self, tube: &Tube, theta: f64, side: f64) -> [f64; 2] {
         let (edge, next) = (libm::sin(theta), libm::sin(theta + side * tube.delta()));
         let reach = (SPAN / tube.delta()).min(0.9) * (next - edge);
@@ -215,4 +198,19 @@ pub(super) fn slope_weights(at: f64, nodes: &[f64]) -> Vec<f64> {
         others().map(above).sum::<f64>() / below
     };
     (0..nodes.len()).map(weight).collect()
+}
+
+pub(super) type Law = fn(f64, Degrees, f64) -> f64;
+
+pub(super) fn flat_step(theta: f64, light: Degrees, delta: f64) -> f64 {
+    2.0 * libm::sin(theta - Radians::from(light).0).abs() * libm::sin(delta / 2.0)
+}
+
+pub(super) fn gouraud_jump(theta: f64, light: Degrees, delta: f64) -> f64 {
+    -libm::cos(Radians::from(light).0) * (libm::tan(theta + delta / 2.0) - libm::tan(theta - delta / 2.0))
+}
+
+pub(super) fn phong_jump(theta: f64, light: Degrees, delta: f64) -> f64 {
+    let bend = libm::tan(theta + delta / 2.0) - libm::tan(theta - delta / 2.0);
+    -libm::sin(theta - Radians::from(light).0) * libm::sin(theta) * bend
 }

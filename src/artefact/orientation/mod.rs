@@ -1,27 +1,13 @@
 //! The lectures' diamond: rotating a polygon changes its colours under the scanline algorithm.
 
-// The diamond seen obliquely, where triangles depend on the rotation unless they are interpolated with perspective.
-mod oblique;
-// The polygon in its positions, under scanlines and in triangles.
-mod pictures;
 // A rotated polygon, and the law of its scanline.
 mod polygon;
-// Pictures of the rotated polygon rotated back, for comparison with the original one.
-mod turned_back;
+// Pictures of the polygon in its positions, under scanlines and in triangles, and of the rotated one rotated back.
+mod pictures;
 
-use super::effect::Threshold;
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Drawn, Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Axis, Check, Recorder};
-use crate::num::Degrees;
-use crate::raster::{Image, Interpolation};
-use crate::text::{Catalogue, catalogue};
-use glam::{DVec2, DVec3};
+use super::prelude::*;
 use pictures::Pictures;
-use polygon::{Polygon, centre};
+use polygon::Polygon;
 
 static TEXTS: Catalogue = catalogue!("texts");
 
@@ -38,7 +24,7 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
 /// Turns that are measured: every five degrees.
 const TURNS: u32 = 72;
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     // An odd number of pixels has one in the middle, whose centre is the polygon's.
     let size = setup.parameters.size | 1;
     let polygon = Polygon::of(setup.mesh.as_ref(), size)?;
@@ -46,12 +32,12 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let shape = if is_diamond { "diamond" } else { "polygon" };
     let mut out = Recorder::new(&TEXTS, &[("shape", shape.into()), ("full", pictures::FULL.into())]);
     let colours = CentreColours::measure(&polygon, size, &mut out)?;
-    turned_back::measure(&polygon, size, &mut out)?;
+    pictures::measure(&polygon, size, &mut out)?;
     let pictures = Pictures::draw(&polygon, size)?;
     if is_diamond {
         let (tolerance, [one, other]) = (polygon.tolerance(size), &pictures.cuts);
         measure_diamond(&colours.scanline, [one, other], tolerance, &mut out);
-        oblique::measure(&polygon, size, tolerance, &mut out)?;
+        measure_oblique(&polygon, size, tolerance, &mut out)?;
     }
     let numbers = [largest_change(&colours.scanline), largest_change(&colours.triangles)];
     let effect = out.effect("centre", "", numbers, Threshold::half_step(), 50.0);
@@ -59,8 +45,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     out.set("cured", effect.cured);
     colours.chart(&mut out);
     pictures.show(&effect, &mut out);
-    let verdict = Verdict::Holds(out.text("holds"));
-    Ok(out.finish(verdict, effect))
+    Ok(out.finish(Verdict::Holds(out.text("holds")), effect))
 }
 
 /// The colours at the centre of the polygon over a whole turn.
@@ -71,9 +56,9 @@ struct CentreColours {
 }
 
 impl CentreColours {
-    fn measure(polygon: &Polygon, size: u32, out: &mut Recorder) -> Result<Self, ArtefactError> {
+    fn measure(polygon: &Polygon, size: u32, out: &mut Recorder) -> Result<Self> {
         let angle = |turn: u32| Degrees(360.0 * f64::from(turn) / f64::from(TURNS));
-        let centres = |interpolation| -> Result<Vec<DVec3>, ArtefactError> {
+        let centres = |interpolation| -> Result<Vec<DVec3>> {
             (0..TURNS).map(|turn| Ok(centre(&polygon.draw(size, angle(turn), interpolation)?))).collect()
         };
         let scanline = centres(Interpolation::Scanline)?;
@@ -144,11 +129,60 @@ fn measure_diamond(scanline: &[DVec3], [one, other]: [&Image; 2], tolerance: f64
     }
 }
 
-fn frame(setup: &Setup, number: u32, count: u32) -> Result<Image, ArtefactError> {
+fn frame(setup: &Setup, number: u32, count: u32) -> Result<Image> {
     let size = setup.parameters.size | 1;
     let polygon = Polygon::of(setup.mesh.as_ref(), size)?;
     let angle = Degrees(360.0 * f64::from(number) / f64::from(count));
     polygon.draw(size, angle, setup.parameters.interpolation)
+}
+
+/// How far the eye is from the middle, over the distance of a corner from it.
+const EYE: f64 = 2.0;
+
+/// By how much the right side is turned away from the viewer, about the upright axis.
+const AWAY: Degrees = Degrees(60.0);
+
+/// Edges foreshorten: the shortest is three quarters as long as seen from in front, so corners that snap move its colours by so
+/// many times as much.
+const FORESHORTENED: f64 = 4.0 / 3.0;
+
+fn camera() -> Camera {
+    // The window of the frontal pictures, at the middle.
+    let angle = Radians(2.0 * libm::atan(0.5 * Polygon::WINDOW / EYE));
+    let projection = Projection::Perspective(angle);
+    Camera { eye: DVec3::Z * EYE, target: DVec3::ZERO, up: DVec3::Y, projection, near: 0.1 }
+}
+
+/// By how much the colour at the centre changes by a quarter turn in the diamond's own plane.
+fn change(diamond: &Polygon, size: u32, interpolation: Interpolation) -> Result<f64> {
+    let oblique = DMat4::from_rotation_y(Radians::from(AWAY).0);
+    let colour = |turn: f64| -> Result<DVec3> {
+        Ok(centre(&diamond.draw_from(camera(), oblique, size, Degrees(turn), interpolation)?))
+    };
+    Ok((colour(90.0)? - colour(0.0)?).abs().max_element())
+}
+
+/// The change under scanlines, in triangles, and in triangles by perspective, against the law: of the ends of a line at depths
+/// d ± s, the middle has the colours in parts of (d ∓ s)/2d when they are mixed by distances in the picture. That is the line
+/// from corner 3 to corner 1 in one position; in the other scanlines run from corner 2 to corner 4, while the triangles' edge
+/// is upright and has one depth.
+fn measure_oblique(diamond: &Polygon, size: u32, tolerance: f64, out: &mut Recorder) -> Result<()> {
+    let triangles = diamond.cut(false)?;
+    let [c1, c2, c3, c4] = Polygon::LECTURES.map(DVec3::from);
+    let lean = libm::sin(Radians::from(AWAY).0) / EYE;
+    // The left end is nearer, and so larger: the middle of the picture's line is beyond the middle of the edge.
+    let mixed = |left: DVec3, right: DVec3| 0.5 * (left * (1.0 - lean) + right * (1.0 + lean));
+    let largest = |a: DVec3, b: DVec3| (a - b).abs().max_element();
+    let upright = mixed(c3, c1);
+    for (name, polygon, interpolation, law) in [
+        ("oblique-scanline", diamond, Interpolation::Scanline, largest(mixed(c2, c4), upright)),
+        ("oblique-triangles", &triangles, Interpolation::Affine, largest(0.5 * (c1 + c3), upright)),
+        ("oblique-perspective", &triangles, Interpolation::Perspective, 0.0),
+    ] {
+        let found = change(polygon, size, interpolation)?;
+        out.measure(name, "", found, Check::Near(law, 2.0 * FORESHORTENED * tolerance));
+    }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -162,7 +196,7 @@ mod tests {
         Setup { parameters: Parameters { size, ..EXPERIMENT.defaults }, mesh: None }
     }
 
-    /// c(θ) of the diamond at angles that were computed apart from this program.
+    /// c(θ) of the diamond at angles that were computed outside this program.
     #[test]
     fn the_law_has_its_printed_values() {
         let diamond = Polygon::of(None, 33).unwrap();

@@ -1,15 +1,7 @@
 //! A rotated polygon, and the law of its scanline.
 
-use super::super::drawing::{draw, front, linear, settings, smooth};
-use super::super::error::ArtefactError;
-use super::super::parameters::UserMesh;
-use super::super::recorder::Check;
-use crate::mesh::{Faces, Mesh, MeshBuilder, triangulate};
-use crate::normals::{NormalField, Weight};
-use crate::num::{Degrees, LinearRgb, Radians};
-use crate::raster::{Camera, Image, Interpolation, Object, Paint, Shading, Shape};
-use crate::shade::Material;
-use glam::{DMat4, DVec2, DVec3};
+use super::super::prelude::*;
+use crate::mesh::triangulate;
 
 /// The most corners that a polygon may have.
 const MOST_CORNERS: usize = 1024;
@@ -35,28 +27,26 @@ impl Polygon {
     /// # Errors
     /// A polygon that visits a place twice, crosses itself, or is thinner than two pixels of a picture of this size: scanlines
     /// have no law there.
-    pub(super) fn of(own: Option<&UserMesh>, size: u32) -> Result<Self, ArtefactError> {
+    pub(super) fn of(own: Option<&UserMesh>, size: u32) -> Result<Self> {
         let Some(own) = own else {
             let corners = vec![DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y];
             return Self::new(corners, Self::LECTURES.map(LinearRgb::from).to_vec(), None);
         };
+        let unsuitable = |key, values: &[(&'static str, String)]| {
+            let name = ("mesh", Value::from(own.name));
+            let values = values.iter().map(|(name, value)| (*name, value.as_str().into()));
+            ArtefactError::request(key, &values.chain([name]).collect::<Vec<_>>())
+        };
+        let pair = |[first, second]: [usize; 2]| {
+            [("first", first), ("second", second)].map(|(name, number)| (name, (number + 1).to_string()))
+        };
         let faces = own.mesh.faces();
         let Some(face) = faces.iter().find(|face| face.len() > 3).or_else(|| faces.iter().next()) else {
-            return Err(ArtefactError::Mesh {
-                found: format!("`{}` has no faces", own.name),
-                advice: "give a mesh with a face of four corners or more",
-            });
+            return Err(unsuitable("no-faces", &[]));
         };
         if face.len() > MOST_CORNERS {
-            return Err(ArtefactError::Mesh {
-                found: format!("the first polygon of `{}` has {} corners", own.name, face.len()),
-                advice: "give one of up to 1024 corners: of more, edges are shorter than pixels",
-            });
+            return Err(unsuitable("many-corners", &[("corners", face.len().to_string())]));
         }
-        let unsuitable = |what: String, advice| ArtefactError::Mesh {
-            found: format!("the first polygon of `{}` {what}", own.name),
-            advice,
-        };
         let points: Vec<DVec3> = face.iter().map(|&vertex| own.mesh.positions()[vertex as usize]).collect();
         let colours = match &own.mesh.columns().colors {
             Some(colours) => {
@@ -70,54 +60,39 @@ impl Polygon {
                 (0..face.len()).map(|corner| Self::LECTURES[corner % Self::LECTURES.len()].into()).collect()
             }
         };
-        const SIMPLE: &str =
-            "give a mesh whose first polygon has corners in different places and edges that do not cross";
-        if let Some([first, second]) = same_place(&points) {
-            return Err(unsuitable(
-                format!("has its corners {} and {} in one place", first + 1, second + 1),
-                SIMPLE,
-            ));
+        if let Some(corners) = same_place(&points) {
+            return Err(unsuitable("corners-in-one-place", &pair(corners)));
         }
-        let no_area = || unsuitable("has no area".into(), "give a mesh whose first polygon has one");
-        let flat = flattened(&points).ok_or_else(no_area)?;
-        if let Some([first, second]) = crossing(&flat) {
-            return Err(unsuitable(
-                format!("crosses itself: its edges {} and {} do", first + 1, second + 1),
-                SIMPLE,
-            ));
+        let flat = flattened(&points).ok_or_else(|| unsuitable("no-area", &[]))?;
+        if let Some(edges) = crossing(&flat) {
+            return Err(unsuitable("crossing-edges", &pair(edges)));
         }
         let width = mean_width(&flat) * f64::from(size) / Self::WINDOW;
         if width <= ROUNDING * f64::from(size) {
-            return Err(no_area());
+            return Err(unsuitable("no-area", &[]));
         }
         if width < 2.0 {
-            return Err(unsuitable(
-                format!("is {width:.2} pixels wide in a picture of {size} pixels"),
-                "give a larger picture (--size), or a polygon less thin: of less than two pixels scanlines see hardly anything",
-            ));
+            let values = [("width", format!("{width:.2}")), ("size", size.to_string())];
+            return Err(unsuitable("thin-polygon", &values));
         }
         Self::new(centred(flat)?, colours, None)
     }
 
-    fn new(
-        corners: Vec<DVec2>,
-        colours: Vec<LinearRgb>,
-        triangles: Option<Vec<u32>>,
-    ) -> Result<Self, ArtefactError> {
+    fn new(corners: Vec<DVec2>, colours: Vec<LinearRgb>, triangles: Option<Vec<u32>>) -> Result<Self> {
         let count = corners.len() as u32;
         let faces = match triangles {
             Some(triangles) => Faces::triangles(triangles),
             None => Faces::polygons((0..count).collect(), vec![0, count]),
         };
         let positions = corners.iter().map(|corner| corner.extend(0.0)).collect();
-        let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build()?;
+        let mesh = build(positions, faces)?;
         let normals = smooth(&mesh, Weight::Angle);
         Ok(Self { corners, colours, mesh, normals })
     }
 
     /// The same cut into triangles, one way or the other: a convex polygon into a fan about its first corner or its second, any
     /// other by Delaunay's rule, or so with a diagonal turned.
-    pub(super) fn cut(&self, other_way: bool) -> Result<Self, ArtefactError> {
+    pub(super) fn cut(&self, other_way: bool) -> Result<Self> {
         let count = self.corners.len() as u32;
         let triangles = if self.is_convex() {
             let at = |k: u32| (u32::from(other_way) + k) % count;
@@ -171,12 +146,7 @@ impl Polygon {
         }
     }
 
-    pub(super) fn draw(
-        &self,
-        size: u32,
-        angle: Degrees,
-        interpolation: Interpolation,
-    ) -> Result<Image, ArtefactError> {
+    pub(super) fn draw(&self, size: u32, angle: Degrees, interpolation: Interpolation) -> Result<Image> {
         self.draw_from(front(Self::WINDOW), DMat4::IDENTITY, size, angle, interpolation)
     }
 
@@ -188,13 +158,13 @@ impl Polygon {
         size: u32,
         angle: Degrees,
         interpolation: Interpolation,
-    ) -> Result<Image, ArtefactError> {
+    ) -> Result<Image> {
         let object = Object {
             transform: place * DMat4::from_cols_array(&turn(angle)),
-            paint: Paint::Given(self.colours.as_slice().into()),
-            ..Object::new(Shape::Mesh { mesh: &self.mesh, normals: &self.normals }, Material::default())
+            ..painted(&self.mesh, &self.normals, &self.colours)
         };
-        draw(vec![object], &[], camera, &settings([size; 2], Shading::Gouraud, interpolation))
+        let settings = RenderSettings { interpolation, ..settings([size; 2], Shading::Gouraud) };
+        draw(vec![object], &[], camera, settings)
     }
 
     /// The largest change of a colour along an edge, and the shortest edge in pixels.
@@ -276,12 +246,6 @@ impl Polygon {
     }
 }
 
-/// The colour of the pixel in the middle.
-pub(super) fn centre(image: &Image) -> DVec3 {
-    let middle = linear(image)[linear(image).len() / 2];
-    DVec3::from(middle.map(f64::from))
-}
-
 /// A triangle from each of its corners on.
 fn rotations([a, b, c]: [u32; 3]) -> impl Iterator<Item = [u32; 3]> {
     [[a, b, c], [b, c, a], [c, a, b]].into_iter()
@@ -334,7 +298,7 @@ fn mean_width(corners: &[DVec2]) -> f64 {
 
 /// A polygon with the origin in it: its mean, or where that lies outside, the middle of the largest of its triangles. The
 /// farthest corner is at 1.
-fn centred(corners: Vec<DVec2>) -> Result<Vec<DVec2>, ArtefactError> {
+fn centred(corners: Vec<DVec2>) -> Result<Vec<DVec2>> {
     let pairs = || corners.iter().zip(corners.iter().cycle().skip(1));
     let is_left =
         |(a, b): &(&DVec2, &DVec2)| (a.y < 0.0) != (b.y < 0.0) && a.x + a.y / (a.y - b.y) * (b.x - a.x) < 0.0;
@@ -342,12 +306,9 @@ fn centred(corners: Vec<DVec2>) -> Result<Vec<DVec2>, ArtefactError> {
         return Ok(corners);
     }
     let count = corners.len() as u32;
-    let builder = MeshBuilder {
-        positions: corners.iter().map(|corner| corner.extend(0.0)).collect(),
-        faces: Faces::polygons((0..count).collect(), vec![0, count]),
-        ..MeshBuilder::default()
-    };
-    let triangles = triangulate(&builder.build()?).triangles;
+    let positions = corners.iter().map(|corner| corner.extend(0.0)).collect();
+    let mesh = build(positions, Faces::polygons((0..count).collect(), vec![0, count]))?;
+    let triangles = triangulate(&mesh).triangles;
     let points = |triangle: &[u32; 3]| triangle.map(|corner| corners[corner as usize]);
     let area = |triangle: &[u32; 3]| {
         let [a, b, c] = points(triangle);

@@ -1,32 +1,16 @@
 //! The effect of rounded positions and normals on a highlight.
 
-// A material with a highlight, and how much its light changes with the normal.
-mod highlight;
-// Slivers: triangles whose normals cancel in plain arithmetic.
-mod needles;
-// The effect of the normals of slivers on a highlight: a flat plate cut into them, in a light nearby.
-mod plate;
-// A part of a sphere with normals of different precision, and how far they are from the true ones.
+// A part of a sphere with normals of different precision, how far they are from the true ones, and its highlight.
 mod sphere;
+// Slivers: triangles whose normals cancel in plain arithmetic, and a plate cut into them in a light nearby.
+mod slivers;
 
-use super::effect::Threshold;
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Check, Recorder};
-use super::triangle_mesh::TriangleMesh;
-use crate::metric::{image_error, normal_deviation};
+use super::prelude::*;
+use crate::metric::normal_deviation;
 use crate::normals::encoding::{Encoding, Snorm};
-use crate::num::{Degrees, Radians, steepest_slope};
-use crate::raster::{Image, Object, Shading, Shape};
-use crate::shade::{Material, Reflection};
-use crate::surface::{Primitive, Sphere};
-use crate::text::{Catalogue, Value, catalogue};
-use glam::DVec3;
-use highlight::{SPECULAR, bound, material, needed, with_shares};
+use crate::num::steepest_slope;
 use sphere::Scene;
+use sphere::{SPECULAR, bound, material, needed};
 use std::f64::consts::FRAC_1_SQRT_2;
 
 static TEXTS: Catalogue = catalogue!("texts");
@@ -47,7 +31,7 @@ const AWAY: f64 = 3e3;
 /// The largest error of a normal on an octahedron with twice 16 bits, in degrees.
 const SIXTEEN: f64 = 0.0037;
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let Parameters { size, segments, exponent, .. } = setup.parameters;
     let values = [
         ("exponent", Value::number(exponent)),
@@ -59,7 +43,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let largest = spheres.measure_stored_normals(&mut out);
     let reference = scene.light(&spheres.own.object(material(exponent)), Shading::Phong)?;
     let lit = |mesh: &TriangleMesh| scene.light(&mesh.object(material(exponent)), Shading::Phong);
-    let error = |image: &Image| image_error(image, &reference, 0.5).map(|error| error.linear.max / 255.0);
+    let error = |image: &Image| largest_error(image, &reference);
     let (eight, sixteen) = (lit(&spheres.eight)?, lit(&spheres.sixteen)?);
     let (of_eight, of_sixteen) = (error(&eight)?, error(&sixteen)?);
     out.measure("change-over-bound", "", of_eight / bound(exponent, largest), Check::AtMost(1.0));
@@ -69,7 +53,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let most = bound(exponent, SIXTEEN) + 1e-5 + 1.2e-7 * exponent;
     out.measure("change-sixteen", "", of_sixteen, Check::AtMost(most));
     spheres.measure_far_faces(segments, &mut out);
-    needles::record(&mut out);
+    slivers::record(&mut out);
     spheres.measure_pixels(&scene, exponent, &mut out)?;
     let effect = out.effect("bits", "", [of_eight, of_sixteen], Threshold::half_step(), 20.0);
     out.bad("eight-bits", &effect, eight);
@@ -79,7 +63,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let of_far = out.effect("far", "", errors, Threshold::half_step(), 20.0);
     out.bad("far-away", &of_far, far);
     out.cured("centred", &of_far, centred);
-    plate::record([size, segments], exponent, &mut out)?;
+    slivers::record_plate([size, segments], exponent, &mut out)?;
     let verdict = verdict(changes, exponent, [largest, SIXTEEN], &mut out);
     Ok(out.finish(verdict, effect))
 }
@@ -146,11 +130,11 @@ impl Spheres {
         exponent: f64,
         largest: f64,
         out: &mut Recorder,
-    ) -> Result<[f64; 2], ArtefactError> {
-        let change = |shares: [f64; 2], reflection: Reflection| -> Result<f64, ArtefactError> {
-            let material = Material { reflection, ..with_shares(exponent, shares) };
+    ) -> Result<[f64; 2]> {
+        let change = |shares: [f64; 2], reflection: Reflection| -> Result<f64> {
+            let material = Material { reflection, ..shiny(shares, exponent) };
             let lit = |mesh: &TriangleMesh| scene.light(&mesh.object(material), Shading::Phong);
-            Ok(image_error(&lit(&self.eight)?, &lit(&self.own)?, 0.5)?.linear.max / 255.0)
+            largest_error(&lit(&self.eight)?, &lit(&self.own)?)
         };
         let diffuse = change([1.0, 0.0], Reflection::Blinn)?;
         let blinn = change([0.0, 1.0], Reflection::Blinn)?;
@@ -177,7 +161,7 @@ impl Spheres {
     }
 
     /// The mean errors of the pixels' normals.
-    fn measure_pixels(&self, scene: &Scene, exponent: f64, out: &mut Recorder) -> Result<(), ArtefactError> {
+    fn measure_pixels(&self, scene: &Scene, exponent: f64, out: &mut Recorder) -> Result<()> {
         let exact = Object::new(Shape::Surface(Primitive::from(Sphere::default())), material(exponent));
         let truth = scene.normals(&exact, Shading::Exact)?;
         for (name, mesh) in [
@@ -219,7 +203,7 @@ mod tests {
         }
     }
 
-    /// The two means that are told, over a spiral of evenly spread normals: of all directions, and of those of the cap.
+    /// The two means that are stated, over a spiral of evenly spread normals: of all directions, and of those of the cap.
     #[test]
     fn errors_of_8_bits_are_those_reported() {
         let golden = std::f64::consts::PI * (3.0 - 5_f64.sqrt());

@@ -1,13 +1,8 @@
-//! A part of a sphere with normals of different precision, and how far they are from the true ones.
+//! A part of a sphere with normals of different precision, how far they are from the true ones, and its highlight.
 
-use super::super::drawing::{draw, front, settings};
-use super::super::error::ArtefactError;
-use super::super::triangle_mesh::{Diagonal, TriangleMesh};
-use super::highlight::angle;
-use crate::num::{Degrees, LinearRgb, Radians};
-use crate::raster::{Image, Interpolation, Object, RenderSettings, Shading, Show};
-use crate::shade::Light;
-use glam::{DVec3, Vec3};
+use super::super::prelude::*;
+use crate::num::steepest_slope;
+use glam::Vec3;
 
 /// The window's side: a close look at the highlight on a sphere of radius 1.
 const WINDOW: f64 = 0.25;
@@ -19,20 +14,19 @@ pub(super) struct Scene {
 }
 
 impl Scene {
-    pub(super) fn light(&self, object: &Object, shading: Shading) -> Result<Image, ArtefactError> {
+    pub(super) fn light(&self, object: &Object, shading: Shading) -> Result<Image> {
         self.paint(object, shading, Show::Shaded)
     }
 
-    pub(super) fn normals(&self, object: &Object, shading: Shading) -> Result<Image, ArtefactError> {
+    pub(super) fn normals(&self, object: &Object, shading: Shading) -> Result<Image> {
         self.paint(object, shading, Show::Normals)
     }
 
-    fn paint(&self, object: &Object, shading: Shading, show: Show) -> Result<Image, ArtefactError> {
+    fn paint(&self, object: &Object, shading: Shading, show: Show) -> Result<Image> {
         // A little off the axis, so that the highlight does not sit on a vertex.
-        let light = Light::Directional { towards: DVec3::new(0.05, 0.03, 1.0), colour: LinearRgb::WHITE };
-        let settings =
-            RenderSettings { show, ..settings([self.size; 2], shading, Interpolation::Perspective) };
-        draw(vec![object.clone()], &[light], front(WINDOW), &settings)
+        let light = far_light(DVec3::new(0.05, 0.03, 1.0));
+        let settings = RenderSettings { show, ..settings([self.size; 2], shading) };
+        draw(vec![object.clone()], &[light], front(WINDOW), settings)
     }
 }
 
@@ -102,4 +96,28 @@ impl TriangleMesh {
         let sum: f64 = self.triangles.iter().map(square).sum();
         Degrees::from(Radians((sum / self.triangles.len() as f64).sqrt())).0
     }
+}
+
+/// The shares of light that the material scatters and mirrors.
+pub(super) const DIFFUSE: f64 = 0.3;
+pub(super) const SPECULAR: f64 = 0.7;
+
+/// The material of the pictures.
+pub(super) fn material(exponent: f64) -> Material {
+    shiny([DIFFUSE, SPECULAR], exponent)
+}
+
+/// The error of a normal, in degrees, at which this highlight changes by half a step of 8 bits where it is steepest.
+pub(super) fn needed(exponent: f64) -> f64 {
+    Degrees::from(Radians(Threshold::HALF_STEP / (SPECULAR * steepest_slope(exponent)))).0
+}
+
+/// The largest change of the light for a normal that is off by so many degrees: Δ_d ≤ δ and Δ_s ≤ M(n) δ.
+pub(super) fn bound(exponent: f64, degrees: f64) -> f64 {
+    (DIFFUSE + SPECULAR * steepest_slope(exponent)) * Radians::from(Degrees(degrees)).0
+}
+
+/// The angle between two directions, in degrees.
+pub(super) fn angle(a: DVec3, b: DVec3) -> f64 {
+    Degrees::from(Radians(libm::atan2(a.cross(b).length(), a.dot(b)))).0
 }

@@ -1,11 +1,7 @@
 //! The ratio of length to width of a highlight on the sphere.
 
-use super::super::drawing::{BACKGROUND, linear};
-use super::super::recorder::{Check, Recorder};
-use super::scene::{GRAZING, WINDOW};
-use crate::num::{Degrees, Radians};
-use crate::raster::Image;
-use glam::DVec3;
+use super::super::prelude::*;
+use super::ball::{GRAZING, WINDOW};
 
 /// Half the width of a highlight at half height, as angles on the sphere: in the plane of light and view, towards the viewer, and
 /// across it.

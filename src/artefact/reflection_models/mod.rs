@@ -1,27 +1,15 @@
 //! Phong's and Blinn's highlights.
 
+// A sphere with nothing but a highlight, and light from behind it, which leaves a highlight on the dark side.
+mod ball;
 // The ratio of length to width of a highlight on the sphere.
 mod highlight_width;
-// Light from behind the sphere, and the highlight that it leaves on the dark side.
-mod light_behind;
-// A sphere with nothing but a highlight.
-mod scene;
 
-use super::effect::{Effect, Threshold};
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Drawn, Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Axis, Check, Recorder};
-use crate::metric::image_error;
-use crate::num::{Degrees, Radians};
-use crate::raster::Image;
-use crate::shade::{Guards, Reflection, blinn_exponent};
-use crate::text::{Catalogue, catalogue};
+use super::prelude::*;
+use crate::shade::{Guards, blinn_exponent};
+use ball::{BEHIND, record_light_behind};
+use ball::{GRAZING, WINDOW, ball};
 use highlight_width::HalfWidths;
-use light_behind::{BEHIND, record_light_behind};
-use scene::{GRAZING, WINDOW, ball};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 static TEXTS: Catalogue = catalogue!("texts");
@@ -39,7 +27,7 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
 /// How many times nearer to Phong's highlight four times the exponent has to be.
 const FACTOR: f64 = 5.0;
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let Parameters { size, exponent, .. } = setup.parameters;
     let [blinn, phong] = highlight_width::in_front(exponent);
     let values = [
@@ -64,12 +52,12 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
 }
 
 /// Light and viewer in front: Blinn's highlight with Phong's exponent and with four times that.
-fn matched_exponent(size: u32, exponent: f64, out: &mut Recorder) -> Result<Effect, ArtefactError> {
+fn matched_exponent(size: u32, exponent: f64, out: &mut Recorder) -> Result<Effect> {
     let ball = |reflection, exponent| ball(reflection, exponent, Degrees(0.0), Guards::default(), size);
     let phong = ball(Reflection::Phong, exponent)?;
     let blinn = ball(Reflection::Blinn, exponent)?;
     let matched = ball(Reflection::Blinn, blinn_exponent(exponent))?;
-    let largest = |image: &Image| image_error(image, &phong, 0.5).map(|error| error.linear.max / 255.0);
+    let largest = |image: &Image| largest_error(image, &phong);
     let (same, fourfold) = (largest(&blinn)?, largest(&matched)?);
     let radius = f64::from(size) / WINDOW;
     // Half a pixel turns the normal by 1/R over the cosine of its angle to the viewer, and the mirrored ray by twice that. Powers
@@ -103,7 +91,7 @@ fn largest_difference(exponent: f64, of_blinn: f64) -> f64 {
 }
 
 /// Grazing light, in which Phong's highlight is stretched.
-fn grazing_light(size: u32, exponent: f64, out: &mut Recorder) -> Result<(), ArtefactError> {
+fn grazing_light(size: u32, exponent: f64, out: &mut Recorder) -> Result<()> {
     let four = blinn_exponent(exponent);
     let ball = |reflection, exponent| ball(reflection, exponent, GRAZING, Guards::default(), size);
     let (phong, blinn) = (ball(Reflection::Phong, exponent)?, ball(Reflection::Blinn, four)?);

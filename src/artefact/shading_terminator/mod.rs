@@ -1,25 +1,11 @@
 //! The border between light and shadow on a coarse mesh.
 
-// The prism on which one facet turns away from the light.
-mod prism;
-// Light on a sphere and on a prism, and the pixels where their normals and facets disagree.
+// Light on a sphere and on a prism, one facet of which turns away from it.
 mod scene;
 
-use super::drawing::{chalk, differences, map, tiles};
-use super::effect::{Effect, Threshold};
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::{Check, Recorder};
-use super::triangle_mesh::TriangleMesh;
-use crate::num::Degrees;
-use crate::raster::{Image, Object, Shading, Shape};
+use super::prelude::*;
 use crate::shade::Terminator;
-use crate::surface::{Primitive, Sphere};
-use crate::text::{Catalogue, catalogue};
-use prism::Prism;
+use scene::Prism;
 use scene::{HEIGHT, LEVEL, concerned, mean_where, paint, picture, share, towards};
 
 static TEXTS: Catalogue = catalogue!("texts");
@@ -40,7 +26,7 @@ fn finest(segments: u32) -> u32 {
     (16 * segments).min(256).max(4 * segments)
 }
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let Parameters { size, segments, light, .. } = setup.parameters;
     let prism = Prism { segments, size };
     let values = [
@@ -83,23 +69,25 @@ impl Cost {
 fn sphere(
     &Parameters { size, segments, light, .. }: &Parameters,
     out: &mut Recorder,
-) -> Result<(Effect, Cost), ArtefactError> {
+) -> Result<(Effect, Cost)> {
     let globe = |segments, terminator| globe(segments, light, terminator, size);
     let (hard, smooth) = (globe(segments, Terminator::Hard)?, globe(segments, Terminator::Smooth)?);
     let (coarse, fine) = (globe(segments, Terminator::Soft)?, globe(finest(segments), Terminator::Soft)?);
     let concerned = |segments| concerned(&TriangleMesh::globe(segments, 0.0), towards(light, HEIGHT), size);
     let (map_of_coarse, map_of_fine) = (concerned(segments)?, concerned(finest(segments))?);
-    let largest = |a: &Image, b: &Image| differences(a, b).into_iter().flatten().fold(0.0, f64::max);
     out.measure("sphere-share", "", share(&map_of_coarse), Check::None);
     out.measure("fine-sphere-share", "", share(&map_of_fine), Check::None);
-    out.measure("sphere-shadow", "", largest(&hard, &smooth), Check::None);
+    out.measure("sphere-shadow", "", largest_difference(&hard, &smooth), Check::None);
     let exact = Object::new(Shape::Surface(Primitive::from(Sphere::default())), chalk());
     let truth = picture(exact, towards(light, HEIGHT), (Shading::Exact, Terminator::Smooth), [size; 2])?;
     let error = |image: &Image| mean_where(&map_of_coarse, &differences(image, &truth));
     let errors = [error(&hard), error(&smooth)];
     let effect = out.effect("shadow", "", errors, Threshold::half_step(), 10.0);
     // With a quarter of the cost the teeth are still visible.
-    let costs = [largest(&coarse, &smooth), largest(&fine, &globe(finest(segments), Terminator::Smooth)?)];
+    let costs = [
+        largest_difference(&coarse, &smooth),
+        largest_difference(&fine, &globe(finest(segments), Terminator::Smooth)?),
+    ];
     let cost = out.effect("cost", "", costs, Threshold::half_step(), 10.0);
     out.bad("hard", &effect, hard);
     out.cured("smooth", &effect, smooth);
@@ -108,7 +96,7 @@ fn sphere(
 }
 
 /// The facet of the prism that goes out as the light turns. This is the effect that the experiment reports.
-fn popping(prism: &Prism, out: &mut Recorder) -> Result<Effect, ArtefactError> {
+fn popping(prism: &Prism, out: &mut Recorder) -> Result<Effect> {
     let (hard, soft) = (prism.pop(Terminator::Hard)?, prism.pop(Terminator::Soft)?);
     out.measure("pop-hard", "", hard, Check::Near(prism.pop_law(Terminator::Hard), 2e-3));
     out.measure("pop-soft", "", soft, Check::Near(prism.pop_law(Terminator::Soft), 2e-4));
@@ -119,14 +107,14 @@ fn popping(prism: &Prism, out: &mut Recorder) -> Result<Effect, ArtefactError> {
 }
 
 /// The sphere while the light goes round it: at the left facets shade themselves, at the right that is softened.
-fn frame(setup: &Setup, number: u32, count: u32) -> Result<Image, ArtefactError> {
+fn frame(setup: &Setup, number: u32, count: u32) -> Result<Image> {
     let Parameters { size, segments, .. } = setup.parameters;
     let light = Degrees(360.0 * f64::from(number) / f64::from(count.max(1)));
     let globe = |terminator| globe(segments, light, terminator, size);
     Ok(tiles(&[vec![globe(Terminator::Hard)?, globe(Terminator::Soft)?]]))
 }
 
-fn globe(segments: u32, light: Degrees, terminator: Terminator, size: u32) -> Result<Image, ArtefactError> {
+fn globe(segments: u32, light: Degrees, terminator: Terminator, size: u32) -> Result<Image> {
     paint(&TriangleMesh::globe(segments, 0.0), towards(light, HEIGHT), terminator, [size; 2])
 }
 

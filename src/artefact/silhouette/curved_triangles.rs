@@ -1,10 +1,8 @@
 //! Curved triangles over those of a mesh, from its normals alone.
 
-use super::super::triangle_mesh::TriangleMesh;
-use crate::mesh::{Mesh, Topology, Weld, triangulate};
-use crate::normals::NormalField;
+use super::super::prelude::*;
+use crate::mesh::{Topology, Weld, triangulate};
 use crate::num::UnitVec3;
-use glam::DVec3;
 
 /// The mesh with every triangle as a Bézier triangle of third order, cut into parts² flat ones (A. Vlachos et al., *Curved
 /// PN triangles*, I3D 2001): at the corners it has the mesh's positions, and its edges leave at right angles to the
@@ -82,7 +80,7 @@ impl Edges<'_> {
 
     /// The control point of the edge between two corners that is next to the first.
     fn control(&self, corner: u32, to: u32) -> DVec3 {
-        /// Sine of the least angle between normals that tells which way a crease runs.
+        /// Sine of the least angle between normals that determines the direction of a crease.
         const LEAST: f64 = 0.01;
         let (place, normal) = (self.position(corner), self.normal(corner));
         let third = (self.position(to) - place) / 3.0;

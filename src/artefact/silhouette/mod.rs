@@ -12,14 +12,7 @@ mod tests;
 // The outline of a user's mesh, compared with that of a finer one or of its own curved triangles.
 mod user_mesh;
 
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::Outcome;
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::Recorder;
-use crate::num::Degrees;
-use crate::text::{Catalogue, catalogue};
+use super::prelude::*;
 
 static TEXTS: Catalogue = catalogue!("texts");
 
@@ -40,7 +33,7 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
     frame: None,
 };
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let out = Recorder::new(&TEXTS, &[]);
     match &setup.mesh {
         None => round_surfaces::run(&setup.parameters, out),

@@ -1,10 +1,7 @@
 //! Outlines of drawn surfaces and the distance between them.
 
-use super::super::drawing::{draw, map, settings};
-use super::super::error::ArtefactError;
+use super::super::prelude::*;
 use crate::metric::{Contour, ContourDistance, contour_distance};
-use crate::raster::{Camera, Image, Interpolation, Object, RenderSettings, Samples, Shading};
-use crate::shade::Light;
 
 /// A camera and a light.
 pub(super) struct View {
@@ -27,12 +24,9 @@ impl View {
     const OF_OUTLINES: Samples = Samples::Four;
     const WIDEST: u32 = 2048;
 
-    pub(super) fn draw(&self, object: Object, shading: Shading) -> Result<Image, ArtefactError> {
-        let settings = RenderSettings {
-            samples: Self::SAMPLES,
-            ..settings([self.size; 2], shading, Interpolation::Perspective)
-        };
-        draw(vec![object], std::slice::from_ref(&self.light), self.camera, &settings)
+    pub(super) fn draw(&self, object: Object, shading: Shading) -> Result<Image> {
+        let settings = RenderSettings { samples: Self::SAMPLES, ..settings([self.size; 2], shading) };
+        draw(vec![object], std::slice::from_ref(&self.light), self.camera, settings)
     }
 
     /// How many of an outline's pixels are one of a picture, along a side.
@@ -45,21 +39,21 @@ impl View {
         2.0 * (1.5 - std::f64::consts::SQRT_2 + 0.25) / f64::from(self.scale())
     }
 
-    pub(super) fn outline(&self, object: Object, shading: Shading) -> Result<Outline, ArtefactError> {
+    pub(super) fn outline(&self, object: Object, shading: Shading) -> Result<Outline> {
         let scale = self.scale();
         let settings = RenderSettings {
             samples: Self::OF_OUTLINES,
             keep_linear: false,
-            ..settings([scale * self.size; 2], shading, Interpolation::Perspective)
+            ..settings([scale * self.size; 2], shading)
         };
-        let image = draw(vec![object], &[], self.camera, &settings)?;
+        let image = draw(vec![object], &[], self.camera, settings)?;
         Ok(Outline { contour: Contour::of(&image, Self::OF_OUTLINES), scale: scale.into() })
     }
 }
 
 impl Outline {
     /// How far it is from the true one, in pixels of the pictures.
-    pub(super) fn distance(&self, truth: &Outline) -> Result<ContourDistance, ArtefactError> {
+    pub(super) fn distance(&self, truth: &Outline) -> Result<ContourDistance> {
         Ok(contour_distance(&self.contour, &truth.contour)?.scaled(1.0 / self.scale))
     }
 }

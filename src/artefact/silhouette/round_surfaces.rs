@@ -1,17 +1,10 @@
 //! Outlines that are known: a ball seen along its axis is a regular polygon, a torus two of them.
 
-use super::super::drawing::{chalk, front, light_at};
-use super::super::effect::{Effect, Threshold};
-use super::super::error::ArtefactError;
-use super::super::outcome::{Drawn, Outcome, Verdict};
-use super::super::parameters::Parameters;
-use super::super::recorder::{Axis, Check, Recorder};
-use super::super::triangle_mesh::{Diagonal, TriangleMesh};
+use super::super::prelude::*;
 use super::outline::{Outline, View, between};
 use crate::metric::ContourDistance;
-use crate::raster::{Image, Object, Shading, Shape};
-use crate::surface::{Parametric, Primitive, Sphere, Torus};
-use glam::{DMat4, DVec3, DVec4};
+use crate::surface::{Parametric, Torus};
+use glam::DVec4;
 use std::f64::consts::{PI, TAU};
 
 /// The window's side over the outer radius of what is in it.
@@ -21,7 +14,7 @@ const OUTER: f64 = 1.4;
 /// The y axis, about which things are round, to the viewer.
 const TOWARDS_VIEWER: DMat4 = DMat4::from_cols(DVec4::X, DVec4::Z, DVec4::NEG_Y, DVec4::W);
 
-pub(super) fn run(parameters: &Parameters, mut out: Recorder) -> Result<Outcome, ArtefactError> {
+pub(super) fn run(parameters: &Parameters, mut out: Recorder) -> Result<Outcome> {
     let &Parameters { size, segments, light, .. } = parameters;
     let radius = f64::from(size) / WINDOW;
     let view = |height: f64| View { size, camera: front(height), light: light_at(light) };
@@ -50,8 +43,7 @@ pub(super) fn run(parameters: &Parameters, mut out: Recorder) -> Result<Outcome,
     let effect = out.effect("outline", "px", of_ball, present, factor);
     let [bad, cured] = of_torus;
     show([&ball, &torus], [segments, fine], [&effect, &Effect { bad, cured, ..effect.clone() }], &mut out)?;
-    let verdict = Verdict::Holds(out.text("holds"));
-    Ok(out.finish(verdict, effect))
+    Ok(out.finish(Verdict::Holds(out.text("holds")), effect))
 }
 
 /// The errors of the coarse and the fine ball. Returns their largest distances.
@@ -61,7 +53,7 @@ fn measure_ball(
     radius: f64,
     circle: &Outline,
     out: &mut Recorder,
-) -> Result<[f64; 2], ArtefactError> {
+) -> Result<[f64; 2]> {
     let open = ball.view.open();
     let of_coarse = ball.outline(segments, Shading::Phong)?.distance(circle)?;
     let of_fine = ball.error(fine, circle)?;
@@ -85,7 +77,7 @@ fn measure_torus(
     radius: f64,
     open: f64,
     out: &mut Recorder,
-) -> Result<[f64; 2], ArtefactError> {
+) -> Result<[f64; 2]> {
     let truth = torus.true_outline()?;
     let [of_coarse, of_fine] = [segments, fine].map(|segments| torus.error(segments, &truth));
     let (of_coarse, of_fine) = (of_coarse?, of_fine?);
@@ -158,25 +150,25 @@ impl RoundSurface {
         }
     }
 
-    fn picture(&self, segments: u32) -> Result<Image, ArtefactError> {
+    fn picture(&self, segments: u32) -> Result<Image> {
         self.view.draw(turned(&self.cut(segments)), Shading::Phong)
     }
 
-    fn outline(&self, segments: u32, shading: Shading) -> Result<Outline, ArtefactError> {
+    fn outline(&self, segments: u32, shading: Shading) -> Result<Outline> {
         self.view.outline(turned(&self.cut(segments)), shading)
     }
 
-    fn true_outline(&self) -> Result<Outline, ArtefactError> {
+    fn true_outline(&self) -> Result<Outline> {
         self.view.outline(self.itself(), Shading::Flat)
     }
 
-    fn error(&self, segments: u32, circle: &Outline) -> Result<ContourDistance, ArtefactError> {
+    fn error(&self, segments: u32, circle: &Outline) -> Result<ContourDistance> {
         self.outline(segments, Shading::Flat)?.distance(circle)
     }
 
-    /// The fewest segments whose outline is measured to be right to half a pixel, near those that should be, beside what outlines
+    /// The fewest segments whose outline is measured to be right to half a pixel, near those that should be, in addition to what outlines
     /// of pixels are off even with so many segments that their polygon is a circle to a hundredth of a pixel.
-    fn found_enough(&self, expected: u32, circle: &Outline) -> Result<u32, ArtefactError> {
+    fn found_enough(&self, expected: u32, circle: &Outline) -> Result<u32> {
         let of_pixels = self.error(8 * expected, circle)?.hausdorff;
         let (mut low, mut high) = (3, 2 * expected);
         while high - low > 1 {
@@ -187,7 +179,7 @@ impl RoundSurface {
     }
 
     /// Errors by the number of segments.
-    fn chart(&self, circle: &Outline, radius: f64, out: &mut Recorder) -> Result<(), ArtefactError> {
+    fn chart(&self, circle: &Outline, radius: f64, out: &mut Recorder) -> Result<()> {
         const SEGMENTS: [u32; 11] = [4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128];
         let (mut farthest, mut means) = (Vec::new(), Vec::new());
         for segments in SEGMENTS {
@@ -217,7 +209,7 @@ fn show(
     [segments, fine]: [u32; 2],
     [of_ball, of_torus]: [&Effect; 2],
     out: &mut Recorder,
-) -> Result<(), ArtefactError> {
+) -> Result<()> {
     let round = ball.view.draw(ball.itself(), Shading::Phong)?;
     let coarse = ball.picture(segments)?;
     let lacking = between(&coarse, &round);

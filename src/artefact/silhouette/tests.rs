@@ -9,7 +9,7 @@ fn setup(size: u32) -> Setup<'static> {
     Setup { parameters: Parameters { size, ..EXPERIMENT.defaults }, mesh: None }
 }
 
-/// Figures computed apart from this program.
+/// Figures computed outside this program.
 #[test]
 fn closed_forms_have_their_published_values() {
     for (segments, printed) in [(16, 3.843), (32, 0.963), (64, 0.241)] {
@@ -59,7 +59,7 @@ fn a_mesh_of_ones_own_is_held_against_a_finer_one_or_itself() {
     assert!(matches!(smooth.verdict, crate::artefact::Verdict::Absent(_)), "{:?}", smooth.effect);
 }
 
-/// The edges of a coarse ball are sharper than the usual crease angle, so that it is compared with itself: what it is told helps.
+/// The edges of a coarse ball are sharper than the usual crease angle, so that it is compared with itself: the advice helps.
 #[test]
 fn a_coarse_mesh_is_reported_what_shows_its_outline() {
     let (coarse, fine) = (ball(0), ball(4));

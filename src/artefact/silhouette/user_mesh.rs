@@ -1,19 +1,9 @@
 //! The outline of a user's mesh, compared with that of a finer one or of its own curved triangles.
 
-use super::super::drawing::chalk;
-use super::super::effect::Threshold;
-use super::super::error::ArtefactError;
-use super::super::outcome::{Outcome, Verdict};
-use super::super::parameters::{Parameters, UserMesh};
-use super::super::recorder::{Check, Recorder};
-use super::super::user_mesh::{Normalisation, camera, light_from, unseen};
+use super::super::prelude::*;
 use super::curved_triangles::curved;
 use super::outline::{View, between};
-use crate::mesh::Mesh;
 use crate::metric::MetricError;
-use crate::normals::{Crease, NormalRecipe, compute};
-use crate::raster::{Object, Shading, Shape};
-use crate::text::Value;
 
 /// Into how many parts the edges of the cure are cut, which is what a program that draws would do.
 const CURE: u32 = 3;
@@ -21,14 +11,14 @@ const CURE: u32 = 3;
 const TRUTH: u32 = 8;
 const MOST_TRIANGLES: usize = 1 << 21;
 
-pub(super) fn run(own: &UserMesh, parameters: &Parameters, out: Recorder) -> Result<Outcome, ArtefactError> {
+pub(super) fn run(own: &UserMesh, parameters: &Parameters, out: Recorder) -> Result<Outcome> {
     measure(own, parameters, out).map_err(|error| match error {
-        ArtefactError::Metric(MetricError::Empty) => unseen(own, parameters.size),
+        ArtefactError::Metric(MetricError::Empty) => not_visible(own, parameters.size),
         other => other,
     })
 }
 
-fn measure(own: &UserMesh, parameters: &Parameters, mut out: Recorder) -> Result<Outcome, ArtefactError> {
+fn measure(own: &UserMesh, parameters: &Parameters, mut out: Recorder) -> Result<Outcome> {
     let &Parameters { size, light, crease, .. } = parameters;
     let normalisation = Normalisation::of(own)?;
     let recipe = NormalRecipe { crease: Crease::Angle(crease), ..NormalRecipe::default() };

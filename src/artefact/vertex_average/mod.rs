@@ -1,28 +1,14 @@
 //! Vertex normals as means of faces: how a mesh is cut shows through.
 
-// Boxes, whose six faces can be cut in 64 ways, and what weightings make of them.
-mod box_cuts;
-// A cube and a long box, whose faces are cut in all ways.
-mod boxes;
-// Round surfaces in triangles of bad shape, whose own normals are known.
-mod lit_surface;
-// An irregular torus and a ball of slivers.
+// Round surfaces in triangles of bad shape, whose own normals are known: an irregular torus and a ball of slivers.
 mod surfaces;
-// The weights of the experiment, with the keys of their names.
-mod weights;
+// A cube and a long box, whose six faces can be cut in 64 ways, and what weightings make of them.
+mod boxes;
 
-use super::error::ArtefactError;
-use super::experiment::Experiment;
-use super::outcome::{Outcome, Verdict};
-use super::parameter_name::ParameterName;
-use super::parameters::{Parameters, Setup};
-use super::recorder::Recorder;
-use crate::normals::Weight;
-use crate::num::Degrees;
-use crate::text::{Catalogue, catalogue};
+use super::prelude::*;
 use boxes::{CUBE, LONG};
-use lit_surface::View;
-use weights::{FLAT, MEANS, ROUND, name};
+use surfaces::View;
+use surfaces::{FLAT, MEANS, ROUND, name};
 
 static TEXTS: Catalogue = catalogue!("texts");
 
@@ -41,7 +27,7 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
     frame: None,
 };
 
-fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+fn run(setup: &Setup) -> Result<Outcome> {
     let Parameters { size, light, exponent, weight, .. } = setup.parameters;
     let view = View { size, light, exponent };
     let mut out = Recorder::new(&TEXTS, &[]);

@@ -1,23 +1,19 @@
 //! The artefact laboratory for people: a page an experiment, an index with thumbnails, sheets of panels, tables, plots; in
 //! English or Portuguese.
 
-// Formulas as MathML, which browsers typeset by themselves, and in words for screen readers.
-mod formula;
-// Pages of experiments: for a browser, paper and a projector.
-mod page;
+// Formulas as MathML and in words, and sub- and superscripts in running text, where there is no room for a formula.
+mod notation;
+// The texts of the pages: tables and sentences.
+mod tables;
 // Pictures of experiments: panels, thumbnails, plots.
 mod pictures;
-// Sub- and superscripts in running text, where there is no room for a formula of its own.
-mod running;
-// Tables and sentences.
-mod tables;
+// Pages of experiments: for a browser, paper and a projector.
+mod page;
 // The gallery's structure, in both languages.
 #[cfg(test)]
 mod tests;
-// The texts of the pages.
-mod words;
 
-pub use formula::{mathml, spoken};
+pub use notation::{mathml, spoken};
 pub use page::{experiment_page, index_page, page_name};
 pub use pictures::{chart_plot, experiment_sheet, picture_name};
 pub use tables::{list_table, measure_table, misses, verdict_text};

@@ -1,10 +1,10 @@
 //! Pages of experiments: for a browser, paper and a projector.
 
-use super::formula::mathml;
+use super::notation::mathml;
+use super::notation::running;
 use super::pictures::{chart_plot, picture_name, thumbnail};
-use super::running::running;
+use super::tables;
 use super::tables::{measure_table, verdict_in_short, verdict_text};
-use super::words;
 use crate::artefact::{Experiment, Language, Outcome, Role, Setup, Shot};
 use crate::report::html::image;
 use crate::report::{Page, Picture, ReportError};
@@ -27,7 +27,7 @@ pub fn experiment_page(
     language: Language,
     in_gallery: bool,
 ) -> Result<String, ReportError> {
-    let text = |key| words::text(key, language);
+    let text = |key| tables::text(key, language);
     let mut page = page(experiment.title().get(language), experiment.claim().get(language), language);
     if in_gallery {
         page.raw(&html! { p.up { a href="index.html" { (text("all")) } } "\n" }.into_string());
@@ -41,7 +41,7 @@ pub fn experiment_page(
         page.raw(&figures(experiment, series, language)?.into_string());
     }
     page.heading(&text("effect"));
-    page.paragraph(words::effect(&outcome.effect).get(language));
+    page.paragraph(tables::effect(&outcome.effect).get(language));
     page.heading(&text("measured"));
     page.table(&measure_table(outcome, language));
     if !outcome.charts.is_empty() {
@@ -78,7 +78,7 @@ fn thumbnails(series: &[Shot]) -> impl Iterator<Item = &Shot> {
 /// # Errors
 /// Pictures that cannot be made into files.
 pub fn index_page(found: &[(&Experiment, &Outcome)], language: Language) -> Result<String, ReportError> {
-    let text = |key| words::text(key, language);
+    let text = |key| tables::text(key, language);
     let mut page = page(&text("laboratory"), &text("lead"), language);
     let card = |experiment: &Experiment, outcome: &Outcome| -> Result<Markup, ReportError> {
         let thumbnails = thumbnails(outcome.series().next().unwrap_or_default());
@@ -101,7 +101,7 @@ pub fn index_page(found: &[(&Experiment, &Outcome)], language: Language) -> Resu
 }
 
 fn page(title: &str, lead: &str, language: Language) -> Page {
-    Page::new(title, lead).in_language(language.tag(), &words::text("contents", language)).set_by(running)
+    Page::new(title, lead).in_language(language.tag(), &tables::text("contents", language)).set_by(running)
 }
 
 /// Running text as markup.
@@ -111,11 +111,11 @@ fn set(text: &str) -> Markup {
 
 /// Who claims it, and the closed forms.
 fn claim(experiment: &Experiment, setup: &Setup, language: Language, page: &mut Page) {
-    page.heading(&words::text("claim", language));
+    page.heading(&tables::text("claim", language));
     page.paragraph(experiment.claim().get(language));
     page.list(experiment.sources().iter().map(|source| source.get(language)));
     if setup.mesh.is_some() {
-        page.paragraph(&words::text("no-formulas", language));
+        page.paragraph(&tables::text("no-formulas", language));
     }
     for formula in experiment.closed_forms(setup) {
         page.raw(&mathml(formula.notation.get(language)));
@@ -128,7 +128,7 @@ fn claim(experiment: &Experiment, setup: &Setup, language: Language, page: &mut 
 fn figures(experiment: &Experiment, series: &[Shot], language: Language) -> Result<Markup, ReportError> {
     let figure = |shot: &Shot| -> Result<Markup, ReportError> {
         let picture = image(&Picture::from(shot.image.clone()), shot.caption.get(language))?;
-        let role = words::text(words::role(shot.role), language);
+        let role = tables::text(tables::role(shot.role), language);
         let file = picture_name(experiment, shot.name);
         Ok(html! {
             figure {

@@ -28,16 +28,14 @@ pub fn chart_plot(chart: &Chart, language: Language) -> Plot {
         true => Axis::log(scale.label.get(language)),
         false => Axis::linear(scale.label.get(language)),
     };
-    let series = chart.curves.iter().map(|curve| Series {
-        name: curve.name.get(language).to_owned(),
-        points: curve.points.clone(),
-        mark: match curve.drawn {
+    let series = chart.curves.iter().map(|curve| {
+        let mark = match curve.drawn {
             Drawn::Curve => Mark::Curve,
             Drawn::Points => Mark::Points,
             Drawn::Line => Mark::Line,
             Drawn::Guide => Mark::Guide,
-        },
-        ..Series::default()
+        };
+        Series::new(curve.name.get(language), curve.points.clone(), mark)
     });
     Plot {
         title: chart.title.get(language).to_owned(),

@@ -1,11 +1,97 @@
-//! Tables and sentences.
+//! The texts of the pages: tables and sentences.
 
-use super::words::{self, text};
-use crate::artefact::{EXPERIMENTS, Expected, Language, Measure, Outcome, Range, Verdict};
+use crate::artefact::{
+    EXPERIMENTS, Effect, Expected, Language, Measure, Outcome, Range, Role, Text, Verdict,
+};
 use crate::report::Table;
-use crate::text::Value;
+use crate::text::{Catalogue, Value, catalogue};
 
-/// All numbers of an experiment beside what they should be.
+static TEXTS: Catalogue = catalogue!("texts");
+
+/// The text of a key in a language.
+pub(super) fn text(key: &str, language: Language) -> String {
+    TEXTS.get(key).get(language).to_owned()
+}
+
+/// The key of what a picture shows.
+pub(super) fn role(role: Role) -> &'static str {
+    match role {
+        Role::Bad => "role-bad",
+        Role::Cured => "role-cured",
+        Role::Attempt => "role-attempt",
+        Role::Absent => "role-absent",
+        Role::Difference => "role-difference",
+        Role::Truth => "role-truth",
+        Role::Seen => "role-seen",
+    }
+}
+
+/// The number that the cure changes, before and after, and its threshold.
+pub(super) fn effect(effect: &Effect) -> Text {
+    let key = if effect.is_present() { "effect-present" } else { "effect-absent" };
+    TEXTS.with(key, &values(effect))
+}
+
+/// Why nothing is visible, what would show it, and which pictures show it nevertheless because their conditions are their own.
+pub(super) fn absent(outcome: &Outcome, shown_by: &Text) -> Text {
+    let is_present = outcome.effect.is_present();
+    let key = if is_present { "absent-in-pictures" } else { "absent-below-threshold" };
+    let mut values = values(&outcome.effect);
+    values.push(("shown-by", shown_by.into()));
+    let said = TEXTS.with(key, &values);
+    let shown: Vec<&Text> =
+        outcome.shots.iter().filter(|shot| shot.role == Role::Bad).map(|shot| &shot.label).collect();
+    if shown.is_empty() {
+        return said;
+    }
+    let labels = |language| shown.iter().map(|label| label.get(language)).collect::<Vec<_>>().join("; ");
+    TEXTS.with("shown-in", &[("said", said.into()), ("labels", Text::each(labels).into())])
+}
+
+/// A condition, and that the cure did too little.
+pub(super) fn cure_fails(effect: &Effect, condition: &Text) -> Text {
+    let mut values = values(effect);
+    values.push(("condition", condition.into()));
+    TEXTS.with("cure-fails", &values)
+}
+
+fn values(effect: &Effect) -> Vec<(&'static str, Value)> {
+    let number = |x| Value::quantity(effect.reported(x), effect.unit);
+    let less = match effect.reduction() {
+        f64::INFINITY => TEXTS.get("gone"),
+        _ if effect.reported(effect.cured) == 0.0 => TEXTS.get("gone-but-for-rounding"),
+        times => TEXTS.with("times-less", &[("times", times.into())]),
+    };
+    vec![
+        ("name", (&effect.name).into()),
+        ("bad", number(effect.bad)),
+        ("from", Value::quantity(effect.present.value, effect.unit)),
+        ("why", (&effect.present.why).into()),
+        ("cure", (&effect.cure).into()),
+        ("cured", number(effect.cured)),
+        ("less", less.into()),
+        ("factor", effect.factor.into()),
+    ]
+}
+
+/// The range of an expected number.
+pub(super) fn wanted(range: Range, unit: &'static str) -> Text {
+    match range {
+        Range::Near { value, tolerance } => {
+            let values =
+                [("value", Value::Number(value, unit)), ("tolerance", Value::Number(tolerance, unit))];
+            TEXTS.with("near", &values)
+        }
+        Range::AtMost { at_most } => TEXTS.with("at-most", &[("value", Value::Number(at_most, unit))]),
+    }
+}
+
+/// That a number is not as expected.
+pub(super) fn miss(values: &[(&'static str, Value)]) -> Text {
+    TEXTS.with("miss", values)
+}
+
+/// All numbers of an experiment next to what they should be.
 pub fn measure_table(outcome: &Outcome, language: Language) -> Table {
     let keys = [
         "column-quantity",
@@ -26,9 +112,7 @@ pub fn measure_table(outcome: &Outcome, language: Language) -> Table {
                 Range::Near { value, tolerance } => {
                     (language.quantity(value, unit), language.short(tolerance, ""))
                 }
-                Range::AtMost { .. } => {
-                    (words::wanted(expected.range, unit).get(language).to_owned(), nothing())
-                }
+                Range::AtMost { .. } => (wanted(expected.range, unit).get(language).to_owned(), nothing()),
             };
             row.extend([wanted, within, agrees, expected.by.get(language).to_owned()]);
         } else {
@@ -45,10 +129,10 @@ pub fn misses(outcome: &Outcome, language: Language) -> Vec<String> {
     let missed = outcome.measures.iter().filter(|measure| measure.agrees() == Some(false));
     let sentence = |Measure { name, unit, value, expected, .. }: &Measure| {
         let Expected { range, by } = expected.as_ref()?;
-        let miss = words::miss(&[
+        let miss = miss(&[
             ("name", name.into()),
             ("found", Value::Number(*value, unit)),
-            ("wanted", words::wanted(*range, unit).into()),
+            ("wanted", wanted(*range, unit).into()),
             ("by", by.into()),
         ]);
         Some(miss.get(language).to_owned())
@@ -81,7 +165,7 @@ fn table(caption: &str, columns: &[&str], language: Language) -> Table {
 pub fn verdict_text(outcome: &Outcome, language: Language) -> [String; 2] {
     let condition = outcome.verdict.condition();
     let (key, condition) = match &outcome.verdict {
-        Verdict::Absent(_) => ("absent", words::absent(outcome, condition)),
+        Verdict::Absent(_) => ("absent", absent(outcome, condition)),
         other => {
             let key = match other {
                 Verdict::Holds(_) => "holds",
@@ -89,7 +173,7 @@ pub fn verdict_text(outcome: &Outcome, language: Language) -> [String; 2] {
                 _ => "fails",
             };
             let is_cured = outcome.effect.is_cured();
-            (key, if is_cured { condition.clone() } else { words::cure_fails(&outcome.effect, condition) })
+            (key, if is_cured { condition.clone() } else { cure_fails(&outcome.effect, condition) })
         }
     };
     [text(key, language), condition.get(language).to_owned()]
@@ -101,4 +185,89 @@ pub(super) fn verdict_in_short(outcome: &Outcome, language: Language) -> String 
     let first = condition.split_inclusive(". ").next().unwrap_or_default().trim_end();
     let colon = if matches!(outcome.verdict, Verdict::HoldsOnlyIf(_)) { "" } else { ":" };
     format!("{name}{colon} {first}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::artefact::{Expected, Measure, Threshold, Verdict};
+    use crate::report::{measure_table, misses};
+
+    fn vanished() -> Effect {
+        let name = Text::same("x");
+        Effect {
+            name: name.clone(),
+            unit: "",
+            bad: 0.25,
+            present: Threshold::half_step_of_tilt(),
+            cure: name,
+            cured: 0.0,
+            factor: 2.0,
+        }
+    }
+
+    #[test]
+    fn what_vanished_is_not_infinitely_less() {
+        let vanished = vanished();
+        let said = |vanished: &Effect| {
+            let text = effect(vanished);
+            Language::ALL.map(|language| text.get(language).to_owned())
+        };
+        let [en, pt] = said(&vanished);
+        assert!(
+            en.contains("0 after the cure (x): gone.") && pt.contains("0 depois da cura (x): sumiu."),
+            "{en} {pt}"
+        );
+        assert!(en.contains("x: 0.25"), "{en}");
+        let [_, halved] = said(&Effect { cured: 0.1, ..vanished.clone() });
+        assert!(halved.contains("2,5 vezes menos. Há artefato acima de 0,112 ("), "{halved}");
+        let rounded = Effect { cured: 1e-6, ..vanished };
+        let [en, pt] = said(&rounded);
+        assert!(en.contains("0 after the cure (x): gone, except for rounding."), "{en}");
+        assert!(pt.contains("0 depois da cura (x): sumiu, salvo arredondamento."), "{pt}");
+    }
+
+    #[test]
+    fn misses_tell_what_was_found_and_what_was_expected() {
+        let by = || Text::same("z");
+        let measure = |value: f64, range: Option<Range>| Measure {
+            name: Text::same("x"),
+            unit: "px",
+            value,
+            expected: range.map(|range| Expected { range, by: by() }),
+            beyond: None,
+        };
+        let near = Some(Range::Near { value: 1.0, tolerance: 0.25 });
+        let measures = vec![
+            measure(1.5, near),
+            measure(1.5, Some(Range::AtMost { at_most: 1.0 })),
+            measure(1.0, near),
+            measure(1.0, None),
+        ];
+        let effect = vanished();
+        let verdict = Verdict::Holds(by());
+        let outcome = Outcome { verdict, effect, measures, shots: vec![], charts: vec![], notes: vec![] };
+        assert_eq!(
+            misses(&outcome, Language::English),
+            [
+                "x: measured 1.5 px, expected 1 px ± 0.25 px (z)",
+                "x: measured 1.5 px, expected at most 1 px (z)"
+            ]
+        );
+        assert_eq!(
+            misses(&outcome, Language::Portuguese),
+            [
+                "x: medido 1,5 px, esperado 1 px ± 0,25 px (z)",
+                "x: medido 1,5 px, esperado no máximo 1 px (z)"
+            ]
+        );
+        let table = measure_table(&outcome, Language::Portuguese).to_text();
+        assert!(table.contains("no máximo 1 px") && table.contains("NÃO"), "{table}");
+    }
+
+    #[test]
+    fn units_are_separate_from_numbers() {
+        assert_eq!(Language::Portuguese.quantity(70.5, "°"), "70,5°");
+        assert_eq!(Language::English.quantity(3.0, "px"), "3 px");
+    }
 }

@@ -1,6 +1,6 @@
 //! The gallery's structure, in both languages.
 
-use super::running::running;
+use super::notation::running;
 use super::*;
 use crate::artefact::{EXPERIMENTS, Language, Outcome, Parameters, Setup};
 use crate::report::escape_html;

@@ -1,4 +1,4 @@
-//! The comparison of two files: pictures side by side, and the numbers.
+//! The comparison of two files: pictures side by side, and the numbers. Its texts are in comparison.en.ftl.
 
 use super::heat_scale::HeatScale;
 use super::model::{Model, OVERVIEW};
@@ -9,8 +9,10 @@ use crate::quality::{Comparison, Site, Survey};
 use crate::raster::Camera;
 use crate::report::error::ReportError;
 use crate::report::html::Page;
-use crate::report::picture::Picture;
 use crate::report::table::Table;
+use crate::text::{Catalogue, Language, Value, catalogue};
+
+static TEXTS: Catalogue = catalogue!("comparison", en);
 
 /// A file after a change, with its comparison.
 #[derive(Clone, Copy, Debug)]
@@ -33,7 +35,7 @@ pub(super) fn section(
 ) -> Result<(), ReportError> {
     let comparison = after.comparison;
     page.heading("Before and after");
-    page.paragraph(&words(after.name, comparison));
+    page.paragraph(&numbers(after.name, comparison));
     let changes = surveys.iter().zip(&comparison.change);
     let changed = |change: &[f64]| change.iter().copied().map(Some).collect();
     let changes: Vec<Survey> =
@@ -46,24 +48,20 @@ pub(super) fn section(
     let worst: Vec<&Site> = seen.next().map(|(site, _)| *site).into_iter().collect();
     let lit = [before.lit(camera, OVERVIEW)?, then.lit(camera, OVERVIEW)?];
     let (marked, _) = change.deviation(camera, OVERVIEW, &worst)?;
-    let pictures: [(&Picture, &str); 3] = [
-        (&lit[0], "the mesh lit with the normals that it had before"),
-        (&lit[1], "the mesh lit with the normals that it has after"),
-        (&marked, &format!("the mesh coloured by how far its normals changed, {}", change.scale.words())),
+    let alternatives = [
+        text("lit-before", &[]),
+        text("lit-after", &[]),
+        text("changed", &[("scale", change.scale.words().into())]),
     ];
-    let caption = "Left: before. Middle: after. Right: by how much the normals of each corner changed; a ring marks \
-                   the place that changed most of those that are seen.";
-    page.pictures(&pictures, caption)?;
-    let off = [before.deviation(camera, OVERVIEW, &[])?.0, then.deviation(camera, OVERVIEW, &[])?.0];
-    let words = ["before", "after"].map(|when| {
-        let scale = before.scale.words();
-        format!("{when}: the mesh coloured by the deviation of its normals from the rule that they follow, {scale}")
-    });
-    let pictures: [(&Picture, &str); 2] = [(&off[0], &words[0]), (&off[1], &words[1])];
+    let [lit_before, lit_after, changed] = alternatives.each_ref().map(String::as_str);
     page.pictures(
-        &pictures,
-        "How far normals are from those that the rule of their own mesh gives, before and after.",
+        &[(&lit[0], lit_before), (&lit[1], lit_after), (&marked, changed)],
+        &text("lit-caption", &[]),
     )?;
+    let off = [before.deviation(camera, OVERVIEW, &[])?.0, then.deviation(camera, OVERVIEW, &[])?.0];
+    let [off_before, off_after] =
+        ["off-before", "off-after"].map(|key| text(key, &[("scale", before.scale.words().into())]));
+    page.pictures(&[(&off[0], &off_before), (&off[1], &off_after)], &text("off-caption", &[]))?;
     let mut table = Table::new("Findings, before and after", &["finding", "before", "after"]);
     for (kind, counts) in &comparison.findings {
         table.push([kind.id().to_owned(), counts[0].to_string(), counts[1].to_string()]);
@@ -74,18 +72,34 @@ pub(super) fn section(
     Ok(())
 }
 
-fn words(name: &str, comparison: &Comparison) -> String {
+/// The numbers of a comparison.
+fn numbers(name: &str, comparison: &Comparison) -> String {
     let [mean, largest] = [comparison.mean, comparison.largest].map(|angle| three_digits(angle.0));
     let [mean_steps, largest_steps] = comparison.steps().map(three_digits);
     let Comparison { corners, changed, visible, gained, lost, turned, unmatched: [here, there], .. } =
         comparison;
-    let added = match (here, there) {
-        (0, 0) => "no faces were added or removed".to_owned(),
-        _ => format!("{here} faces were removed, {there} added"),
-    };
-    format!(
-        "In {name}, {changed} of {corners} corners have another direction, {visible} of them visibly: by {largest}° at most \
-         ({largest_steps} of 255 grey steps under a key light) and {mean}° in the mean ({mean_steps} steps). {gained} corners \
-         gained a normal and {lost} lost one. {turned} faces have reversed winding, and {added}."
-    )
+    let counts = [
+        ("changed", changed),
+        ("corners", corners),
+        ("visible", visible),
+        ("gained", gained),
+        ("lost", lost),
+        ("turned", turned),
+    ];
+    let counts = counts.map(|(key, count)| (key, Value::from(count.to_string())));
+    let faces = if (*here, *there) == (0, 0) { "same-faces" } else { "other-faces" };
+    let faces = text(faces, &[("here", here.to_string().into()), ("there", there.to_string().into())]);
+    let angles = [
+        ("faces", faces.into()),
+        ("name", name.into()),
+        ("mean", mean.into()),
+        ("largest", largest.into()),
+        ("mean-steps", mean_steps.into()),
+        ("largest-steps", largest_steps.into()),
+    ];
+    text("numbers", &[&counts[..], &angles].concat())
+}
+
+fn text(key: &str, values: &[(&'static str, Value)]) -> String {
+    TEXTS.with(key, values).get(Language::English).to_owned()
 }

@@ -1,58 +1,39 @@
-//! Histograms of the survey of a file.
+//! Histograms of the survey of a file. Their texts are in histograms.en.ftl.
 
 use crate::quality::Survey;
 use crate::report::plot::{Axis, Mark, Plot, Series};
+use crate::text::{Catalogue, Language, catalogue};
+
+static TEXTS: Catalogue = catalogue!("histograms", en);
 
 /// Bins of a histogram.
 const BINS: usize = 60;
 
 /// The histograms of some parts together, each with a name and a caption.
-pub(super) fn histograms(surveys: &[Survey]) -> Vec<(&'static str, &'static str, Plot)> {
+pub(super) fn histograms(surveys: &[Survey]) -> Vec<(&'static str, String, Plot)> {
     let all =
         |values: fn(&Survey) -> &Vec<f64>| surveys.iter().flat_map(values).copied().collect::<Vec<f64>>();
     let deviations: Vec<f64> =
         surveys.iter().flat_map(|survey| &survey.deviations).copied().flatten().collect();
-    let farthest = deviations.iter().copied().fold(1.0, f64::max);
-    let valences = all(|survey| &survey.valences);
-    let most = valences.iter().copied().fold(12.0, f64::max);
-    let lengths = all(|survey| &survey.edge_lengths);
-    let longest = lengths.iter().copied().fold(3.0, f64::max).min(10.0);
-    vec![
-        (
-            "deviation",
-            "Right normals stand at the left end; faults stand apart from it, by powers of ten, so that a single corner shows. What \
-             has no direction is left out.",
-            counted(
-                histogram("Deviation of stored normals", "degrees", &deviations, farthest),
-                deviations.len(),
-            ),
-        ),
-        (
-            "dihedral angle",
-            "A gap between gentle and sharp edges is where a crease angle belongs.",
-            histogram("How far edges bend", "degrees", &all(|survey| &survey.bends), 180.0),
-        ),
-        (
-            "corner angle",
-            "Many near 0° or 180°: needles, whose normals are easily off.",
-            histogram(
-                "Angles of faces at their corners",
-                "degrees",
-                &all(|survey| &survey.corner_angles),
-                180.0,
-            ),
-        ),
-        (
-            "valence",
-            "How many faces meet at a vertex; poles stand far to the right.",
-            histogram("Faces round a vertex", "faces", &valences, most),
-        ),
-        (
-            "edge length",
-            "Over the median; what is longer than ten times is counted in the last bin.",
-            histogram("Lengths of edges", "median lengths", &lengths, longest),
-        ),
+    let largest = |values: &[f64], least: f64| values.iter().copied().fold(least, f64::max);
+    let (valences, lengths) = (all(|survey| &survey.valences), all(|survey| &survey.edge_lengths));
+    let count = deviations.len();
+    let ends = [largest(&deviations, 1.0), largest(&valences, 12.0), largest(&lengths, 3.0).min(10.0)];
+    let mut plots = [
+        ("deviation", deviations, ends[0]),
+        ("dihedral-angle", all(|survey| &survey.bends), 180.0),
+        ("corner-angle", all(|survey| &survey.corner_angles), 180.0),
+        ("valence", valences, ends[1]),
+        ("edge-length", lengths, ends[2]),
     ]
+    .map(|(name, values, end)| (name, text(name, "caption"), histogram(name, &values, end)));
+    plots[0].2 = counted(plots[0].2.clone(), count);
+    plots.into()
+}
+
+/// The title, unit or caption of a histogram.
+fn text(name: &str, part: &str) -> String {
+    TEXTS.get(&format!("{name}-{part}")).get(Language::English).to_owned()
 }
 
 /// A histogram of shares as one of counts, by powers of ten: of a million, one shows.
@@ -68,8 +49,8 @@ fn counted(mut plot: Plot, all: usize) -> Plot {
     plot
 }
 
-fn histogram(title: &str, unit: &str, values: &[f64], end: f64) -> Plot {
-    /// The share of a bin that a value may be below its edge by rounding: right angles are to stand in one bin.
+fn histogram(name: &str, values: &[f64], end: f64) -> Plot {
+    /// The share of a bin that a value may be below its edge by rounding: right angles belong in one bin.
     const ROUNDED: f64 = 1e-3;
     let mut counts = [0usize; BINS];
     for value in values.iter().filter(|value| value.is_finite()) {
@@ -81,8 +62,9 @@ fn histogram(title: &str, unit: &str, values: &[f64], end: f64) -> Plot {
         counts.iter().enumerate().map(|(bin, &count)| [edge(bin), 100.0 * count as f64 / all]).collect();
     points.push([end, 0.0]);
     let fullest = counts.iter().enumerate().max_by_key(|(_, count)| **count).map_or(0, |(bin, _)| bin);
+    let unit = text(name, "unit");
     Plot {
-        title: title.to_owned(),
+        title: text(name, "title"),
         description: format!(
             "A histogram of {} values; most, {:.1} %, lie between {:.3} and {:.3} {unit}.",
             values.len(),
@@ -91,9 +73,9 @@ fn histogram(title: &str, unit: &str, values: &[f64], end: f64) -> Plot {
             edge(fullest + 1)
         ),
         size: [560, 260],
-        x: Axis { range: Some([0.0, end]), ..Axis::linear(unit) },
+        x: Axis { range: Some([0.0, end]), ..Axis::linear(&unit) },
         y: Axis::linear("per cent"),
-        series: vec![Series { points, mark: Mark::Steps, ..Series::default() }],
+        series: vec![Series::new("", points, Mark::Steps)],
         ..Plot::default()
     }
 }
@@ -105,7 +87,7 @@ mod tests {
     /// The angles of a cube are no two kinds of angles.
     #[test]
     fn right_angles_stand_in_one_bin() {
-        let plot = histogram("t", "degrees", &[89.9999, 90.0, 90.0001], 180.0);
+        let plot = histogram("corner-angle", &[89.9999, 90.0, 90.0001], 180.0);
         assert_eq!(plot.series[0].points[BINS / 2], [90.0, 100.0]);
     }
 
@@ -114,7 +96,7 @@ mod tests {
     fn one_of_many_shows() {
         let mut values = vec![0.0; 999_999];
         values.push(90.0);
-        let plot = counted(histogram("t", "degrees", &values, 180.0), values.len());
+        let plot = counted(histogram("corner-angle", &values, 180.0), values.len());
         let heights: Vec<f64> = plot.series[0].points.iter().map(|point| point[1]).collect();
         assert_eq!((heights[0], heights[BINS / 2], heights[1]), (999_999.0, 1.0, 0.5));
         assert_eq!(plot.y.range, Some([0.5, 1_999_998.0]));
@@ -122,7 +104,7 @@ mod tests {
 
     #[test]
     fn every_value_is_in_a_bin() {
-        let plot = histogram("t", "degrees", &[0.0, 10.0, 180.0, 200.0], 180.0);
+        let plot = histogram("corner-angle", &[0.0, 10.0, 180.0, 200.0], 180.0);
         let share: f64 = plot.series[0].points.iter().map(|point| point[1]).sum();
         assert!((share - 100.0).abs() < 1e-9);
         assert_eq!((plot.series[0].points[0][1], plot.series[0].points[BINS - 1][1]), (25.0, 50.0));

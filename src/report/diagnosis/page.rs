@@ -72,7 +72,7 @@ pub fn diagnosis_page(
     }
     page.heading("Distributions");
     for (name, caption, plot) in histograms(&surveys) {
-        page.drawing(&format!("histogram of {name}"), caption, |id| plot.svg(id));
+        page.drawing(&format!("histogram of {name}"), &caption, |id| plot.svg(id));
     }
     Ok(page.finish())
 }

@@ -2,7 +2,7 @@
 
 use super::axis::Fitted;
 use super::series::{Mark, Plot, Series};
-use super::series_style::{SIGN, SeriesStyle, series_styles};
+use super::series::{SIGN, SeriesStyle, series_styles};
 use crate::report::html::escape_html;
 use crate::report::label::text_width;
 use std::fmt::Write;
@@ -68,7 +68,7 @@ fn svg(plot: &Plot, id: &str) -> String {
     let (legend, legend_width) = legend(plot, &styles);
     let [width, height] = plot.size.map(f64::from);
     let taken = |axis: usize| {
-        plot.series.iter().flat_map(move |series| kept(plot, series).map(move |(_, point)| point[axis]))
+        plot.series.iter().flat_map(move |series| kept(plot, series).map(move |point| point[axis]))
     };
     let (x, y) = (plot.x.fit(taken(0)), plot.y.fit(taken(1)));
     let widest = y.ticks().iter().map(|(_, label)| width_of(label)).fold(0.0, f64::max);
@@ -114,10 +114,9 @@ fn svg(plot: &Plot, id: &str) -> String {
     out
 }
 
-/// The points of a series that are on the axes, with their numbers.
-fn kept<'a>(plot: &'a Plot, series: &'a Series) -> impl Iterator<Item = (usize, [f64; 2])> + 'a {
-    let points = series.points.iter().copied().enumerate();
-    points.filter(|(_, [x, y])| plot.x.takes(*x) && plot.y.takes(*y))
+/// The points of a series that are on the axes.
+fn kept<'a>(plot: &'a Plot, series: &'a Series) -> impl Iterator<Item = [f64; 2]> + 'a {
+    series.points.iter().copied().filter(|[x, y]| plot.x.takes(*x) && plot.y.takes(*y))
 }
 
 /// Text at a position, with further attributes.
@@ -179,10 +178,9 @@ fn axes(plot: &Plot, field: &Field, out: &mut String) {
 }
 
 fn draw_series(plot: &Plot, series: &Series, style: &SeriesStyle, field: &Field, out: &mut String) {
-    let points: Vec<(usize, [f64; 2])> =
-        kept(plot, series).map(|(number, [x, y])| (number, [field.x(x), field.y(y)])).collect();
+    let points: Vec<[f64; 2]> = kept(plot, series).map(|[x, y]| [field.x(x), field.y(y)]).collect();
     let mut path = String::new();
-    for (place, &(_, [x, y])) in points.iter().enumerate() {
+    for (place, &[x, y]) in points.iter().enumerate() {
         path += &match (series.mark, place) {
             (Mark::Points, _) => String::new(),
             (Mark::Steps, 0) => format!("M{x:.1} {:.1}V{y:.1}", field.top + field.height),
@@ -195,14 +193,6 @@ fn draw_series(plot: &Plot, series: &Series, style: &SeriesStyle, field: &Field,
         line(out, &path, style);
     }
     for place in style.signed(series.mark, points.len()) {
-        style.draw_sign(out, points[place].1);
-    }
-    for &(number, at) in &points {
-        if let Some(label) = series.labels.get(number) {
-            // Towards the middle, so that names stay within the field.
-            let inwards = at[0] < field.left + 0.8 * field.width;
-            let (x, anchor) = if inwards { (at[0] + 8.0, "start") } else { (at[0] - 8.0, "end") };
-            text(out, [x, at[1] + 4.0], anchor, "", label);
-        }
+        style.draw_sign(out, points[place]);
     }
 }

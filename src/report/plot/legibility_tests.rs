@@ -2,7 +2,7 @@
 
 use super::draw::width_of;
 use super::series::Plot;
-use super::series_style::series_styles;
+use super::series::series_styles;
 use std::collections::BTreeSet;
 
 /// A text and its ends: left, top, right, bottom.

@@ -2,10 +2,8 @@
 
 // Axes and their ticks.
 mod axis;
-// A plot and its series.
+// A plot and its series of points, and styles in which series differ in colour, and without it in dashes and signs.
 mod series;
-// Colours, dashes and signs of series.
-mod series_style;
 // The plot as SVG.
 mod draw;
 // Assertions for tests of all plots: no text overlaps another, and series differ without colour.

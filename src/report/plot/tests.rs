@@ -89,7 +89,7 @@ fn series_differ_without_colour() {
     let all: Vec<Series> = marks.into_iter().map(|mark| series("a", mark, &points)).collect();
     plot(all.clone()).assert_legible();
     // Signs of curves are few, and not at the same places.
-    let styles = series_style::series_styles(&all);
+    let styles = super::series::series_styles(&all);
     let [first, second] = [2, 3].map(|k| styles[k].signed(Mark::Curve, points.len()));
     assert_eq!((first.len(), second.len()), (4, 4));
     assert!(first.iter().all(|place| !second.contains(place)));

@@ -4,9 +4,7 @@
 mod tables;
 // Plots.
 mod plots;
-// Pictures of errors.
-mod pictures;
-// Pages.
+// The pages of the measurement, with meshes coloured by the errors of their normals. The texts are in page.en.ftl.
 mod page;
 
 pub use page::{own_page, trade_page};

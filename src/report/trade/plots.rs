@@ -16,19 +16,19 @@ const SIZE: [u32; 2] = [680, 320];
 
 /// A series of a weight, in its colour.
 fn weight_series(weight: Weight, name: String, points: Vec<[f64; 2]>, mark: Mark) -> Series {
-    Series { name, points, mark, colour: Some(weight as usize), ..Series::default() }
+    Series { colour: Some(weight as usize), ..Series::new(&name, points, mark) }
 }
 
 /// A grey line to compare with.
 fn guide(name: &str, points: [[f64; 2]; 2]) -> Series {
-    Series { name: name.into(), points: points.to_vec(), mark: Mark::Guide, ..Series::default() }
+    Series::new(name, points.to_vec(), Mark::Guide)
 }
 
 /// Error against cost of every weight on a class of meshes, with the Pareto frontier.
 pub(super) fn frontier_plot(trade: &Trade, tiling: Tiling) -> Plot {
     let points = trade.of_class(tiling);
     Plot {
-        title: format!("Error against cost: {}", tiling.describes()),
+        title: format!("Error against cost: {}", tiling.about()),
         x: Axis::log("times the plain f32 loop, one thread; sums by slices, quadric on a mesh"),
         ..pareto_plot(&points, "")
     }
@@ -39,12 +39,7 @@ fn pareto_plot(points: &[ClassPoint], description: &str) -> Plot {
     let place = |point: &ClassPoint| [point.ratio, point.rms];
     let best = frontier(points);
     let on_it: Vec<&str> = best.iter().map(|point| point.weight.name()).collect();
-    let line = Series {
-        name: "Pareto frontier".into(),
-        points: best.iter().map(place).collect(),
-        mark: Mark::Frontier,
-        ..Series::default()
-    };
+    let line = Series::new("Pareto frontier", best.iter().map(place).collect(), Mark::Frontier);
     let weights = points.iter().map(|point| {
         weight_series(point.weight, point.weight.name().into(), vec![place(point)], Mark::Points)
     });
@@ -134,11 +129,9 @@ fn spread_plot(spread: &[(Weight, &AngleErrors, &Histogram)]) -> Plot {
 
 /// The worst angle of encodings over their bits.
 pub(super) fn encoding_plot(rows: &[EncodingRow]) -> Plot {
-    let kind = |name: &str, takes: &dyn Fn(&EncodingRow) -> bool| Series {
-        name: name.into(),
-        points: rows.iter().filter(|row| takes(row)).map(|row| [row.bytes as f64, row.max]).collect(),
-        mark: Mark::Points,
-        ..Series::default()
+    let kind = |name: &str, takes: &dyn Fn(&EncodingRow) -> bool| {
+        let points = rows.iter().filter(|row| takes(row)).map(|row| [row.bytes as f64, row.max]);
+        Series::new(name, points.collect(), Mark::Points)
     };
     let nearest = |row: &EncodingRow| row.name.ends_with("nearest");
     let octahedral = |row: &EncodingRow| row.name.starts_with("oct");
@@ -174,12 +167,8 @@ pub(super) fn shading_plot(rows: &[ShadingRow], surface: &str) -> Plot {
                     && (row.reflection, row.shading, row.interpolation)
                         == (reflection, shading, interpolation)
             });
-            Series {
-                name: format!("{shading}, {reflection} highlight"),
-                points: of_way.map(|row| [row.faces as f64, row.error.linear.rms]).collect(),
-                mark: Mark::Line,
-                ..Series::default()
-            }
+            let points = of_way.map(|row| [row.faces as f64, row.error.linear.rms]);
+            Series::new(&format!("{shading}, {reflection} highlight"), points.collect(), Mark::Line)
         })
     });
     Plot {

@@ -5,15 +5,12 @@
 
 // Vectors, their angles and errors.
 mod vector;
-// Faces and their dihedral angles.
+// Faces and vertices: areas and normals of faces in exact integers; dihedral angles, rotations and vertex normals in 256 bits.
 mod face;
-// Vertex normals.
-mod mean;
 // Rays and triangles, for the coverage of pixels.
 mod ray;
 
-pub(crate) use face::{degenerate, dihedral, face_normal, radians, turn};
-pub(crate) use mean::vertex_normal;
+pub(crate) use face::{degenerate, dihedral, face_normal, radians, turn, vertex_normal};
 pub(crate) use ray::Target;
 pub(crate) use vector::{Vector, angle, degrees_to, distance, dot, error_in_ulps, length, unit};
 

@@ -1,15 +1,7 @@
 //! Differences of nearly equal products, unit vectors of extreme length, and corners near 0 and π.
 
-use super::case::{Bound, Measured, StressCase, Unit, Worst};
-use super::group::Group;
-use super::plain;
-use super::random::vector;
-use crate::num::numbers::Numbers;
+use super::prelude::*;
 use crate::num::{Split, UnitVec3, corner_angle, cross, difference_of_products};
-use crate::trade::exact::{self, Big, big, small};
-use dashu::base::Abs;
-use glam::{DVec3, Vec3};
-use std::f64::consts::PI;
 
 const PRODUCTS: usize = 2000;
 const VECTORS: usize = 500;

@@ -1,15 +1,6 @@
 //! Light that is very close.
 
-use super::case::{Bound, Measured, StressCase, Unit, Worst};
-use super::group::Group;
-use super::plain;
-use super::random::signed;
-use crate::num::numbers::Numbers;
-use crate::num::{LinearRgb, Real};
-use crate::shade::{Attenuation, Light, Material, Reflectance, ShadeSettings, Shader, SurfacePoint};
-use crate::trade::exact::{self, Big, big, small};
-use dashu::base::Abs;
-use glam::{DVec3, Vec3};
+use super::prelude::*;
 
 const DISTANCES: [f64; 8] = [1e-1, 1e-3, 1e-6, 1e-10, 1e-18, 1e-20, 1e-30, 1e-38];
 const POINTS: usize = 200;

@@ -102,7 +102,7 @@ impl Worst {
         Self { error: count as f64, undefined: 0 }
     }
 
-    /// Includes one more error; NaN stands for an undefined result.
+    /// Includes one more error; NaN is an undefined result.
     pub(super) fn add(&mut self, error: f64) {
         if error.is_nan() {
             self.undefined += 1;

@@ -1,16 +1,8 @@
 //! Edges whose dihedral angle is exactly the crease angle, before rounding.
 
-use super::case::{Bound, Measured, StressCase, Worst};
-use super::group::Group;
-use super::plain;
-use super::random::rotation;
-use crate::mesh::{Faces, Link, Mesh, MeshBuilder, Storage, Topology};
-use crate::normals::{Crease, NormalField, NormalRecipe, Precision, compute_on};
-use crate::num::Degrees;
-use crate::num::numbers::Numbers;
-use crate::trade::exact::{self, Big, big};
-use dashu::base::Abs;
-use glam::{DQuat, DVec3, Vec3};
+use super::prelude::*;
+use crate::mesh::{Link, Topology};
+use crate::normals::compute_on;
 
 /// Sides of the prisms: they meet at 45°, 40° (the default) and 30°.
 const SIDES: [usize; 3] = [8, 9, 12];
@@ -98,7 +90,7 @@ impl Prism {
             Stored::Text { decimals } => format!("{x:.decimals$}").parse().expect("a printed number"),
         };
         let corner = |i: usize| {
-            let angle = std::f64::consts::TAU * (i / 2) as f64 / sides as f64;
+            let angle = TAU * (i / 2) as f64 / sides as f64;
             let corner = turn * DVec3::new(libm::cos(angle), libm::sin(angle), (i % 2) as f64 - 0.5);
             DVec3::from(corner.to_array().map(store))
         };

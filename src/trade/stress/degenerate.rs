@@ -1,15 +1,9 @@
 //! Faces of little or no area: slivers, the sliver threshold, collinear and duplicate points.
 
-use super::case::{Bound, Measured, StressCase, Unit, Worst};
 use super::face_normals::{self, FAST, Triangle};
 use super::fans::{self, Fan};
-use super::group::Group;
-use super::plain;
-use super::random::vector;
-use crate::normals::{FaultReason, Scratch, Slivers, Weight, face_normals};
-use crate::num::numbers::Numbers;
+use super::prelude::*;
 use crate::trade::exact;
-use glam::{DVec3, Vec3};
 
 /// Height over length.
 const THINNESS: [f64; 8] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-12];

@@ -1,12 +1,8 @@
 //! Normals in few bits, where the octahedron has its corners and edges.
 
-use super::case::{Bound, Measured, StressCase, Unit};
-use super::group::Group;
-use super::random::vector;
+use super::prelude::*;
 use crate::normals::encoding::{Encoding, Octahedral, Rounding, Snorm, from_half, to_half};
-use crate::num::numbers::Numbers;
 use crate::trade::exact;
-use glam::{DVec3, Vec3};
 
 const DIRECTIONS: usize = 600;
 

@@ -1,12 +1,7 @@
 //! Face normals of single triangles, by three methods, against exact arithmetic.
 
-use super::case::{Bound, Measured, StressCase, Unit, Worst};
-use super::group::Group;
-use super::plain;
-use crate::mesh::{Faces, Mesh, MeshBuilder, Storage};
-use crate::normals::{FaultReason, NormalRecipe, Precision, Scratch, compute, face_normals};
+use super::prelude::*;
 use crate::trade::exact;
-use glam::{DVec3, Vec3};
 
 /// Three corners of `f32` coordinates.
 pub(super) type Triangle = [Vec3; 3];

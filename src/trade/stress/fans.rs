@@ -1,16 +1,9 @@
 //! Vertex normals of fans, by three methods, against the same formula in 256 bits.
 
-use super::case::{Bound, Measured, StressCase, Unit};
 use super::face_normals::{FAST, indexed};
-use super::group::Group;
-use super::plain;
-use crate::mesh::Mesh;
-use crate::normals::{
-    Averaging, Crease, NormalField, NormalRecipe, Precision, Scope, Scratch, Slivers, Weight, compute,
-    vertex_normals,
-};
+use super::prelude::*;
+use crate::normals::{Averaging, Scope, vertex_normals};
 use crate::trade::exact;
-use glam::{DVec3, Vec3};
 
 /// All weights that sum faces.
 pub(super) const WEIGHTS: [Weight; 6] =
@@ -32,13 +25,13 @@ impl Fan {
         Self { centre, triangles: ring.iter().zip(next).map(|(&a, &b)| [a, b]).collect() }
     }
 
-    /// The tip of a cone of radius 1 or so: the higher, the steeper its faces. It is a little askew, by less than its
+    /// The tip of a cone of radius 1 or so: the higher, the steeper its faces. It is a little tilted, by less than its
     /// normals lean, so that no axis is its normal and its condition number stays the same.
     pub(super) fn cone(sides: usize, height: f64) -> Self {
-        let askew = (0.5 / height).min(0.2);
+        let tilt = (0.5 / height).min(0.2);
         let rim = |k: usize| {
-            let turn = std::f64::consts::TAU * k as f64 / sides as f64;
-            let radius = 1.0 + askew * (libm::sin(turn + 0.5) + libm::sin(2.0 * turn));
+            let turn = TAU * k as f64 / sides as f64;
+            let radius = 1.0 + tilt * (libm::sin(turn + 0.5) + libm::sin(2.0 * turn));
             DVec3::new(radius * libm::cos(turn), radius * libm::sin(turn), 0.0).as_vec3()
         };
         Self::closed(DVec3::new(0.0, 0.0, height).as_vec3(), &(0..sides).map(rim).collect::<Vec<_>>())

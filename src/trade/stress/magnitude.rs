@@ -1,13 +1,9 @@
 //! Coordinates at the limits of `f32`, and far from the origin.
 
-use super::case::{Bound, Measured, StressCase, Unit};
 use super::face_normals::{self, FAST, Triangle};
 use super::fans::{self, Fan};
-use super::group::Group;
-use super::random::{rotation, signed, vector};
-use crate::num::numbers::Numbers;
+use super::prelude::*;
 use crate::trade::exact;
-use glam::{DVec3, Vec3};
 
 /// From the smallest `f32` to the largest. Areas of `f32` code vanish below 2.6e-23 and overflow above 4.3e9.
 const SCALES: [f64; 11] = [1e-45, 1e-38, 1e-30, 1e-19, 1e-12, 1.0, 1e6, 1e12, 1e19, 1e30, 3e38];
@@ -56,7 +52,7 @@ fn bumpy_fans() -> [Fan; FANS] {
     let mut numbers = Numbers::new(2);
     [0; FANS].map(|_| {
         let rim = |k: usize, numbers: &mut Numbers| {
-            let turn = std::f64::consts::TAU * (k as f64 + 0.4 * numbers.unit()) / 7.0;
+            let turn = TAU * (k as f64 + 0.4 * numbers.unit()) / 7.0;
             let radius = 0.6 + 0.4 * numbers.unit();
             DVec3::new(radius * libm::cos(turn), radius * libm::sin(turn), 0.4 * numbers.unit()).as_vec3()
         };

@@ -29,6 +29,8 @@ mod case;
 mod random;
 // The formulas as usually written, in f32.
 mod plain;
+// The names that the cases of every group use.
+mod prelude;
 // Products, unit vectors and corner angles.
 mod arithmetic;
 // Face normals against exact arithmetic.
@@ -41,23 +43,17 @@ mod magnitude;
 mod degenerate;
 // Infinite and undefined positions.
 mod non_finite;
-// Many faces at one vertex, and faces that meet as in no smooth surface.
+// Many faces at one vertex, faces that meet as in no smooth surface, and quadrics through rounded points.
 mod fan_shapes;
-// Quadrics through rounded points of a cylinder.
-mod quadrics;
 // Dihedral angles equal to the crease angle.
 mod creases;
 // Normals in few bits.
 mod encodings;
-// One lit point against 256-bit arithmetic.
-mod lit_point;
-// Specular highlights, and light along or behind the surface.
+// Highlights: large exponents, light from behind, half-vectors of nearly no length.
 mod highlights;
 // Light close to its source.
 mod attenuation;
-// Which pixels a triangle covers.
-mod pixel_coverage;
-// Triangles that are hard to draw.
+// Triangles that are hard to draw, and the pixels that they cover.
 mod triangles;
 
 pub use case::{Bound, Measured, StressCase, StressResult, Unit, Worst};
@@ -77,7 +73,7 @@ pub fn cases_of(group: Group) -> Vec<StressCase> {
         Group::Degenerate => degenerate::zero_area_cases(),
         Group::NonFinite => non_finite::cases(),
         Group::Valence => fan_shapes::valence_cases(),
-        Group::Fan => fan_shapes::fan_cases().into_iter().chain(quadrics::cases()).collect(),
+        Group::Fan => fan_shapes::fan_cases().into_iter().chain(fan_shapes::quadric_cases()).collect(),
         Group::Angle => arithmetic::angle_cases(),
         Group::Crease => creases::cases(),
         Group::Unit => arithmetic::unit_vector_cases(),

@@ -1,12 +1,8 @@
 //! Positions that are not finite: they must be reported and must not spread.
 
-use super::case::{Bound, Measured, StressCase, Worst};
 use super::fans::{WEIGHTS, faithful};
-use super::group::Group;
-use super::plain;
-use crate::mesh::{Faces, MeshBuilder, MeshError};
-use crate::normals::{FaultReason, Scratch, Slivers, Weight, face_normals};
-use glam::{DVec3, Vec3};
+use super::prelude::*;
+use crate::mesh::MeshError;
 
 /// Vertices along the side of a bumpy sheet.
 const SIDE: usize = 9;

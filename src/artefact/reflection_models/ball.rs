@@ -1,14 +1,26 @@
-//! Light from behind the sphere, and the highlight that it leaves on the dark side.
+//! A sphere with nothing but a highlight, and light from behind it, which leaves a highlight on the dark side.
 
-use super::super::drawing::linear;
-use super::super::effect::Threshold;
-use super::super::error::ArtefactError;
-use super::super::recorder::{Check, Recorder};
-use super::scene::{WINDOW, ball};
-use crate::num::{Degrees, Radians};
-use crate::raster::Image;
-use crate::shade::{Guards, Reflection};
-use glam::DVec3;
+use super::super::prelude::*;
+use crate::shade::Guards;
+
+/// Light far round the sphere.
+pub(super) const GRAZING: Degrees = Degrees(120.0);
+/// The window's side; the sphere has the radius 1.
+pub(super) const WINDOW: f64 = 2.2;
+
+/// The true sphere with nothing but a highlight.
+pub(super) fn ball(
+    reflection: Reflection,
+    exponent: f64,
+    light: Degrees,
+    guards: Guards,
+    size: u32,
+) -> Result<Image> {
+    let material = Material { reflection, ..shiny([0.0, 1.0], exponent) };
+    let sphere = Object::new(Shape::Surface(Primitive::from(Sphere::default())), material);
+    let settings = RenderSettings { guards, ..settings([size; 2], Shading::Exact) };
+    draw(vec![sphere], &[light_at(light)], front(WINDOW), settings)
+}
 
 /// Light almost behind the sphere.
 pub(super) const BEHIND: Degrees = Degrees(150.0);
@@ -21,15 +33,10 @@ fn normal(pixel: u32, size: u32) -> Option<DVec3> {
     (square > 0.0).then(|| DVec3::new(x, y, square.sqrt()))
 }
 
-fn light() -> DVec3 {
-    let (sine, cosine) = libm::sincos(Radians::from(BEHIND).0);
-    DVec3::new(sine, 0.0, cosine)
-}
-
 /// Pixels with N·L < 0, by more than single precision leaves open.
 fn turned_away(size: u32) -> impl Iterator<Item = (usize, DVec3)> {
     let pixels = (0..size * size).filter_map(move |pixel| Some((pixel as usize, normal(pixel, size)?)));
-    pixels.filter(|(_, normal)| normal.dot(light()) < -1e-6)
+    pixels.filter(|(_, normal)| normal.dot(direction(BEHIND)) < -1e-6)
 }
 
 /// The brightest of them.
@@ -40,7 +47,7 @@ fn brightest(image: &Image) -> f64 {
 
 /// The same by the formula: Blinn's (N·H)ⁿ or Phong's (R·V)ⁿ.
 fn law(reflection: Reflection, exponent: f64, size: u32) -> f64 {
-    let light = light();
+    let light = direction(BEHIND);
     let half = (light + DVec3::Z).normalize();
     let cosine = |normal: DVec3| match reflection {
         Reflection::Blinn => normal.dot(half),
@@ -56,7 +63,7 @@ pub(super) fn record_light_behind(
     exponent: f64,
     size: u32,
     out: &mut Recorder,
-) -> Result<(), ArtefactError> {
+) -> Result<()> {
     let [bad, guarded] = match reflection {
         Reflection::Phong => ["behind-phong", "behind-phong-guarded"],
         Reflection::Blinn => ["behind", "behind-guarded"],

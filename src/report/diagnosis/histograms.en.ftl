@@ -1,0 +1,15 @@
+deviation-title = Deviation of stored normals
+deviation-unit = degrees
+deviation-caption = Right normals stand at the left end; faults stand apart from it, by powers of ten, so that a single corner shows. What has no direction is left out.
+dihedral-angle-title = How far edges bend
+dihedral-angle-unit = degrees
+dihedral-angle-caption = A gap between gentle and sharp edges is where a crease angle belongs.
+corner-angle-title = Angles of faces at their corners
+corner-angle-unit = degrees
+corner-angle-caption = Many near 0° or 180°: needles, whose normals are easily off.
+valence-title = Faces round a vertex
+valence-unit = faces
+valence-caption = How many faces meet at a vertex; poles stand far to the right.
+edge-length-title = Lengths of edges
+edge-length-unit = median lengths
+edge-length-caption = Over the median; what is longer than ten times is counted in the last bin.
