@@ -242,10 +242,10 @@ mod tests {
             outcome.prove();
             // Means of two or four of the exercise's colours, in green and blue; half a pixel's diagonal.
             for (name, printed) in [
-                ("diamond, cut 1–3: green", 0.5),
-                ("diamond, cut 1–3: blue", 0.5),
-                ("diamond, cut 2–4: green", 0.3),
-                ("diamond, cut 2–4: blue", 0.1),
+                ("diamond, diagonal 1–3: green", 0.5),
+                ("diamond, diagonal 1–3: blue", 0.5),
+                ("diamond, diagonal 2–4: green", 0.3),
+                ("diamond, diagonal 2–4: blue", 0.1),
                 ("diamond, vertex in the middle: blue", 0.3),
             ] {
                 assert!(

@@ -13,7 +13,7 @@ boxes =
     On flat faces with arbitrary triangulation (buildings, machine parts): { $right }. At every corner of a box its
     normal is the diagonal. Only { $invariant } do not depend on the triangulation.
 precision =
-    `--precision fast` differs from faithful by at most { $worst }° on these meshes, and { $time }. For a face whose
+    `--precision fast` differs from faithful by at most { $worst }° on these meshes, and { $time } on arrays. For a face whose
     height is a thousandth of its length, the error is up to 0.0172°. At a vertex, this error is multiplied by the
     factor by which the sum of face normals shrinks. Outside this range, faithful is used for the mesh.
 time-less = takes { $share } of the time

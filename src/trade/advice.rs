@@ -104,7 +104,7 @@ fn on_precision(trade: &Trade) -> Option<String> {
     let kept = trade.precision.iter().filter(|row| !row.declined);
     let worst = kept.map(|row| row.fast.max).reduce(f64::max)?;
     let cost = |way| trade.costs.ratio(way, Weight::Angle);
-    let saved = cost(Way::MeshFast)? / cost(Way::Mesh)?;
+    let saved = cost(Way::SlicesFast)? / cost(Way::Slices)?;
     let time = match saved {
         ..0.95 => "time-less",
         1.05.. => "time-more",

@@ -3,8 +3,10 @@
 use super::cases::{NamedSurface, SampleMesh, Tiling};
 use super::effort::{Candidate, Effort, Observer, Progress, fewest_seconds};
 use super::vertex::{recipe, weight_name};
-use crate::mesh::{Faces, Mesh, MeshBuilder, Storage, Topology};
-use crate::normals::{Averaging, NormalRecipe, Precision, Scratch, Weight, compute_on, vertex_normals};
+use crate::mesh::{Faces, Mesh, MeshBuilder, Storage};
+use crate::normals::{
+    Averaging, Extras, NormalRecipe, Precision, Scratch, Weight, compute_with, vertex_normals,
+};
 use glam::DVec3;
 use serde::Serialize;
 use std::hint::black_box;
@@ -40,7 +42,9 @@ pub struct CostRow {
 pub enum Way {
     /// [`vertex_normals`]: slices in, slices out, faithful.
     Slices,
-    /// [`compute_on`] a mesh with its topology, with creases and faults, faithful.
+    /// The same with [`Precision::Fast`].
+    SlicesFast,
+    /// [`compute_with`] of a mesh, with creases and faults, faithful.
     Mesh,
     /// The same with [`Precision::Fast`].
     MeshFast,
@@ -64,7 +68,6 @@ impl Costs {
 
     /// Times every weight every way on a mesh, whose polygons count as the triangles that they can be cut into.
     pub(super) fn on(mesh: &Mesh, rounds: usize) -> Self {
-        let topology = Topology::build(mesh, NormalRecipe::default().weld);
         let positions: Vec<[f32; 3]> = mesh.positions().iter().map(|p| p.as_vec3().to_array()).collect();
         let triangles = fans(mesh.faces());
         let mut candidates: Vec<Candidate> = Vec::new();
@@ -73,23 +76,22 @@ impl Costs {
         candidates.push(Box::new(move || plain_vertex_normals(points, list, black_box(&mut normals))));
         let mut ways = Vec::new();
         for weight in Weight::ALL {
-            if weight != Weight::Quadric {
+            let precisions = [Precision::Faithful, Precision::Fast];
+            for (way, precision) in [Way::Slices, Way::SlicesFast].into_iter().zip(precisions) {
+                if weight == Weight::Quadric {
+                    continue;
+                }
                 let (mut scratch, mut normals) = (Scratch::new(), vec![[0.0; 3]; positions.len()]);
+                let averaging = Averaging { weight, precision, ..Averaging::default() };
                 candidates.push(Box::new(move || {
-                    let faults = vertex_normals(
-                        points,
-                        list,
-                        Averaging { weight, ..Averaging::default() },
-                        &mut scratch,
-                        &mut normals,
-                    );
+                    let faults = vertex_normals(points, list, averaging, &mut scratch, &mut normals);
                     drop(black_box(faults));
                 }));
-                ways.push((Way::Slices, weight));
+                ways.push((way, weight));
             }
-            for (way, precision) in [(Way::Mesh, Precision::Faithful), (Way::MeshFast, Precision::Fast)] {
-                let (recipe, topology) = (NormalRecipe { precision, ..recipe(weight) }, &topology);
-                candidates.push(Box::new(move || drop(black_box(compute_on(mesh, topology, &recipe)))));
+            for (way, precision) in [Way::Mesh, Way::MeshFast].into_iter().zip(precisions) {
+                let recipe = NormalRecipe { precision, ..recipe(weight) };
+                candidates.push(Box::new(move || drop(black_box(compute_with(mesh, &recipe, Extras::NONE)))));
                 ways.push((way, weight));
             }
         }

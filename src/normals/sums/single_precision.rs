@@ -201,8 +201,10 @@ impl<'a, A: SingleLanes> Block<'a, A> {
                 if slot < first_slot {
                     continue;
                 }
-                for (sum, row) in sum.iter_mut().zip(row) {
-                    *sum += if is_equal { *row } else { row * weight };
+                if is_equal {
+                    self.arch.add_row(sum, row);
+                } else {
+                    self.arch.add_scaled_row(sum, row, *weight);
                 }
             }
         }

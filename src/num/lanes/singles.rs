@@ -17,6 +17,10 @@ pub(crate) trait SingleLanes: Arithmetic {
     fn all(self, mask: Self::Mask) -> bool;
     /// The numbers of all lanes.
     fn to_array(self, a: Self::Number) -> [f32; LANES];
+    /// sum += row.
+    fn add_row(self, sum: &mut [f32; 4], row: &[f32; 4]);
+    /// sum += factor · row, rounded twice.
+    fn add_scaled_row(self, sum: &mut [f32; 4], row: &[f32; 4], factor: f32);
     /// The fourth column of eight rows.
     fn last_column(self, rows: [&[f32; 4]; LANES]) -> Self::Number;
 }
@@ -97,6 +101,14 @@ impl SingleLanes for PlainSingles {
 
     fn to_array(self, a: Self::Number) -> [f32; LANES] {
         a
+    }
+
+    fn add_row(self, sum: &mut [f32; 4], row: &[f32; 4]) {
+        *sum = std::array::from_fn(|i| sum[i] + row[i]);
+    }
+
+    fn add_scaled_row(self, sum: &mut [f32; 4], row: &[f32; 4], factor: f32) {
+        *sum = std::array::from_fn(|i| sum[i] + row[i] * factor);
     }
 
     fn last_column(self, rows: [&[f32; 4]; LANES]) -> Self::Number {
@@ -242,6 +254,18 @@ impl SingleLanes for AvxSingles {
     }
 
     #[inline(always)]
+    fn add_row(self, sum: &mut [f32; 4], row: &[f32; 4]) {
+        *sum = pulp::cast(self.0.sse._mm_add_ps(pulp::cast(*sum), pulp::cast(*row)));
+    }
+
+    #[inline(always)]
+    fn add_scaled_row(self, sum: &mut [f32; 4], row: &[f32; 4], factor: f32) {
+        let sse = self.0.sse;
+        let term = sse._mm_mul_ps(pulp::cast(*row), sse._mm_set1_ps(factor));
+        *sum = pulp::cast(sse._mm_add_ps(pulp::cast(*sum), term));
+    }
+
+    #[inline(always)]
     fn last_column(self, rows: [&[f32; 4]; LANES]) -> __m256 {
         self.all_columns(rows)[3]
     }
@@ -249,8 +273,8 @@ impl SingleLanes for AvxSingles {
 
 #[cfg(all(test, target_arch = "x86_64"))]
 mod tests {
-    use super::super::super::test_numbers::Numbers;
     use super::*;
+    use crate::num::test_numbers::Numbers;
 
     /// Everything that lanes can do, as bits.
     fn everything<A: SingleLanes>(arch: A, rows: [&[f32; 4]; LANES]) -> Vec<u32> {
@@ -271,6 +295,10 @@ mod tests {
         let mut found: Vec<f32> = numbers.into_iter().flat_map(|x| arch.to_array(x)).collect();
         found.extend(arch.rows([d, a, c, b]).as_flattened());
         found.push(f32::from(u8::from(arch.all(first))));
+        let mut sum = *rows[0];
+        arch.add_row(&mut sum, rows[1]);
+        arch.add_scaled_row(&mut sum, rows[2], rows[3][0]);
+        found.extend(sum);
         found.into_iter().map(f32::to_bits).collect()
     }
 

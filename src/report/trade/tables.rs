@@ -89,14 +89,15 @@ pub fn cost_table(trade: &Trade) -> Table {
         costs.triangles,
         three_digits(costs.plain_ns)
     );
-    let mut table = Table::new(&caption, &["weight", "slices, faithful", "mesh, faithful", "mesh, fast"]);
+    let mut table =
+        Table::new(&caption, &["weight", "slices, faithful", "slices, fast", "mesh, faithful", "mesh, fast"]);
     for weight in Weight::ALL {
         let cell = |way: Way| {
             costs.row(way, weight).map_or(NONE.into(), |row| {
                 format!("{} ({}×)", three_digits(row.ns_per_triangle), three_digits(row.ratio))
             })
         };
-        let ways = [Way::Slices, Way::Mesh, Way::MeshFast].map(cell);
+        let ways = [Way::Slices, Way::SlicesFast, Way::Mesh, Way::MeshFast].map(cell);
         table.push(std::iter::once(weight.name().to_owned()).chain(ways));
     }
     table
