@@ -18,7 +18,7 @@
 //! 5. **Regions.** A connected component was made in another way than the rest if fewer than one in three of its normals follow the
 //!    recipe and they are neither negated nor rotated as a whole. So was a region in which no normal follows it and the deviations
 //!    change gradually.
-//! 6. **Winding.** Faces that run against their neighbours, face inwards or have no direction are findings of their own and do not
+//! 6. **Winding.** Faces that have the opposite winding of their neighbours, face inwards or have no direction are findings of their own and do not
 //!    count against normals. At these faces a normal is an outlier only if no mean explains it, with the faces as they are or
 //!    reversed. A closed surface whose faces and normals point inwards is judged as it is. If it encloses closed components of
 //!    the same mesh whose faces and most normals point outwards, it is a room, and right.

@@ -8,7 +8,7 @@ use crate::num::Degrees;
 pub struct Thresholds {
     /// The largest difference from 1 of the length of a stored normal without a warning: the bound of the glTF validator.
     pub length: f64,
-    /// The same without a note: three decimals leave less.
+    /// Tolerance below which no note is given: rounding to three decimals is less.
     pub strict_length: f64,
     /// The largest angle between a stored normal and the expected one.
     pub deviation: Degrees,

@@ -46,7 +46,7 @@ impl Reflectance {
     }
 }
 
-/// Whose highlight.
+/// Highlight model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Reflection {
     /// (V·R)ⁿ with the mirrored ray R = 2N(N·L) − L (Phong 1973; F4, F5).

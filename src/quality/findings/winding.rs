@@ -1,4 +1,4 @@
-//! Winding: faces that run against their neighbours, surfaces on which all faces cannot agree, and components that face inwards.
+//! Winding: faces with opposite winding to their neighbours, surfaces on which all faces cannot agree, and components that face inwards.
 
 use crate::mesh::Link;
 use crate::quality::catalogue::Kind;
@@ -8,7 +8,7 @@ use crate::quality::facts::Facts;
 use crate::quality::input::winding::InsideOut;
 use crate::quality::spot::Spot;
 
-/// Finds faces that run against their neighbours. A duplicate face and one without a direction are findings of their own.
+/// Finds faces with opposite winding to their neighbours. A duplicate face and one without a direction are findings of their own.
 pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
     let topology = &facts.topology;
     // Components that only touch may run as they like: only edges by index are certain.

@@ -1,4 +1,4 @@
-//! Faces that run against their neighbours, and components that face the wrong way as a whole.
+//! Faces with opposite winding to their neighbours, and components that face the wrong way as a whole.
 
 use crate::mesh::{Mesh, Orientation, Orientations, Topology, normals_oppose};
 use crate::quality::input::file::FileContext;

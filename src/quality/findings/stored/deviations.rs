@@ -141,7 +141,7 @@ impl Corner<'_> {
         Some((verdict, off))
     }
 
-    /// The same next to faces that run against their neighbours, or on such a face. Their means are uncertain, as is which way a
+    /// The same next to faces with opposite winding to their neighbours, or on such a face. Their means are uncertain, as is which way a
     /// normal on them should point: nothing is wrong if any reading explains it.
     fn check_disputed(&self, face: usize, corner: usize) -> Option<(Verdict, f64)> {
         let facts = self.facts;
