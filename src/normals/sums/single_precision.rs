@@ -144,7 +144,7 @@ impl Kernel for AddSingles<'_> {
                     if !block.fill(&some_triangles[..faces.len()]) {
                         return false;
                     }
-                    block.scatter(sums, &some_slots[..faces.len()], first_slot as u32);
+                    block.scatter(&mut sums[first_slot..], &some_slots[..faces.len()], first_slot as u32);
                 }
             }
         }
@@ -190,23 +190,32 @@ impl<'a, A: SingleLanes> Block<'a, A> {
         terms(arch, triangles, points, weight, &mut self.rows[at], &mut self.weights[at]).is_some()
     }
 
-    /// Adds the terms to the sums of slots from the first one on. Slots beyond the end are skipped.
+    /// Adds the terms to sums, those of slots from the first one on. Other slots are skipped.
     #[inline(always)]
     fn scatter(&self, sums: &mut [[f32; 4]], slots: &[[u32; 3]], first_slot: u32) {
-        let is_equal = self.weight.is_equal_at_corners();
         let terms = self.rows.as_flattened().iter().zip(self.weights.as_flattened());
-        for (slots, (row, weights)) in slots.iter().zip(terms) {
-            for (&slot, weight) in slots.iter().zip(weights) {
-                let Some(sum) = sums.get_mut(slot as usize) else { continue };
-                if slot < first_slot {
-                    continue;
-                }
-                if is_equal {
-                    self.arch.add_row(sum, row);
-                } else {
-                    self.arch.add_scaled_row(sum, row, *weight);
-                }
+        if self.weight.is_equal_at_corners() {
+            for (&[a, b, c], (row, _)) in slots.iter().zip(terms) {
+                self.add(sums, first_slot, a, row, None);
+                self.add(sums, first_slot, b, row, None);
+                self.add(sums, first_slot, c, row, None);
             }
+        } else {
+            for (&[a, b, c], (row, weights)) in slots.iter().zip(terms) {
+                self.add(sums, first_slot, a, row, Some(weights[0]));
+                self.add(sums, first_slot, b, row, Some(weights[1]));
+                self.add(sums, first_slot, c, row, Some(weights[2]));
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn add(&self, sums: &mut [[f32; 4]], first_slot: u32, slot: u32, row: &[f32; 4], weight: Option<f32>) {
+        // One comparison for both ends: slots before the first one become the highest.
+        let Some(sum) = sums.get_mut(slot.wrapping_sub(first_slot) as usize) else { return };
+        match weight {
+            Some(weight) => self.arch.add_scaled_row(sum, row, weight),
+            None => self.arch.add_row(sum, row),
         }
     }
 }
