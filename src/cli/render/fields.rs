@@ -261,8 +261,8 @@ mod tests {
             assert_eq!(light(text).unwrap().kind(), kind);
         }
         let wrong = [
-            ("", "was expected first"),
-            ("ambient colour=1", "an option of its own"),
+            ("", "expected directional, point, spot, rectangle or disc first"),
+            ("ambient colour=1", "for ambient light use --ambient"),
             ("point", "position= is missing"),
             ("point position=1,2", "three numbers"),
             ("point position=1,2,3 colour", "KEY=VALUE"),
