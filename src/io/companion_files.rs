@@ -23,7 +23,7 @@ impl fmt::Display for Refusal {
                 "is outside the input's folder and was not read (--root allows another folder)"
             }
             Refusal::Missing => "was not found",
-            Refusal::NoFile => "is not a regular file and was not read",
+            Refusal::NoFile => "is a folder or not a regular file, and was not read",
         })
     }
 }

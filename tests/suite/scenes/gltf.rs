@@ -211,7 +211,7 @@ fn what_is_not_taken_is_reported() {
     let file = file.unwrap();
     assert!(file.lights.is_none() && file.objects.len() == 1);
     let said = file.notes.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
-    for piece in ["the first of 2 cameras", "squeezes its mesh flat", "a light is left out: light 1"] {
+    for piece in ["the first of 2 cameras", "squeezes its mesh flat", "a light is left out: light 0"] {
         assert!(said.contains(piece), "{said}");
     }
 }
