@@ -51,7 +51,6 @@ use rayon::prelude::*;
 ///
 /// # Errors
 /// If slices do not go together; see [`SliceError`]. Nothing is written then.
-#[expect(clippy::too_many_arguments, reason = "a plain door for callers with plain arrays")]
 pub fn corner_normals<T: Coordinate>(
     positions: &[[T; 3]],
     triangles: &[[u32; 3]],

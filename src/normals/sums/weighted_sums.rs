@@ -121,6 +121,9 @@ pub(crate) fn accumulate<T: Number>(
     Some(owned)
 }
 
+/// What [`finish`] does to a part, the slots that it owns and their entries; returns whether it went well.
+type Finishing<'a, T, O, S> = dyn Fn(&mut Part<T>, Range<usize>, &mut [O], &mut [S]) -> bool + Sync + 'a;
+
 /// Does the same to the sums that each part owns and to the entries of two slices that belong to them; returns whether all
 /// went well.
 pub(crate) fn finish<T: Number, O: Send, S: Send>(
@@ -129,7 +132,7 @@ pub(crate) fn finish<T: Number, O: Send, S: Send>(
     owned: &[Range<usize>],
     mut unit: &mut [O],
     mut state: &mut [S],
-    work: &(dyn Fn(&mut Part<T>, Range<usize>, &mut [O], &mut [S]) -> bool + Sync),
+    work: &Finishing<T, O, S>,
 ) -> bool {
     debug_assert_eq!((unit.len(), state.len()), (slots, slots));
     let mut shares = Vec::new();
