@@ -1,8 +1,8 @@
-//! Mesh **normals**: compute them, split them where a surface should stay sharp, and write them back into the
-//! file that they belong to, with everything else untouched.
+//! Mesh **normals**: compute them, split them where a surface should stay sharp, and write them into the file, with
+//! everything else unchanged.
 //!
 //! # A tour
-//! Bytes become a [`mesh::Mesh`], a [`normals::NormalRecipe`] says what is wanted, and the answer is a
+//! [`io`] reads a file into a [`mesh::Mesh`]. [`normals::compute`] applies a [`normals::NormalRecipe`] and returns a
 //! [`normals::NormalField`]: one unit normal per vertex and smooth group, and one index a corner.
 //!
 //! ```

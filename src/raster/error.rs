@@ -34,12 +34,12 @@ pub enum RenderError {
     Singular(usize),
     /// [`Shading::Exact`](crate::raster::Shading::Exact) of an object without an analytic surface.
     #[error(
-        "object {0}: exact shading needs an analytic surface; choose another shading or say which surface it is"
+        "object {0}: exact shading needs an analytic surface, but this is a mesh; choose another shading"
     )]
     NoSurface(usize),
     /// Colours of vertices where none are: of an analytic surface that rays are cast at.
     #[error(
-        "object {0}: rays are cast at it, and nothing there has the colours of vertices; give it a material, or draw a mesh under another shading"
+        "object {0}: an analytic surface has no vertex colours; use a material, or a mesh with another shading"
     )]
     Uncoloured(usize),
     /// A list of an object that is not as long as it must be.

@@ -146,11 +146,8 @@ impl std::fmt::Display for EnergyGain {
             _ => format!("{sum:.3}"),
         };
         let [red, green, blue] = self.sum.to_array().map(reported);
-        write!(
-            f,
-            "the material reflects more light than it gets: K_d + K_s, coefficients times colours, is "
-        )?;
-        write!(f, "{red} of red, {green} of green, {blue} of blue, where 1 is all there is")
+        write!(f, "the material reflects more light than it receives: diffuse + specular is ")?;
+        write!(f, "{red} in red, {green} in green, {blue} in blue (limit 1)")
     }
 }
 

@@ -93,7 +93,7 @@ fn meshes_that_cannot_be_compared_are_refused() {
         let own = UserMesh { name: "a.obj", mesh, finer };
         EXPERIMENT.run(&Setup { mesh: Some(own), ..setup(64) }).unwrap_err().to_string()
     };
-    assert!(error(&coarse, Some(("b.obj", &moved))).contains("`b.obj` is elsewhere"));
+    assert!(error(&coarse, Some(("b.obj", &moved))).contains("`b.obj` and `a.obj` have different positions"));
     assert!(error(&coarse, Some(("b.obj", &nothing))).contains("`b.obj` has no faces"));
     assert!(error(&nothing, None).contains("`a.obj` has no faces"));
 }

@@ -1,6 +1,7 @@
 //! Runs `crease inspect`: all inputs one after the other.
 
 use super::args::{FindingArgs, InspectArgs, PictureArgs};
+use super::fix;
 use super::json::{Against, Counts, InspectReport};
 use super::request::sources;
 use super::symptoms;
@@ -15,7 +16,7 @@ use crate::cli::common::progress::{FileProgress, Progress, Stage};
 use crease::io::{Loaded, ReadOptions};
 use crease::num::Transfer;
 use crease::quality::catalogue::{Kind, entries};
-use crease::quality::{Diagnosis, Severity, Thresholds, compare, diagnose};
+use crease::quality::{Diagnosis, Finding, Severity, Thresholds, compare, diagnose};
 use crease::report::{After, deviation_picture, diagnosis_page, encode_png};
 use std::path::PathBuf;
 use std::time::Instant;
@@ -181,7 +182,12 @@ fn draw(
         let after = after.zip(report.against.as_ref());
         let after =
             after.map(|(loaded, Against { path, comparison })| After { name: path, loaded, comparison });
-        let page = diagnosis_page(loaded, diagnosis, after, [&report.input.path, &report.fix_as], *view);
+        let is_serious = diagnosis.worst() > Some(Severity::Note);
+        let fixable = diagnosis.findings.iter();
+        let fixable: Vec<&Finding> =
+            fixable.filter(|it| !is_serious || it.severity > Severity::Note).collect();
+        let fix = fix::command(&fixable, &report.input.path, &report.fix_as);
+        let page = diagnosis_page(loaded, diagnosis, after, &report.input.path, fix.as_deref(), *view);
         Target::of(path).store(page.map_err(Failure::input)?.into_bytes())?;
         report.written.push(("page", Target::of(path).name()));
     }

@@ -71,8 +71,8 @@ impl std::fmt::Display for Incomparable {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             Self::NothingInCommon => {
-                "no face of the one file has its corners where a face of the other has them, each part in its own space: these are \
-                 different shapes, or nodes that place the parts of one were applied to the other"
+                "the files have no face in common; compare versions of one mesh, with the transforms of nodes applied to both or \
+                 to neither"
             }
             Self::TooLarge => "the files have more than 2³² corners",
         })

@@ -28,10 +28,10 @@ impl fmt::Display for Unseen {
         f.write_str(match self {
             Self::NoEdges => "analytic surfaces have no edges to draw; give them a tessellation",
             Self::Behind => "everything is behind the camera, or nearer than its near distance",
-            Self::OutsidePicture => "the camera looks past everything",
+            Self::OutsidePicture => "everything is outside the picture",
             Self::Small => "everything is smaller than the distance of two samples",
-            Self::Culled => "all faces show the side that is left out",
-            Self::NoArea => "no face has an area to be seen",
+            Self::Culled => "all faces show the culled side",
+            Self::NoArea => "no face has a visible area",
         })
     }
 }

@@ -88,8 +88,8 @@ fn camera(file: &FileCamera, distance: impl Fn(DVec3) -> f64) -> Result<Camera, 
         near: file.near,
     };
     camera.check().map(|()| camera).map_err(|error| {
-        let found = format!("the camera cannot be looked through: {error}");
-        ReadError::new(Problem::Range, file.place.clone(), found, "mend it and the nodes above it")
+        let found = format!("invalid camera: {error}");
+        ReadError::new(Problem::Range, file.place.clone(), found, "correct the camera or its parent nodes")
     })
 }
 

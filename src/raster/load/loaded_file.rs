@@ -3,7 +3,7 @@
 use crate::io::{FileCamera, FileMaterial, FileNode, FileReflection, Format, Loaded, Note, Part};
 use crate::io::{Place, Problem, ReadError, Severity};
 use crate::mesh::{NONE, normal_matrix};
-use crate::num::LinearRgb;
+use crate::num::{LinearRgb, three_digits};
 use crate::raster::load::appearance;
 use crate::raster::load::scene_file::{
     LoadOptions, MOST_OBJECTS, MOST_PLACED_CORNERS, SceneFile, SceneMesh, SceneObject, SceneShape,
@@ -41,7 +41,7 @@ impl SceneFile {
         drop(document);
         if format.is_gltf() && nodes.is_empty() {
             notes.push(Note::remark(
-                "no node of the scene shows a mesh: all are drawn where their positions stand",
+                "no node of the scene refers to a mesh: all meshes are drawn untransformed",
             ));
         }
         if nodes.is_empty() {
@@ -68,7 +68,7 @@ impl SceneFile {
         let prototypes = scene.add_meshes(&nodes, parts, format, &materials, options);
         for node in nodes {
             if scene.objects.len() + prototypes[node.part].len() > MOST_OBJECTS {
-                let found = format!("more than {MOST_OBJECTS} meshes at their places, each material counted");
+                let found = format!("more than {MOST_OBJECTS} instances of meshes, counting each material");
                 return Err(too_much(found));
             }
             scene.objects.extend(prototypes[node.part].iter().map(|prototype| SceneObject {
@@ -102,7 +102,8 @@ impl SceneFile {
         // Positions are stored in single precision.
         (farthest > far * (1.0 + f64::from(f32::EPSILON))).then(|| {
             let text = format!(
-                "nothing is cut off at the camera's `zfar` of {far}: all is drawn, up to a distance of {farthest}"
+                "the camera's `zfar` of {far} is ignored: everything is drawn, up to a distance of {}",
+                three_digits(farthest)
             );
             Note::new(Severity::Note, file.place.clone(), text)
         })
@@ -132,7 +133,7 @@ impl SceneFile {
         }
         let is_transparent = |material: &&FileMaterial| material.opacity.is_some_and(|opacity| opacity < 1.0);
         if let Some(FileMaterial { name, .. }) = used().find(is_transparent) {
-            self.notes.push(Note::remark(format!("nothing shines through: `{name}` is drawn opaque")));
+            self.notes.push(Note::remark(format!("transparency is not drawn: `{name}` is opaque")));
         }
         let mut object = |(material, mesh): (Option<&FileMaterial>, SceneMesh)| {
             self.meshes.push(mesh);
@@ -151,14 +152,11 @@ fn remove_flat(nodes: &mut Vec<FileNode>, notes: &mut Vec<Note>) -> Result<(), R
     let is_flat = |node: &FileNode| normal_matrix(DMat3::from_mat4(node.world_from_part)).is_none();
     let flat: Vec<FileNode> = nodes.extract_if(.., |node| is_flat(node)).collect();
     if let Some(FileNode { name, .. }) = flat.first() {
-        let text = format!("the node `{name}` squeezes its mesh flat, which is not drawn");
+        let text = format!("the node `{name}` flattens its mesh, which is not drawn");
         notes.push(Note { more: flat.len() as u64 - 1, ..Note::remark(text) });
     }
     let (found, advice) = match flat.is_empty() {
-        false => (
-            "there are no faces to draw: all nodes squeeze their meshes flat",
-            "give a node a matrix that can be undone",
-        ),
+        false => ("there are no faces to draw: all nodes flatten their meshes", "use an invertible matrix"),
         true => ("there are no faces to draw", "give a mesh with faces"),
     };
     match nodes.is_empty() {
@@ -172,7 +170,7 @@ fn check_corners(nodes: &[FileNode], parts: &[Part]) -> Result<(), ReadError> {
     let once: u64 = (0..parts.len()).map(corners).sum();
     let placed: u64 = nodes.iter().map(|node| corners(node.part)).sum();
     if placed > once.max(MOST_PLACED_CORNERS) {
-        return Err(too_much(format!("{placed} corners of faces, each at all places where it stands")));
+        return Err(too_much(format!("{placed} corners of faces, counting each instance")));
     }
     Ok(())
 }

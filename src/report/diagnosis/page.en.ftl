@@ -21,3 +21,4 @@ close-up-alone = This is { -close-up }
 whole-alternative = the whole mesh, with a ring around that location
 node-caption = The whole mesh, with a ring around the centre of the geometry of the first of these nodes.
 node-alternative = the whole mesh, with a ring around a node
+fix = This command fixes all findings that can be fixed together:

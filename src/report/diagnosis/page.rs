@@ -33,8 +33,8 @@ fn text(key: &str, values: &[(&'static str, Value)]) -> String {
 const CLOSE_UPS: usize = 12;
 
 /// The diagnosis of a file as a page of HTML that opens from disk with nothing else: pictures of the worst places, each
-/// finding with its explanation, its worst place close up and the command that fixes it, and histograms. `name` is the name
-/// of the file, `output` that of the fixed one. With a file `after` a change, both are shown side by side, with what changed.
+/// finding with its explanation and its worst place close up, and histograms. `name` is the name of the file, `fix` the command
+/// that fixes all that can be fixed together. With a file `after` a change, both are shown side by side, with what changed.
 ///
 /// # Errors
 /// Pictures that cannot be drawn or made into files.
@@ -42,7 +42,8 @@ pub fn diagnosis_page(
     loaded: &Loaded,
     diagnosis: &Diagnosis,
     after: Option<After<'_>>,
-    [name, output]: [&str; 2],
+    name: &str,
+    fix: Option<&str>,
     sight: Sight,
 ) -> Result<String, ReportError> {
     let surveys = survey(loaded);
@@ -52,6 +53,10 @@ pub fn diagnosis_page(
     let mut page = Page::new(&format!("Normals of {name}"), &verdict(diagnosis)).set_by(with_code);
     let camera = camera(&model, diagnosis, after.map(|after| after.comparison), sight);
     overview(&mut page, &model, diagnosis, camera)?;
+    if let Some(command) = fix {
+        page.paragraph(&text("fix", &[]));
+        page.push(html! { pre { code { (command) } } });
+    }
     if let (Some(after), Some(camera)) = (after, camera) {
         comparison::section(&mut page, &model, after, &later, camera)?;
     }
@@ -59,7 +64,7 @@ pub fn diagnosis_page(
     let obstacles = model.obstacles();
     let mut drawn = 0;
     for finding in &diagnosis.findings {
-        describe(&mut page, finding, [name, output]);
+        describe(&mut page, finding);
         let worst = finding.places.first().filter(|_| drawn < CLOSE_UPS);
         if let Some(site) = worst {
             let id = finding.kind.id();
@@ -140,9 +145,9 @@ fn weightings(page: &mut Page, diagnosis: &Diagnosis) {
         let groups = if estimate.groups { " and smoothing groups" } else { "" };
         let (weight, crease) = match estimate.fits_most() {
             true => (estimate.weight.name(), format!("{}°{groups}", estimate.crease.0)),
-            false => ("no rule", String::new()),
+            false => ("no recipe", String::new()),
         };
-        let turned = if estimate.turned { ", turned back" } else { "" };
+        let turned = if estimate.turned { ", after the inverse rotation" } else { "" };
         table.push([
             name,
             part.faces.to_string(),
@@ -163,7 +168,7 @@ fn digits(x: f64) -> String {
 }
 
 /// The heading and the words of a finding.
-fn describe(page: &mut Page, finding: &Finding, [name, output]: [&str; 2]) {
+fn describe(page: &mut Page, finding: &Finding) {
     let entry = finding.kind.entry();
     page.heading(entry.id);
     let share = three_digits(100.0 * finding.share());
@@ -189,9 +194,6 @@ fn describe(page: &mut Page, finding: &Finding, [name, output]: [&str; 2]) {
     }
     text.push('.');
     [text, entry.meaning(), entry.advice()].iter().for_each(|text| page.paragraph(text));
-    if let Some(command) = finding.command(name, output) {
-        page.push(html! { pre { code { (command) } } });
-    }
 }
 
 /// Pictures of the worst place of a finding: close up and in the whole, or of its node. Whether there is one.

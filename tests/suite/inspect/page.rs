@@ -25,7 +25,15 @@ fn the_page_of_a_fault_is_whole() {
     normals.values[7] = -normals.values[7];
     let file = loaded(mesh.with_normals(Some(normals)));
     let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
-    let page = diagnosis_page(&file, &diagnosis, None, ["a <torus>.obj", "mended.obj"], Sight::Auto).unwrap();
+    let page = diagnosis_page(
+        &file,
+        &diagnosis,
+        None,
+        "a <torus>.obj",
+        Some("crease normals 'a <torus>.obj'"),
+        Sight::Auto,
+    )
+    .unwrap();
 
     assert!(
         !page.contains("http://") && !page.contains("https://") && !page.contains("<script"),
@@ -48,7 +56,7 @@ fn the_page_of_a_fault_is_whole() {
         assert!(distinct.contains(finding.kind.id()), "{}", finding.kind.id());
     }
     assert!(page.contains(&Kind::Flipped.entry().meaning()));
-    assert!(page.contains("crease normals 'a &lt;torus&gt;.obj' -o mended.obj --when broken"));
+    assert!(page.contains("crease normals 'a &lt;torus&gt;.obj'"));
 }
 
 /// How many pixels of a picture, above the legend, have such a colour.
@@ -209,7 +217,7 @@ fn names_in_pages_are_code() {
     normals.values.iter_mut().for_each(|normal| *normal = normal.any_orthonormal_vector());
     let file = loaded(bare.with_normals(Some(normals)));
     let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
-    let page = diagnosis_page(&file, &diagnosis, None, ["a.obj", "b.obj"], Sight::Auto).unwrap();
+    let page = diagnosis_page(&file, &diagnosis, None, "a.obj", None, Sight::Auto).unwrap();
     assert!(diagnosis.get(Kind::Custom).is_some());
     assert!(page.contains("<code>--when missing</code>") && !page.contains('`'));
 }

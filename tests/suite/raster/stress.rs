@@ -207,7 +207,11 @@ fn bad_scenes_are_distinguished() {
     // Rays meet no vertex that could have a colour.
     let ball = || Object::new(Shape::Surface(Sphere::default().into()), Material::default());
     let coloured = Object { paint: Paint::Given(vec![LinearRgb::WHITE; 3].into()), ..ball() };
-    fails(&scene(vec![ball(), coloured.clone()]), &settings, "object 1: rays are cast at it");
+    fails(
+        &scene(vec![ball(), coloured.clone()]),
+        &settings,
+        "object 1: an analytic surface has no vertex colours",
+    );
     let shown = RenderSettings { show: Show::Normals, ..settings };
     assert!(render(&scene(vec![coloured]), &shown).is_ok(), "no colour is asked for");
     let negative = Material { exponent: -2.0, ..Material::default() };

@@ -27,13 +27,13 @@ fn an_empty_picture_has_a_reason() {
     let at = |name: &str| path(work.path().join(name));
     let (_folder, square) = square();
     let table: &[(&[&str], &str)] = &[
-        (&[&at("flat.obj")], "no face has an area to be seen; `crease inspect` reports"),
+        (&[&at("flat.obj")], "no face has a visible area; `crease inspect` reports"),
         (&[&at("one.obj")], "nothing is visible: "),
         (&[&square, "--camera", "eye=0,0,5 target=0,0,9"], "its near distance; move it with --camera"),
-        (&[&square, "--camera", "eye=0,0,5 target=9,0,5"], "looks past everything"),
+        (&[&square, "--camera", "eye=0,0,5 target=9,0,5"], "everything is outside the picture"),
         (
             &[&square, "--camera", "eye=0,0,-5 target=0,0,0", "--cull", "back"],
-            "the side that is left out; --cull none draws all faces",
+            "the culled side; --cull none draws all faces",
         ),
         (&[&square, "--camera", "eye=0,0,50000 target=0,0,0 angle=2"], "smaller than the distance"),
         (&[&at("away.toml")], "behind the camera"),

@@ -217,7 +217,7 @@ fn wireframes_leave_out_the_edges_of_faces_that_are_left_out() {
         assert_eq!(super::pixels_unlike(&picture(&left_out), [0; 3]), 0, "{lines}");
         let drawing = super::report(&left_out)["drawings"][0].clone();
         assert_eq!((&drawing["triangles_drawn"], &drawing["covered_pixels"]), (&0.into(), &0.into()));
-        assert!(notes(&left_out).contains("the side that is left out"));
+        assert!(notes(&left_out).contains("the culled side"));
     }
 }
 

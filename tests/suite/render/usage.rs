@@ -267,7 +267,7 @@ fn errors_and_warnings_are_data_too() {
     assert_eq!(bright["notes"][0]["severity"], "warning");
     let said = bright["notes"][0]["text"].as_str().unwrap();
     assert!(
-        said.contains("K_d + K_s") && said.contains("1.600 of red, 0.450 of green, 0.925 of blue"),
+        said.contains("diffuse + specular") && said.contains("1.600 in red, 0.450 in green, 0.925 in blue"),
         "{said}"
     );
     // What is compared are products: coefficients above 1 in dark colours reflect no more than there is.

@@ -63,7 +63,7 @@ fn f1_more_light_out_than_in_is_a_warning() {
     let shader = Shader::<f32>::new(&[ambient(1.0)], &material, &ShadeSettings::default()).unwrap();
     assert_eq!(shader.energy_gain(), material.gain());
     let text = material.gain().unwrap().to_string();
-    assert!(text.contains("1.200 of red, 1.200 of green, 1.200 of blue"), "{text}");
+    assert!(text.contains("1.200 in red, 1.200 in green, 1.200 in blue"), "{text}");
     // What counts is what each component gets back: a red and a green coat share nothing.
     let apart = Material {
         diffuse: Reflectance::new(0.9, LinearRgb::new(1.0, 0.0, 0.0)),
