@@ -22,9 +22,15 @@ impl Rings {
     pub(crate) fn fill(&mut self, corner_vertices: &[u32], vertex_count: usize) {
         let threads = rayon::current_num_threads();
         let parts = if corner_vertices.len() > 1 << 16 { threads } else { 1 };
-        // Old values are overwritten, so only new memory needs to be initialised.
+        // Old values are overwritten, so only new memory needs to be initialised, which the system does page by page.
+        if self.corners.capacity() < corner_vertices.len() {
+            self.corners = vec![0; corner_vertices.len()];
+        }
         self.corners.resize(corner_vertices.len(), 0);
         self.offsets.clear();
+        if self.offsets.capacity() <= vertex_count {
+            self.offsets = vec![0; vertex_count + 1];
+        }
         self.offsets.resize(vertex_count + 1, 0);
         if parts > 1 {
             self.sort_by_parts(corner_vertices, vertex_count, parts);
@@ -135,10 +141,10 @@ impl Scatter {
         Self((0..len).into_par_iter().map(|_| AtomicU32::new(value)).collect())
     }
 
-    /// Makes room for so many numbers, with unspecified values.
+    /// Makes room for so many numbers, with unspecified values. Pages that nothing is written to are never given memory.
     pub(crate) fn reserve(&mut self, len: usize) {
         if self.0.len() < len {
-            *self = Self::new(len, 0);
+            *self = Self(bytemuck::zeroed_vec(len));
         }
     }
 
