@@ -124,7 +124,7 @@ pub enum Precision {
     #[default]
     Faithful,
     /// Sums in `f32`, for triangles with edges of 1e-6 to 1e6 and height/length ≥ 1e-3, valence ≤ 1000. Sharp edges are those
-    /// of `Faithful`.
+    /// of `Faithful`, and so is everything else: other meshes, `Quadric`, the cone rule.
     Fast,
 }
 
