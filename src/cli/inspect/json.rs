@@ -65,12 +65,12 @@ impl InspectReport {
         Self { head: Head::new("crease-inspect/2"), input: InputReport::new(source, None), ..Self::default() }
     }
 
-    /// Takes over a diagnosis; commands that fix a finding would write `output`.
-    pub fn fill(&mut self, diagnosis: &Diagnosis, output: &str) {
+    /// Takes over a diagnosis; commands that fix a finding write to `fix_as`.
+    pub fn fill(&mut self, diagnosis: &Diagnosis) {
         self.counts = Counts::of(diagnosis);
         self.verdict = diagnosis.worst();
         self.parts.clone_from(&diagnosis.parts);
-        let path = &self.input.path;
+        let (path, output) = (&self.input.path, &self.fix_as);
         let report = |finding: Finding| FindingReport { command: finding.command(path, output), finding };
         self.findings = diagnosis.findings.iter().cloned().map(report).collect();
     }

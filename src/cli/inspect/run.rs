@@ -18,7 +18,6 @@ use crease::num::Transfer;
 use crease::quality::catalogue::{Kind, entries};
 use crease::quality::{Diagnosis, Finding, Severity, Thresholds, compare, diagnose};
 use crease::report::{After, deviation_picture, diagnosis_page, encode_png};
-use std::path::PathBuf;
 use std::time::Instant;
 
 /// What a heat map of a file without normals shows.
@@ -52,7 +51,10 @@ fn explained(words: &str, style: Style) -> String {
     match &found[..] {
         [] => usage_error(
             "inspect",
-            format!("no finding fits {words:?}{HELP}`--explain all` lists all findings"),
+            format!(
+                "no finding fits {words:?}{HELP}name what is visible ({}), or `all` for every finding",
+                symptoms::examples()
+            ),
         ),
         [entry] => text::explanation(entry, style),
         found if words == "all" => text::explanations(found, style),
@@ -137,15 +139,12 @@ fn inspect(
     }
     report.seconds.inspect = start.elapsed().as_secs_f64();
     report.hidden = keep_wanted(&mut diagnosis, &args.findings);
-    let path = match source {
-        Source::File(path) => path.with_extension(""),
-        Source::Stdin => PathBuf::from("stdin"),
+    let stem = match source {
+        Source::File(path) => path.file_stem().unwrap_or_default().to_string_lossy(),
+        Source::Stdin => "stdin".into(),
     };
-    let extension = loaded.format.extension();
-    let output = format!("{}-mended.{extension}", path.display());
-    report.fill(&diagnosis, &output);
-    let stem = path.file_name().unwrap_or_default().to_string_lossy();
-    report.fix_as = format!("{stem}-fixed.{extension}");
+    report.fix_as = format!("{stem}-fixed.{}", loaded.format.extension());
+    report.fill(&diagnosis);
     draw(&loaded, &diagnosis, after.as_ref(), report, args)?;
     let is_grave = args.findings.fail_on.is_some_and(|least| diagnosis.worst() >= Some(least));
     let has_pictures = args.pictures.html.is_some() || args.pictures.heatmap.is_some();
@@ -226,7 +225,7 @@ fn print(report: &InspectReport, args: &InspectArgs, brief: bool, console: &Cons
         };
         match brief && !verbose {
             _ if report.head.error.is_some() => String::new(),
-            true => layout.line(report),
+            true => layout.brief(report),
             false => layout.block(report),
         }
     });

@@ -16,9 +16,12 @@ const SYMPTOMS: [(&str, &str); 15] = [
         "missing faces, holes, invisible, transparent, see through",
         "inside-out open-inside-out inconsistent-winding",
     ),
-    ("faceted, flat, polygons visible, not smooth", "faceted-normals no-normals coarse-outline"),
-    ("soft or rounded edges, gradients on flat faces, smudges", "soft-normals averaged-crease"),
-    ("seam, visible line, crack", "split-seam cracked-seam needless-seam"),
+    (
+        "faceted, blocky, flat, low poly, hard edges, polygons visible, not smooth",
+        "faceted-normals no-normals coarse-outline",
+    ),
+    ("soft or rounded edges, blurred, gradients on flat faces, smudges", "soft-normals averaged-crease"),
+    ("seam, visible line, crack, hard edge on a smooth surface", "split-seam cracked-seam needless-seam"),
     (
         "dark or bright patches, spots, streaks",
         "stray-normals normals-against-face missing-normals cancelling-fans",
@@ -36,17 +39,28 @@ const SYMPTOMS: [(&str, &str); 15] = [
     ("missing highlight, dull", "lost-highlight"),
 ];
 
-/// The findings that a word or a symptom means: by a part of the id, else by what one sees.
+/// Words that say nothing about what one sees.
+const FILLERS: [&str; 14] =
+    ["a", "the", "in", "on", "of", "is", "are", "it", "my", "and", "or", "looks", "look", "mesh"];
+
+/// One word of each symptom, to choose from.
+pub fn examples() -> String {
+    let first = |(seen, _): &(&'static str, &str)| seen.split(',').next().unwrap_or_default();
+    SYMPTOMS.iter().map(first).collect::<Vec<_>>().join(", ")
+}
+
+/// The findings that a word or a symptom means: those with these words in their id, and the causes of the symptoms that
+/// have the most of the words.
 pub fn search(words: &str) -> Vec<&'static Entry> {
     let words = words.trim().to_lowercase();
     if words.is_empty() {
         return Vec::new();
     }
-    let mut ids: Vec<&str> = SYMPTOMS
-        .iter()
-        .filter(|(seen, _)| words.split_whitespace().all(|word| seen.contains(word)))
-        .flat_map(|(_, ids)| ids.split(' '))
-        .collect();
+    let significant = || words.split_whitespace().filter(|word| !FILLERS.contains(word));
+    let score = |seen: &str| significant().filter(|word| seen.contains(*word)).count();
+    let best = SYMPTOMS.iter().map(|(seen, _)| score(seen)).max().unwrap_or_default();
+    let fitting = SYMPTOMS.iter().filter(|(seen, _)| best > 0 && score(seen) == best);
+    let mut ids: Vec<&str> = fitting.flat_map(|(_, ids)| ids.split(' ')).collect();
     let id = words.replace(' ', "-");
     ids.extend(entries().map(|entry| entry.id).filter(|known| known.contains(&id)));
     entries().filter(|entry| ids.contains(&entry.id)).collect()
@@ -71,6 +85,9 @@ mod tests {
             ("inside out", "inside-out"),
             ("black in viewer", "zero-normals"),
             ("winding", "inconsistent-winding"),
+            ("it looks blocky", "faceted-normals"),
+            ("hard edges", "faceted-normals"),
+            ("black spots on my mesh", "zero-normals"),
         ] {
             assert!(ids(words).contains(&id), "{words}: {:?}", ids(words));
         }

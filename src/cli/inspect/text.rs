@@ -1,7 +1,7 @@
 //! The report of `crease inspect` on one input file, and explanations of findings, as text.
 
 use super::fix;
-use super::json::{Against, Counts, FindingReport, InspectReport};
+use super::json::{Against, Counts, InspectReport};
 use crate::cli::common::console::{Style, escaped};
 use crate::cli::common::numbers::{count, counts_above_zero};
 use crease::num::{Degrees, three_digits};
@@ -23,8 +23,24 @@ pub struct Layout {
 }
 
 impl Layout {
+    /// The verdict in one line, with the ids of the findings: the report on a file of a batch.
+    pub fn brief(&self, report: &InspectReport) -> String {
+        let ids: Vec<&str> = self.shown(report).iter().map(|finding| finding.kind.id()).collect();
+        let line = self.line(report);
+        match &ids[..] {
+            [] => line,
+            ids => format!("{} · {}\n", line.trim_end(), ids.join(", ")),
+        }
+    }
+
+    /// The findings that are not hidden.
+    fn shown<'a>(&self, report: &'a InspectReport) -> Vec<&'a Finding> {
+        let all = report.findings.iter().map(|report| &report.finding);
+        all.filter(|finding| !(self.hides_notes && finding.severity == Severity::Note)).collect()
+    }
+
     /// The verdict in one line.
-    pub fn line(&self, report: &InspectReport) -> String {
+    fn line(&self, report: &InspectReport) -> String {
         let (mut shown, mut hidden) = (report.counts, report.hidden);
         if self.hides_notes {
             hidden.note += std::mem::take(&mut shown.note);
@@ -56,9 +72,7 @@ impl Layout {
     /// The verdict, every finding, the fix, and how the normals were made.
     pub fn block(&self, report: &InspectReport) -> String {
         let mut out = self.line(report);
-        let is_shown = |it: &&FindingReport| !(self.hides_notes && it.finding.severity == Severity::Note);
-        let shown: Vec<&Finding> =
-            report.findings.iter().filter(is_shown).map(|report| &report.finding).collect();
+        let shown = self.shown(report);
         for finding in &shown {
             out.push_str(&self.finding(finding, report));
         }

@@ -101,7 +101,7 @@ fn unseen(file: &SceneFile, drawings: &[Drawing], request: &Request) -> Option<N
     let wants_edges = file.settings.shading == Shading::Wireframe || !request.args.shading.overlay.is_empty();
     let text = match scene.unseen(&file.settings) {
         Some(cause) if is_empty || cause == Unseen::NoEdges => {
-            format!("nothing is visible: {cause}{}", advice(cause))
+            format!("nothing is visible: {cause}{}", advice(cause, file))
         }
         _ if wants_edges && scene.objects.iter().any(is_solid) => {
             format!("lines of some objects are missing: {}", Unseen::NoEdges)
@@ -122,6 +122,13 @@ fn small(file: &SceneFile, drawings: &[Drawing]) -> Option<String> {
     if share >= SMALL || file.settings.shading == Shading::Wireframe {
         return None;
     }
+    let percent = three_digits(100.0 * share);
+    Some(format!("the objects cover only {percent} % of the picture; {} frames them", framing_camera(file)?))
+}
+
+/// The option with a camera that frames all objects of a scene; `None` for a scene without extent.
+fn framing_camera(file: &SceneFile) -> Option<String> {
+    let [width, height] = file.settings.size.map(f64::from);
     let camera = file.scene().framing(width / height)?;
     let vector = |at: DVec3| at.to_array().map(three_digits).join(",");
     let (eye, target) = (vector(camera.eye), vector(camera.target));
@@ -129,19 +136,19 @@ fn small(file: &SceneFile, drawings: &[Drawing]) -> Option<String> {
         Projection::Perspective(angle) => format!(" angle={}", three_digits(Degrees::from(angle).0)),
         Projection::Orthographic(_) => String::new(),
     };
-    let percent = three_digits(100.0 * share);
-    Some(format!(
-        "the objects cover only {percent} % of the picture; --camera 'eye={eye} target={target}{angle}' frames them"
-    ))
+    Some(format!("--camera 'eye={eye} target={target}{angle}'"))
 }
 
 /// What brings something into the picture, if the cause does not say so itself.
-fn advice(cause: Unseen) -> &'static str {
+fn advice(cause: Unseen, file: &SceneFile) -> String {
     match cause {
-        Unseen::NoEdges => "",
-        Unseen::Behind | Unseen::OutsidePicture | Unseen::Small => "; move it with --camera",
-        Unseen::Culled => "; --cull none draws all faces",
-        Unseen::NoArea => "; `crease inspect` reports what is wrong with them",
+        Unseen::NoEdges => String::new(),
+        Unseen::Behind | Unseen::OutsidePicture | Unseen::Small => match framing_camera(file) {
+            Some(camera) => format!("; {camera} frames the objects"),
+            None => "; move it with --camera".to_owned(),
+        },
+        Unseen::Culled => "; --cull none draws all faces".to_owned(),
+        Unseen::NoArea => "; `crease inspect` reports what is wrong with them".to_owned(),
     }
 }
 
