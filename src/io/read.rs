@@ -47,6 +47,10 @@ fn likely(bytes: &[u8]) -> Option<Format> {
 pub fn read(path: &Path, format: Option<Format>, options: &ReadOptions) -> Result<Loaded, ReadError> {
     let bytes = read_whole(path, &options.limits)?;
     let format = format.or_else(|| detect(&bytes, Some(path)));
+    if format.is_none() && path.extension().is_some_and(|name| name.eq_ignore_ascii_case("toml")) {
+        let advice = "`crease render` draws scene files";
+        return Err(ReadError { advice: advice.to_owned(), ..unknown(&bytes) });
+    }
     read_bytes(bytes, format, Some(path.parent().unwrap_or(path)), options)
 }
 
@@ -120,12 +124,7 @@ pub fn read_bytes(
     options: &ReadOptions,
 ) -> Result<Loaded, ReadError> {
     let Some(format) = format.or_else(|| detect(&bytes, None)) else {
-        return Err(ReadError::new(
-            Problem::Syntax,
-            Place::File,
-            unknown(&bytes),
-            "choose its format with --format",
-        ));
+        return Err(unknown(&bytes));
     };
     let mut loaded = match format {
         Format::Obj => obj::read(bytes, base, options),
@@ -137,25 +136,29 @@ pub fn read_bytes(
     Ok(loaded)
 }
 
-/// What a file of an unknown format looks like.
-fn unknown(bytes: &[u8]) -> String {
-    const OTHERS: [(&[u8], &str); 9] = [
-        (b"\x89PNG", "a PNG image"),
-        (b"\xff\xd8\xff", "a JPEG image"),
-        (b"GIF8", "a GIF image"),
-        (b"%PDF", "a PDF document"),
-        (b"PK\x03\x04", "a ZIP archive"),
-        (b"\x1f\x8b", "a gzip archive"),
-        (b"Kaydara FBX", "an FBX file"),
-        (b"BLENDER", "a Blender file"),
-        (b"<", "XML or HTML"),
+/// The error for a file of an unknown format: what it looks like. Where that is clear, another format is not suggested.
+fn unknown(bytes: &[u8]) -> ReadError {
+    const MESH: &str = "name a mesh file";
+    const UNPACK: &str = "unpack it first";
+    const EXPORT: &str = "export it as glTF or OBJ";
+    const OTHERS: [(&[u8], &str, &str); 9] = [
+        (b"\x89PNG", "a PNG image", MESH),
+        (b"\xff\xd8\xff", "a JPEG image", MESH),
+        (b"GIF8", "a GIF image", MESH),
+        (b"%PDF", "a PDF document", MESH),
+        (b"PK\x03\x04", "a ZIP archive", UNPACK),
+        (b"\x1f\x8b", "a gzip archive", UNPACK),
+        (b"Kaydara FBX", "an FBX file", EXPORT),
+        (b"BLENDER", "a Blender file", EXPORT),
+        (b"<", "XML or HTML", MESH),
     ];
-    if bytes.is_empty() {
-        return "the file is empty".to_owned();
-    }
-    let other = OTHERS.iter().find(|(start, _)| bytes.starts_with(start));
-    let other = other.map_or(String::new(), |(_, name)| format!("; it starts like {name}"));
-    format!("not a mesh file that crease reads (OBJ, PLY, STL, glTF, GLB){other}")
+    const FOUND: &str = "not a mesh file that crease reads (OBJ, PLY, STL, glTF, GLB)";
+    let (found, advice) = match OTHERS.iter().find(|(start, ..)| bytes.starts_with(start)) {
+        _ if bytes.is_empty() => ("the file is empty".to_owned(), MESH),
+        Some((_, name, advice)) => (format!("{FOUND}; it starts like {name}"), *advice),
+        None => (FOUND.to_owned(), "choose its format with --format"),
+    };
+    ReadError::new(Problem::Syntax, Place::File, found, advice)
 }
 
 #[cfg(test)]
@@ -193,7 +196,12 @@ mod tests {
         assert!(error(Path::new("/dev/null")).found.contains("not a regular file"));
         let path = folder.path().join("a.xyz");
         fs::write(&path, "???").unwrap();
-        assert!(error(&path).found.contains("not a mesh file"));
+        assert!(error(&path).found.contains("not a mesh file") && error(&path).advice.contains("--format"));
+        fs::write(&path, b"\x89PNG").unwrap();
+        assert!(error(&path).found.ends_with("a PNG image") && error(&path).advice == "name a mesh file");
+        let scene = folder.path().join("a.toml");
+        fs::write(&scene, "[camera]\n").unwrap();
+        assert!(error(&scene).advice.contains("crease render"));
         fs::write(&path, "v 0 0 0\n").unwrap();
         assert_eq!(read(&path, None, &ReadOptions::default()).unwrap().format, Format::Obj);
         let mut options = ReadOptions::default();

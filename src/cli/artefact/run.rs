@@ -135,8 +135,9 @@ fn run_all(
             parameters: changes.only(experiment.takes).apply(experiment.defaults),
             mesh: own.filter(|_| experiment.takes.contains(&ParameterName::Mesh)),
         };
-        let outcome =
-            experiment.run(&setup).map_err(|error| Failure::input(format!("{}: {error}", experiment.id)))?;
+        let outcome = experiment
+            .run(&setup)
+            .map_err(|error| Failure::advised(format!("{}: {error}", experiment.id)))?;
         progress.done();
         Ok(Run { experiment, setup, outcome, seconds: start.elapsed().as_secs_f64() })
     };

@@ -56,6 +56,11 @@ impl Failure {
         Self::new(FailureKind::Input, message)
     }
 
+    /// An error of the library about an input. Its text has the next step after the first semicolon.
+    pub fn advised(error: impl ToString) -> Self {
+        Self::input(error.to_string().replacen("; ", HELP, 1))
+    }
+
     pub fn output(message: impl ToString) -> Self {
         Self::new(FailureKind::Output, message)
     }

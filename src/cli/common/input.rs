@@ -105,7 +105,7 @@ pub fn expand(args: &[PathBuf], recursive: bool, out_dir: Option<&Path>) -> Resu
     for arg in args {
         if arg.as_os_str() == "-" {
             if inputs.iter().any(|input: &Input| input.source == Source::Stdin) {
-                return Err(Failure::usage("standard input can be read only once"));
+                return Err(Failure::usage("standard input can be read only once\nhelp: give `-` once"));
             }
             inputs.push(Input { source: Source::Stdin, place: PathBuf::from("-") });
         } else if arg.is_dir() {

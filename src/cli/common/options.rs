@@ -10,8 +10,9 @@ use crease::num::Degrees;
 pub const EXIT_CODES: &str = "\
 Exit codes:
   0  done
-  1  `crease inspect --fail-on` found something, an expectation of `crease stress` does not hold, or a
-     measure of `crease artefact` differs from its expected value
+  1  `crease inspect --fail-on` found something,
+     an expectation of `crease stress` does not hold,
+     or a measure of `crease artefact` differs from its expected value
   2  wrong usage
   3  an input could not be read
   4  an output could not be made or stored

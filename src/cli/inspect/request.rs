@@ -16,7 +16,10 @@ pub fn sources(args: &InspectArgs) -> Result<Vec<Source>, Failure> {
         ("--against", args.against.is_some()),
     ];
     if let Some((option, _)) = options.iter().find(|(_, is_given)| *is_given && found.len() > 1) {
-        return Err(Failure::usage(format!("{option} takes one input, not {}", found.len())));
+        return Err(Failure::usage(format!(
+            "{option} takes one input, not {}\nhelp: inspect one file at a time",
+            found.len()
+        )));
     }
     let sources: Vec<Source> = found.into_iter().map(|input| input.source).collect();
     if args.against.as_deref().map(Source::of) == Some(Source::Stdin) && sources.contains(&Source::Stdin) {
@@ -45,9 +48,10 @@ fn check_outputs(sources: &[Source], args: &InspectArgs) -> Result<(), String> {
     }
     let is_png = |path: &Path| path.extension().is_some_and(|name| name.eq_ignore_ascii_case("png"));
     match (html, heatmap) {
-        (Some(html), Some(heatmap)) if resolve_parent(html) == resolve_parent(heatmap) => {
-            Err(format!("--html and --heatmap would both be written to {}", html.display()))
-        }
+        (Some(html), Some(heatmap)) if resolve_parent(html) == resolve_parent(heatmap) => Err(format!(
+            "--html and --heatmap would both be written to {}\nhelp: name two outputs",
+            html.display()
+        )),
         (_, Some(path)) if is_file(path) && !is_png(path) => {
             Err(format!("--heatmap writes a PNG, not {}\nhelp: use a name that ends in .png", path.display()))
         }

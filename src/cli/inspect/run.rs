@@ -133,7 +133,7 @@ fn inspect(
         let other = other.map_err(|error| Failure::read(&path, error))?.without_source();
         let findings = diagnose(&other, thresholds, &|_| {});
         let comparison = compare([&loaded, &other], [&diagnosis, &findings], thresholds.places)
-            .map_err(|error| Failure::input(format!("--against {path}: {error}")))?;
+            .map_err(|error| Failure::advised(format!("--against {path}: {error}")))?;
         report.against = Some(Against { path, comparison });
         after = Some(other);
     }

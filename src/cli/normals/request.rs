@@ -191,7 +191,10 @@ fn check_collisions(jobs: &[Job], in_place: bool) -> Result<(), Failure> {
         let (Some(Target::File(target)), Source::File(source)) = (&job.target, &job.source) else { continue };
         if let Some(other) = outputs.insert(resolve_parent(target), source) {
             let (first, second) = (other.display(), source.display());
-            return usage(format!("{first} and {second} would both be written to {}", target.display()));
+            return usage(format!(
+                "{first} and {second} would both be written to {}\nhelp: run them one after the other with different outputs",
+                target.display()
+            ));
         }
         if !in_place && let Some(input) = real(target).and_then(|real| inputs.get(&real).copied()) {
             return usage(format!(

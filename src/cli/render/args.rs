@@ -22,20 +22,25 @@ Examples:
   crease render scene.toml --camera 'eye=3,2,5 target=0,0,0 angle=40' -o scene.png";
 
 const SYNTAX: &str = "\
-Cameras, lights and materials are words KEY=VALUE between spaces, in quotes for the shell; vectors are X,Y,Z:
-  --camera    eye=V target=V up=V angle=DEG (from top to bottom) or height=N (parallel projection) near=N;
+Cameras, lights and materials are words KEY=VALUE between spaces, in quotes for the shell.
+Vectors are X,Y,Z:
+  --camera    eye=V target=V up=V near=N
+              angle=DEG (from top to bottom) or height=N (parallel projection)
               omitted keys keep their values
   --light     directional towards=V
               point       position=V
               spot        position=V axis=V [cut-off=DEG] [soft-edge=DEG] [exponent=N]
-              rectangle   centre=V u=V v=V (from the centre to the middles of two sides; the side of u × v emits)
+              rectangle   centre=V u=V v=V (from the centre to the middles of two sides)
+                          the side of u × v emits
               disc        centre=V normal=V radius=N
               each with [colour=C], point and spot with
               [attenuation=none|inverse-square|inverse-square:RANGE|offset:K|KC,KL,KQ]
   --material  [colour=C] [ka=N] [kd=N] [ks=N] [highlight=C] [exponent=N]
-              with a warning if kd times colour plus ks times highlight is over 1 in red, green or blue
-Colours are #rrggbb (sRGB), or linear light: R,G,B, or one number for a grey. With --transfer direct, which writes light
-unchanged, #808080 becomes 55, because its light is 0.216; 0.502 becomes 128.";
+              with a warning if kd times colour plus ks times highlight is over 1
+              in red, green or blue
+Colours are #rrggbb (sRGB), or linear light: R,G,B, or one number for a grey.
+With --transfer direct, which writes light unchanged, #808080 becomes 55, because its light is
+0.216; 0.502 becomes 128.";
 
 /// Draw a mesh or a scene
 ///

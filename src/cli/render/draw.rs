@@ -8,7 +8,7 @@ use crate::cli::common::failure::Failure;
 use crate::cli::common::output::Store;
 use crate::cli::common::progress::Progress;
 use crease::num::Degrees;
-use crease::raster::{Image, RenderSettings, SceneFile, Statistics, render};
+use crease::raster::{Image, RenderError, RenderSettings, SceneFile, Statistics, render};
 use crease::report::{Animation, Panel, Picture, ReportError, encode_png, overlay, panels};
 
 /// A picture as a file, and what was drawn for it.
@@ -81,7 +81,11 @@ fn image(file: &SceneFile, settings: &RenderSettings, request: &Request) -> Resu
     scene.lines.extend(lines);
     render(&scene, settings).map_err(|error| {
         let lights = file.lights.as_ref().map_or(0, Vec::len);
-        blame(request.args, &error, lights).map_or_else(|| Failure::input(error), Failure::usage)
+        let of_input = |error: RenderError| match error {
+            RenderError::NoSurface(_) | RenderError::Uncoloured(_) => Failure::advised(error),
+            error => Failure::input(error),
+        };
+        blame(request.args, &error, lights).map_or_else(|| of_input(error), Failure::usage)
     })
 }
 

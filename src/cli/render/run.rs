@@ -24,7 +24,7 @@ use std::time::Instant;
 pub fn main(args: &RenderArgs, color: Color) -> Exit {
     let console = Console::new(&args.run, color, args.output.output.as_deref());
     if args.scene.scene_help {
-        console.report(include_str!("../../../docs/scenes.md"));
+        console.report(&scene_help(include_str!("../../../docs/scenes.md")));
         return exit_code(Ok(Exit::Done), &console);
     }
     let request = Request::resolve(args).unwrap_or_else(|message| usage_error("render", message));
@@ -39,6 +39,41 @@ pub fn main(args: &RenderArgs, color: Color) -> Exit {
     }
     print(&report, &request, &console);
     exit_code(result, &console)
+}
+
+/// The page of scene files for a terminal of 100 columns: table rows become a line of keys and an indented line of meaning.
+fn scene_help(page: &str) -> String {
+    let (mut out, mut is_code) = (String::new(), false);
+    for line in page.lines() {
+        is_code ^= line.starts_with("```");
+        let row = line.strip_prefix("| ").and_then(|row| row.strip_suffix('|'));
+        match row {
+            _ if line.starts_with("|---") => {}
+            Some(row) => {
+                let mut cells: Vec<&str> = row.split(" |").map(str::trim).collect();
+                cells.retain(|cell| !cell.is_empty());
+                let (meaning, keys) = cells.split_last().unwrap_or((&"", &[]));
+                push_wrapped(&mut out, &keys.join("  "), "  ");
+                push_wrapped(&mut out, meaning, "      ");
+            }
+            None if is_code || line.is_empty() => out.extend([line, "\n"]),
+            None => push_wrapped(&mut out, line, ""),
+        }
+    }
+    out
+}
+
+/// Appends a text in lines of at most 100 characters.
+fn push_wrapped(out: &mut String, text: &str, indent: &str) {
+    let mut line = indent.to_owned();
+    for word in text.split(' ') {
+        if line.len() > indent.len() && line.chars().count() + word.chars().count() > 100 {
+            out.extend([line.trim_end(), "\n"]);
+            line = indent.to_owned();
+        }
+        line.extend([word, " "]);
+    }
+    out.extend([line.trim_end(), "\n"]);
 }
 
 fn run(request: &Request, console: &Console, report: &mut Report) -> Result<Exit, Failure> {

@@ -63,7 +63,7 @@ fn measure(
         let loaded = input.read(args.format, &ReadOptions::default(), |_| ())?;
         let meshes: Vec<&Mesh> = loaded.parts.iter().map(|part| &part.mesh).collect();
         if meshes.iter().all(|mesh| mesh.face_count() == 0) {
-            return Err(Failure::input("the mesh has no faces to measure"));
+            return Err(Failure::input("the mesh has no faces to measure\nhelp: name a mesh with faces"));
         }
         let crease = args.crease.map_or(Crease::Default, Crease::Angle);
         let recipe = NormalRecipe { crease, ..NormalRecipe::default() };

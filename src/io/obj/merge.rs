@@ -160,7 +160,7 @@ fn mesh_error(text: &[u8], error: &MeshError) -> ReadError {
         spelled.push(shown(token));
     }
     let what = if overflows { "beyond the range of doubles (1.8e308)" } else { "not finite" };
-    let found = format!("vertex {} is at ({}), which is {what}", vertex + 1, spelled.join(", "));
+    let found = format!("vertex {vertex} is at ({}), which is {what}", spelled.join(", "));
     at_byte(Problem::NonFinite, offset, found, DROP_ADVICE)
 }
 

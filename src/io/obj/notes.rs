@@ -110,11 +110,11 @@ impl BadReference {
     pub fn into_error(self, total: usize) -> ReadError {
         let found = match self.spelled {
             back @ ..0 => format!(
-                "vertex -{} is out of range ({} before this line)",
+                "vertex index -{} is out of range ({} before this line)",
                 back.unsigned_abs(),
                 self.defined_before
             ),
-            index => format!("vertex {index} is out of range (the file has {})", total),
+            index => format!("vertex index {index} is out of range (the file has {total})"),
         };
         let advice = "correct the index, or add the missing vertices; the file may be cut off";
         at_byte(Problem::Range, self.offset, found, advice)

@@ -84,18 +84,19 @@ fn indices_count_back_from_where_they_stand_and_forward() {
 fn vertex_indices_out_of_range_are_errors_with_their_line() {
     assert_eq!(
         error(format!("{TRIANGLE}\n# x\nf 1 2 3\nf 1 2 4\n")),
-        "line 7: vertex 4 is out of range (the file has 3); correct the index, or add the missing vertices; the file may \
+        "line 7: vertex index 4 is out of range (the file has 3); correct the index, or add the missing vertices; the file may \
          be cut off"
     );
     assert!(
-        error(format!("{TRIANGLE}f -1 -2 -4\n{TRIANGLE}")).starts_with("line 4: vertex -4 is out of range")
+        error(format!("{TRIANGLE}f -1 -2 -4\n{TRIANGLE}"))
+            .starts_with("line 4: vertex index -4 is out of range")
     );
     assert!(error(format!("{TRIANGLE}f 1 0 2\n")).starts_with("line 4: vertex 0"));
-    assert!(error(format!("{TRIANGLE}l 1 9\n")).starts_with("line 4: vertex 9"));
-    assert!(error(format!("{TRIANGLE}p 1 2\\\n 5\n")).starts_with("line 5: vertex 5"));
+    assert!(error(format!("{TRIANGLE}l 1 9\n")).starts_with("line 4: vertex index 9"));
+    assert!(error(format!("{TRIANGLE}p 1 2\\\n 5\n")).starts_with("line 5: vertex index 5"));
     let huge = error(format!("{TRIANGLE}f 1 2 99999999999999999999999\n"));
-    assert!(huge.starts_with("line 4: vertex 9"), "{huge}");
-    assert!(error(format!("{TRIANGLE}f 1 2 -9223372036854775809\n")).starts_with("line 4: vertex -9"));
+    assert!(huge.starts_with("line 4: vertex index 9"), "{huge}");
+    assert!(error(format!("{TRIANGLE}f 1 2 -9223372036854775809\n")).starts_with("line 4: vertex index -9"));
 }
 
 #[test]

@@ -330,7 +330,7 @@ fn the_first_fault_in_the_file_is_the_one_that_is_reported() {
         }
     }
     let unbounded = text + "f 1 2 99999999\r\n";
-    assert!(read(unbounded.as_bytes()).unwrap_err().found.contains("vertex 99999999"));
+    assert!(read(unbounded.as_bytes()).unwrap_err().found.contains("vertex index 99999999"));
 }
 
 #[test]
