@@ -199,13 +199,7 @@ fn elements(finding: &Finding) -> String {
 fn recipe(part: &PartDiagnosis) -> String {
     let name = if part.name.is_empty() { String::new() } else { format!("{}: ", escaped(&part.name)) };
     let recipe = match &part.estimate {
-        Some(estimate) if !estimate.fits_most() => "; no recipe reproduces the stored normals".into(),
-        Some(estimate) => format!(
-            "; stored normals{} fit {} ({} % of corners within 5°)",
-            if estimate.turned { ", after a rotation of all," } else { "" },
-            estimate.in_words(),
-            three_digits(100.0 * estimate.reproduced)
-        ),
+        Some(estimate) => format!("; {}", estimate.in_words()),
         None => String::new(),
     };
     let rounded = part.precision.as_ref().map_or(String::new(), |precision| {

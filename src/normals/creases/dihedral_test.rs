@@ -5,7 +5,7 @@ use glam::DVec3;
 
 /// Added to the crease angle, in degrees, so that a chamfer modelled exactly at it stays smooth when positions
 /// hold five digits or more relative to its edges.
-const SLACK_DEGREES: f64 = 0.01;
+pub(crate) const SLACK_DEGREES: f64 = 0.01;
 
 /// Edges this close to the crease angle, in degrees, are counted in the report: a small change of the angle or
 /// of the model turns them over.

@@ -1,5 +1,6 @@
 //! Across which edges stored normals are smooth, and the angle that separates those edges from the others.
 
+use crate::normals::SLACK_DEGREES;
 use crate::num::Degrees;
 use crate::quality::angles::{SAME, degrees_between};
 use crate::quality::input::part::Part;
@@ -39,13 +40,15 @@ impl EdgeSample {
     }
 }
 
-/// The lowest and the highest angle that put the same edges on the same side as this one.
-pub(crate) fn equal_angles<'a>(edges: impl Iterator<Item = &'a EdgeSample>, crease: Degrees) -> [Degrees; 2] {
-    let widest = [Degrees(0.0), Degrees(180.0)];
-    edges.fold(widest, |[low, high], edge| match edge.degrees <= crease.0 {
-        true => [Degrees(low.0.max(edge.degrees)), high],
-        false => [low, Degrees(high.0.min(edge.degrees))],
-    })
+/// The lowest crease angle in degrees that gives the corners of a fan the same faces, and the one from which on it does not,
+/// from the dihedral angles of the edges inside the fan and at its two ends. One sharp edge at a vertex splits nothing, so a whole
+/// one-ring may have one.
+pub(crate) fn equal_angles(inside: &[f64], ends: &[f64], is_ring: bool) -> [f64; 2] {
+    let mut inside: Vec<f64> = inside.iter().copied().filter(|&degrees| degrees >= FLAT).collect();
+    inside.sort_unstable_by(|a, b| b.total_cmp(a));
+    let low = inside.get(usize::from(is_ring)).map_or(0.0, |degrees| degrees - SLACK_DEGREES);
+    let ends = ends.iter().copied().filter(|&degrees| degrees >= FLAT);
+    [low, ends.fold(180.0, |high, degrees| high.min(degrees - SLACK_DEGREES))]
 }
 
 /// The angle of [`separating_angle`], more precisely: rounding puts edges of equal angles on both sides of a crease angle. To a

@@ -3,10 +3,8 @@
 use crate::normals::{Crease, Weight};
 use crate::num::Degrees;
 use crate::quality::angles::{SAME, degrees_between};
-use crate::quality::estimate::crease_angle::{
-    EdgeSample, equal_angles, exact_separating_angle, separating_angle,
-};
-use crate::quality::estimate::means::{MEANS, Smoothness, Sums, sums};
+use crate::quality::estimate::crease_angle::{EdgeSample, exact_separating_angle, separating_angle};
+use crate::quality::estimate::means::{MEANS, Smoothness, Sums, equal_creases, sums};
 use crate::quality::estimate::pole_cache::PoleCache;
 use crate::quality::estimate::quadrics::Patch;
 use crate::quality::estimate::recipe::{EXACT, Estimate, LEFT, NEARLY_ALL, REPRODUCED, SAMPLE};
@@ -66,7 +64,8 @@ pub(crate) fn estimate(part: &Part<'_>) -> Option<(Estimate, Option<DMat3>)> {
     let as_stored = sample.best();
     let is_rule = as_stored.estimate.is_rule();
     let rotated_back = if is_rule { None } else { sample.best_rotated_back(&as_stored) };
-    let best = rotated_back.unwrap_or(as_stored);
+    let mut best = rotated_back.unwrap_or(as_stored);
+    best.estimate.creases = sample.equal_creases(&best.estimate);
     Some((best.estimate, best.rotation))
 }
 
@@ -94,6 +93,17 @@ impl<'a> Sample<'a> {
     pub(crate) fn best(&self) -> Fit {
         let by_means = self.best_mean(false);
         self.by_quadrics(&by_means).unwrap_or(by_means)
+    }
+
+    /// The lowest crease angle that makes the same normals as an estimate, and the one from which on others result.
+    fn equal_creases(&self, estimate: &Estimate) -> [Degrees; 2] {
+        let groups = self.part.mesh.columns().smoothing.as_ref().filter(|_| estimate.groups);
+        let rule = Smoothness::new(estimate.crease, groups.map(|groups| groups.of_face.as_slice()));
+        let poles = PoleCache::default();
+        let at_corners =
+            self.corners.par_iter().map(|&corner| equal_creases(self.part, corner, rule, &poles));
+        let narrower = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].min(b[1])];
+        at_corners.reduce(|| [0.0, 180.0], narrower).map(Degrees)
     }
 
     /// The best fit to all normals rotated back, if that explains the errors of the normals as stored.
@@ -138,8 +148,9 @@ impl<'a> Sample<'a> {
         let rotation = |weight| if rotated_back { robust_rotation(&self.pairs(&sums, weight)) } else { None };
         // Weightings differ by little and in all directions: any of them gives the rotation.
         let about = rotation(0);
-        let costs: Vec<f64> =
-            (0..MEANS.len()).map(|weight| cost(&self.errors(&sums, weight, about))).collect();
+        let by_weight: [Vec<f64>; MEANS.len()] =
+            std::array::from_fn(|weight| self.errors(&sums, weight, about));
+        let costs = by_weight.each_ref().map(|errors| cost(errors));
         // If all are as good, as on flat shapes, the first.
         let best = (1..MEANS.len())
             .fold(0, |best, i| if costs[i] < costs[best] * (1.0 - 1e-3) - 1e-9 { i } else { best });
@@ -147,7 +158,12 @@ impl<'a> Sample<'a> {
         let errors = self.errors(&sums, best, rotation);
         let mut fit = self.fit(MEANS[best], rule, errors, rotation);
         let bound = fit.cost.max(costs[best]) * (1.0 + 1e-3) + FINE * self.corners.len() as f64;
-        fit.estimate.ties = std::array::from_fn(|i| costs[i] <= bound);
+        let (tolerance, share) = fit.estimate.tolerance();
+        fit.estimate.ties = std::array::from_fn(|i| {
+            let within = by_weight[i].iter().filter(|&&error| error <= tolerance).count() as f64;
+            let fits = within >= NEARLY_ALL * share * self.corners.len() as f64;
+            fits && (tolerance > EXACT || costs[i] <= bound)
+        });
         fit
     }
 
@@ -182,10 +198,7 @@ impl<'a> Sample<'a> {
                 (Some(_), _) => reproduced,
             },
             median: Degrees(median(&errors)),
-            creases: equal_angles(
-                self.edges.iter().filter(|edge| rule.groups.is_none() || edge.in_one_group),
-                crease,
-            ),
+            creases: [crease; 2],
             ties: [false; MEANS.len()],
         };
         Fit { estimate, cost, errors, rotation }

@@ -2,6 +2,8 @@
 
 use crate::normals::{CreaseTest, Weight};
 use crate::num::{Degrees, angle_between};
+use crate::quality::angles::degrees_between;
+use crate::quality::estimate::crease_angle::equal_angles;
 use crate::quality::estimate::pole_cache::{PoleCache, SHORT};
 use crate::quality::input::part::Part;
 use glam::DVec3;
@@ -28,10 +30,14 @@ impl<'a> Smoothness<'a> {
         Self { crease, test: CreaseTest::new(Some(crease)), groups }
     }
 
+    /// Whether the crease angle decides about an edge between two faces.
+    fn is_one_group(self, [a, b]: [usize; 2]) -> bool {
+        self.groups.is_none_or(|groups| groups[a] == groups[b] && groups[a] != 0)
+    }
+
     /// Whether an edge between two faces is smooth.
     fn joins(self, part: &Part<'_>, [a, b]: [usize; 2]) -> bool {
-        let in_one_group = |groups: &[u32]| groups[a] == groups[b] && groups[a] != 0;
-        self.groups.is_none_or(in_one_group) && !self.test.is_over(part.face_normal(a), part.face_normal(b))
+        self.is_one_group([a, b]) && !self.test.is_over(part.face_normal(a), part.face_normal(b))
     }
 }
 
@@ -53,6 +59,52 @@ pub(crate) fn sums(part: &Part<'_>, corner: u32, rule: Smoothness<'_>, poles: &P
         corners.sort_unstable();
         corners.iter().for_each(|&corner| add(&mut sums, corner));
         (sums, corners)
+    };
+    poles.of(corner, short, whole)
+}
+
+/// The lowest crease angle in degrees that puts the same faces around a corner, and the one from which on it does not.
+pub(crate) fn equal_creases(
+    part: &Part<'_>,
+    corner: u32,
+    rule: Smoothness<'_>,
+    poles: &PoleCache<[f64; 2]>,
+) -> [f64; 2] {
+    let topology = &part.topology;
+    let of = |corners: &mut Vec<u32>| {
+        corners.sort_unstable();
+        corners.dedup();
+        let (mut inside, mut ends, mut open) = (Vec::new(), Vec::new(), 0);
+        for &corner in corners.iter() {
+            let behind = topology.previous(corner);
+            for (edge, is_ahead) in [(corner, true), (behind, false)] {
+                let Some(across) = topology.across(edge) else {
+                    open += 1;
+                    continue;
+                };
+                let faces = [edge, across].map(|corner| part.face_of(corner as usize));
+                let degrees = degrees_between(part.face_normal(faces[0]), part.face_normal(faces[1]));
+                let other = if is_ahead { topology.next(across) } else { across };
+                // An edge between two corners of the fan is inside, and counts once.
+                match corners.binary_search(&other) {
+                    Ok(_) if is_ahead && rule.is_one_group(faces) => inside.push(degrees),
+                    Ok(_) if is_ahead => open += 1,
+                    Ok(_) => {}
+                    Err(_) if rule.is_one_group(faces) => ends.push(degrees),
+                    Err(_) => open += 1,
+                }
+            }
+        }
+        equal_angles(&inside, &ends, open == 0 && ends.is_empty())
+    };
+    let short = || {
+        let mut corners = Vec::new();
+        walk(part, corner, rule, SHORT, |corner| corners.push(corner)).then(|| of(&mut corners))
+    };
+    let whole = || {
+        let mut corners = Vec::new();
+        walk(part, corner, rule, usize::MAX, |corner| corners.push(corner));
+        (of(&mut corners), corners)
     };
     poles.of(corner, short, whole)
 }

@@ -54,10 +54,10 @@ pub struct Estimate {
     pub separated: f64,
     /// The median angle between stored and reproduced normals.
     pub median: Degrees,
-    /// The lowest and the highest crease angle that make the same edges sharp.
+    /// The lowest crease angle that makes the same normals, and the one from which on others result; 180 if none does.
     #[serde(skip)]
     pub creases: [Degrees; 2],
-    /// Whether each of the averages fits equally well.
+    /// Whether each of the averages fits equally well, within the tolerance that the best reaches.
     #[serde(skip)]
     pub ties: [bool; MEANS.len()],
 }
@@ -73,25 +73,46 @@ impl Estimate {
         }
     }
 
-    /// The recipe in words, with everything that fits equally well: `crease 28° to 60°, angle or max weights`.
+    /// The recipes that fit equally well and the share of corners that they reproduce: `stored normals fit crease 28° to 60°; angle
+    /// and max fit equally well (100 % of corners within 5°)`.
     pub fn in_words(&self) -> String {
-        let [low, high] = self.creases.map(|angle| angle.0);
-        let whole = [low.ceil(), high.floor()];
-        let [low, high] = if whole[0] <= whole[1] { whole } else { [self.crease.0; 2] };
-        let crease = match (low, high) {
-            (0.0, 180.0..) => "any crease angle".to_owned(),
-            (low, 180.0..) => format!("crease {low}° or more"),
-            (low, high) if low == high => format!("crease {}°", three_digits(low)),
-            (low, high) => format!("crease {low}° to {high}°"),
+        if !self.fits_most() {
+            return "no recipe reproduces the stored normals".to_owned();
+        }
+        // Every angle with one decimal that is printed fits: the upper end itself does not.
+        let [low, high] = self.creases.map(|angle| (angle.0 * 10.0).ceil());
+        let crease = match [low / 10.0, (high - 1.0) / 10.0] {
+            [0.0, _] if high >= 1800.0 => "any crease angle".to_owned(),
+            [low, _] if high >= 1800.0 => format!("crease {low}° or more"),
+            [low, high] if low < high => format!("crease {low}° to {high}°"),
+            [low, high] if low == high => format!("crease {low}°"),
+            _ => format!("crease {}°", self.crease.0),
         };
         let groups = if self.groups { " and smoothing groups" } else { "" };
-        if self.ties == [true; MEANS.len()] {
-            return format!("{crease}{groups}, any weights");
-        }
         let ties = MEANS.into_iter().zip(self.ties).filter(|&(weight, fits)| fits && weight != self.weight);
-        let weights = ties
-            .fold(self.weight.name().to_owned(), |text, (weight, _)| format!("{text} or {}", weight.name()));
-        format!("{crease}{groups}, {weights} weights")
+        let others: Vec<&str> = ties.map(|(weight, _)| weight.name()).collect();
+        let best = self.weight.name();
+        let weights = match others.split_last() {
+            None => format!(", {best} weights"),
+            Some(_) if others.len() + 1 == MEANS.len() => ", any weights".to_owned(),
+            Some((last, [])) => format!("; {best} and {last} fit equally well"),
+            Some((last, rest)) => format!("; {best}, {} and {last} fit equally well", rest.join(", ")),
+        };
+        let turned = if self.turned { ", after a rotation of all," } else { "" };
+        let (tolerance, share) = self.tolerance();
+        let share = three_digits(100.0 * share);
+        format!(
+            "stored normals{turned} fit {crease}{groups}{weights} ({share} % of corners within {tolerance}°)"
+        )
+    }
+
+    /// The tolerance in degrees within which recipes are compared, and the share of corners within it: 0.1° if the best recipe
+    /// made nearly all normals that it reproduces, 5° if it only approximates them.
+    pub(crate) fn tolerance(&self) -> (f64, f64) {
+        match self.exactly >= NEARLY_ALL * self.reproduced {
+            true => (EXACT, self.exactly),
+            false => (REPRODUCED, self.reproduced),
+        }
     }
 
     /// The recipe as options of `crease normals`.

@@ -135,25 +135,17 @@ fn caption(marks: Marks, diagnosis: &Diagnosis) -> String {
     text("overview-caption", &[("marks", shown.into())])
 }
 
-/// The estimated weighting and crease angle of each part.
+/// The estimated recipe of each part.
 fn weightings(page: &mut Page, diagnosis: &Diagnosis) {
-    let columns = ["part", "faces", "weight", "crease angle", "within 5°", "median"];
+    let columns = ["part", "faces", "recipe", "median"];
     let mut table = Table::new("Recipes that reproduce the stored normals best", &columns);
     for (number, part) in diagnosis.parts.iter().enumerate() {
         let Some(estimate) = part.estimate else { continue };
         let name = if part.name.is_empty() { format!("part {number}") } else { part.name.clone() };
-        let groups = if estimate.groups { " and smoothing groups" } else { "" };
-        let (weight, crease) = match estimate.fits_most() {
-            true => (estimate.weight.name(), format!("{}°{groups}", estimate.crease.0)),
-            false => ("no recipe", String::new()),
-        };
-        let turned = if estimate.turned { ", after the inverse rotation" } else { "" };
         table.push([
             name,
             part.faces.to_string(),
-            weight.to_owned(),
-            crease,
-            format!("{} %{turned}", three_digits(100.0 * estimate.reproduced)),
+            estimate.in_words(),
             format!("{}°", digits(estimate.median.0)),
         ]);
     }
