@@ -29,7 +29,7 @@ fn an_empty_picture_has_a_reason() {
     let table: &[(&[&str], &str)] = &[
         (&[&at("flat.obj")], "no face has a visible area; `crease inspect` reports"),
         (&[&at("one.obj")], "nothing is visible: "),
-        (&[&square, "--camera", "eye=0,0,5 target=0,0,9"], "its near distance; move it with --camera"),
+        (&[&square, "--camera", "eye=0,0,5 target=0,0,9"], "its near distance; --camera 'eye="),
         (&[&square, "--camera", "eye=0,0,5 target=9,0,5"], "everything is outside the picture"),
         (
             &[&square, "--camera", "eye=0,0,-5 target=0,0,0", "--cull", "back"],
