@@ -45,7 +45,7 @@
 //! | F19 | Gouraud along edges and scanlines (S0 1.5.2.1) | module `raster`: `raster::interpolation::the_scanline_diamond_turns_its_centre`, `scenes::lectures::exercise_1_6_24` |
 //! | F20 | vertex normal as the mean of face normals (S0 1.5.2.1) | [`Weight::Uniform`](crate::normals::Weight): `reference::uniform_fans_agree_with_vtk` |
 //! | F21 | n = (P1−P0)×(P2−P0)/‖…‖ (S0 1.6.21a) | [`face_normals`](fn@crate::normals::face_normals): `stress::every_expectation_holds_and_plain_code_fails_in_many` against rationals |
-//! | F22 | Phong: normals along edges and spans (S0 1.5.2.2, S3) | module `raster`; made unit again by the guard `renormalise`: `raster::interpolation::gouraud_stays_within_its_corners_and_phong_does_not`, `raster::shading::phong_converges_to_exact_with_order_2` |
+//! | F22 | Phong: normals along edges and spans (S0 1.5.2.2, S3) | module `raster`; renormalised by the guard `renormalise`: `raster::interpolation::gouraud_stays_within_its_corners_and_phong_does_not`, `raster::shading::phong_converges_to_exact_with_order_2` |
 //! | F23 | Gouraud depends on the triangulation (S3) | module `raster`: `raster::interpolation::triangles_depend_on_the_diagonal_instead` |
 //! | F24 | cost: wireframe, flat, Gouraud, Phong (S0 1.6.10) | `crease render --compare wireframe,flat,gouraud,phong` reports each one's time; the README has a table |
 //! | F25 | out of range: clamp or divide by the largest (S0 1.6.17b) | [`ToneRule`] |

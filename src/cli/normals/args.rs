@@ -156,7 +156,7 @@ pub struct MeshArgs {
     #[arg(long, value_name = "HOW", default_value = "keep", value_parser = one_of::<Orient>())]
     pub orient: Orient,
 
-    /// Minimum confidence for --orient outward to reverse an open component, whose outer side a vote of rays decides:
+    /// Minimum confidence for --orient outward to reverse an open component, whose outer side is found by counting escaping rays:
     /// from 0.5 to 1; 1 reverses none
     #[arg(long, value_name = "SHARE", default_value = "0.9", value_parser = confidence)]
     pub confidence: Confidence,

@@ -92,9 +92,9 @@ fn rounded(clean: &Clean) -> Vec<Planted> {
     type Rounding = fn(DVec3) -> DVec3;
     let ways: [(&'static str, Rounding); 6] = [
         ("all rounded to 8 bits", |n| (n * 127.0).round() / 127.0),
-        ("all rounded to 8 bits and made unit again", |n| (n * 127.0).round().normalize()),
+        ("all rounded to 8 bits and renormalised", |n| (n * 127.0).round().normalize()),
         ("all rounded to unsigned 8 bits", |n| (n * 127.5 + 127.5).round() / 127.5 - 1.0),
-        ("all rounded to two decimals and made unit again", |n| (n * 100.0).round().normalize()),
+        ("all rounded to two decimals and renormalised", |n| (n * 100.0).round().normalize()),
         ("all rounded to 3 × 10 bits", |n| stored(Encoding::Snorm(Snorm::TEN), n)),
         ("all stored as octahedral 8 + 8 bits", |n| stored(Encoding::OCTAHEDRAL_8, n)),
     ];

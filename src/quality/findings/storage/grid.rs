@@ -155,7 +155,7 @@ fn grids() -> Vec<Grid> {
     let mut grids = Vec::new();
     for (scale, offset, name) in components {
         grids.push(grid(Layout::Components, (scale, offset, name.clone())));
-        grids.push(grid(Layout::MadeUnit, (scale, offset, format!("{name}, made unit again"))));
+        grids.push(grid(Layout::MadeUnit, (scale, offset, format!("{name}, renormalised"))));
     }
     for (scale, offset, name) in (8..=16).map(over_largest).chain(widths.map(unsigned)) {
         let name = format!("octahedral codes of 2 × {name}");
@@ -235,7 +235,7 @@ mod tests {
         ] {
             assert_eq!(named(over(steps)).as_deref(), Some(name));
             let unit = named(|n| over(steps)(n).normalize());
-            assert_eq!(unit, Some(format!("{name}, made unit again")));
+            assert_eq!(unit, Some(format!("{name}, renormalised")));
         }
         for (most, name) in [
             (255.0, "8-bit unsigned integers, 2k/255 − 1"),
@@ -243,7 +243,7 @@ mod tests {
         ] {
             assert_eq!(named(unsigned(most)).as_deref(), Some(name));
             let unit = named(|n| unsigned(most)(n).normalize());
-            assert_eq!(unit, Some(format!("{name}, made unit again")));
+            assert_eq!(unit, Some(format!("{name}, renormalised")));
         }
         assert_eq!(named(|n| n), None);
     }
@@ -298,7 +298,7 @@ mod tests {
             let codec = Octahedral::new(8).unwrap();
             codec.decode(codec.encode(n, Rounding::Nearest))
         };
-        // Of a prism of 8 sides all are simple; of one of 16, one direction tells. A vector made unit again tells less.
+        // Of a prism of 8 sides all are simple; of one of 16, one direction tells. A renormalised vector says less.
         for count in [12, 16, 20, 24, 32, 48, 64, 96, 128, 360] {
             for lean in [0.0, 0.4] {
                 let sides: Vec<DVec3> = side(count, lean).collect();
@@ -310,7 +310,7 @@ mod tests {
                     "{count}, {lean}"
                 );
                 if count >= 48 {
-                    let expected = Some("8-bit signed integers over 127, made unit again");
+                    let expected = Some("8-bit signed integers over 127, renormalised");
                     assert_eq!(reported(unit).as_deref(), expected, "{count}, {lean}");
                     let expected = Some("octahedral codes of 2 × 8-bit signed integers over 127");
                     assert_eq!(reported(octahedral).as_deref(), expected, "{count}, {lean}");
