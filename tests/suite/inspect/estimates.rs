@@ -151,3 +151,35 @@ fn a_seam_between_groups_is_meant() {
     assert_eq!(grave(&parted), [""; 0]);
     assert!(parted.get(Kind::GroupMismatch).is_none() && parted.get(Kind::SplitSeam).is_none());
 }
+
+/// Means by every weighting with many crease angles: both are among those in the sentence of the report. Fits are compared with
+/// means elsewhere: on coarse shapes they are the same.
+#[test]
+fn the_recipe_that_made_the_normals_is_among_those_reported() {
+    for (name, step) in [("bracket.obj", 1), ("polygons.obj", 1), ("gear.obj", 13)] {
+        let mesh = file(name).with_normals(None);
+        for weight in Weight::ALL.into_iter().filter(|&weight| weight != Weight::Quadric) {
+            for angle in (1..180).step_by(step).map(f64::from) {
+                let made = NormalRecipe { groups: Groups::Ignore, ..recipe(weight, angle) };
+                let report = estimate(&with_normals(mesh.clone(), &made)).in_words();
+                let [low, high] = reported_range(&report);
+                assert!(low <= angle && angle <= high, "{name}, {weight:?}, {angle}: {report}");
+                let words: Vec<&str> = report.split([' ', ',']).collect();
+                let is_listed = words.contains(&weight.name()) || words.contains(&"any");
+                assert!(is_listed, "{name}, {weight:?}, {angle}: {report}");
+            }
+        }
+    }
+}
+
+/// The ends of `crease 28° to 60°`, `crease 28°`, `crease 28° or more` or `any crease angle`.
+fn reported_range(report: &str) -> [f64; 2] {
+    let Some((_, from)) = report.split_once(" fit crease ") else { return [0.0, 180.0] };
+    let angle = |text: &str| text.split('°').next().unwrap().parse::<f64>().unwrap();
+    let low = angle(from);
+    let rest = from.split_once('°').unwrap().1;
+    match rest.strip_prefix(" to ") {
+        Some(high) => [low, angle(high)],
+        None => [low, if rest.starts_with(" or more") { 180.0 } else { low }],
+    }
+}
