@@ -308,13 +308,18 @@ fn help_is_short_and_in_plain_words() {
     for verb in ["normals", "inspect", "render", "artefact", "surface", "trade", "stress"] {
         let (short, long) = (help(&[verb, "-h"]), help(&[verb, "--help"]));
         assert!(short.lines().count() < 45, "{verb}: {} lines\n{short}", short.lines().count());
-        assert!(short.lines().all(|line| line.chars().count() <= 100), "{short}");
+        for line in short.lines().chain(long.lines()) {
+            assert!(line.chars().count() <= 100, "{verb}: {line}");
+        }
         let examples = |text: &str| text.lines().filter(|line| line.starts_with("  crease ")).count();
         assert_eq!((examples(&short), examples(&long)), (3, 3), "{verb}");
         for text in [short, long] {
             assert_eq!(words_of_our_own(&without_names(&text)), Vec::<&str>::new(), "{verb}");
         }
     }
+    let scenes = help(&["render", "--scene-help"]);
+    assert!(scenes.contains("cut-off") && !scenes.contains("|---"), "{scenes}");
+    assert!(scenes.lines().all(|line| line.chars().count() <= 100), "{scenes}");
     let verbs = help(&["--help"]);
     let order = ["normals", "inspect", "render", "artefact", "surface", "trade", "stress"];
     let places = order.map(|verb| verbs.find(&format!("\n  {verb} ")).unwrap());

@@ -44,11 +44,13 @@ pub fn main(args: &RenderArgs, color: Color) -> Exit {
 /// The page of scene files for a terminal of 100 columns: table rows become a line of keys and an indented line of meaning.
 fn scene_help(page: &str) -> String {
     let (mut out, mut is_code) = (String::new(), false);
-    for line in page.lines() {
+    let is_rule = |line: &str| line.starts_with("|---");
+    let mut lines = page.lines().peekable();
+    while let Some(line) = lines.next() {
         is_code ^= line.starts_with("```");
         let row = line.strip_prefix("| ").and_then(|row| row.strip_suffix('|'));
         match row {
-            _ if line.starts_with("|---") => {}
+            _ if is_rule(line) || lines.peek().is_some_and(|next| is_rule(next)) => {}
             Some(row) => {
                 let mut cells: Vec<&str> = row.split(" |").map(str::trim).collect();
                 cells.retain(|cell| !cell.is_empty());

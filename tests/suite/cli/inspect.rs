@@ -338,7 +338,23 @@ fn different_shapes_are_not_compared() {
     assert_eq!(code(&output), 3, "{}", text(&output.stderr));
     assert!(text(&output.stderr).contains("no face in common"), "{}", text(&output.stderr));
     assert_eq!(code(&inspect(&[&a, "--against", "nowhere.obj"])), 3);
-    assert_eq!(code(&inspect(&[&a, &b, "--against", &a])), 2);
+    assert!(text(&output.stderr).contains("\nhelp: "), "{}", text(&output.stderr));
+    let two = inspect(&[&a, &b, "--against", &a]);
+    assert!(code(&two) == 2 && text(&two.stderr).contains("\nhelp: "), "{}", text(&two.stderr));
+}
+
+#[test]
+fn batches_name_their_findings_and_fixes_are_written_to_the_working_folder() {
+    let zero = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 0\nf 1//1 2//1 3//1\n";
+    let files = folder(&[("a.obj", zero), ("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")]);
+    let [a, b] = ["a.obj", "b.obj"].map(|name| path(files.path().join(name)));
+    let output = inspect(&[&a, &b]);
+    let listed = text(&output.stdout);
+    let of_a = listed.lines().find(|line| line.starts_with(&a)).unwrap();
+    assert!(of_a.ends_with(" · zero-normals"), "{listed}");
+    let output = inspect(&[&a, "--json"]);
+    let json = text(&output.stdout);
+    assert!(json.contains(" -o a-fixed.obj"), "{json}");
 }
 
 #[test]

@@ -298,7 +298,7 @@ mod tests {
             let codec = Octahedral::new(8).unwrap();
             codec.decode(codec.encode(n, Rounding::Nearest))
         };
-        // Of a prism of 8 sides all are simple; of one of 16, one direction tells. A renormalised vector says less.
+        // Of a prism of 8 sides all are simple; of one of 16, one direction is enough. A renormalised vector needs more of them.
         for count in [12, 16, 20, 24, 32, 48, 64, 96, 128, 360] {
             for lean in [0.0, 0.4] {
                 let sides: Vec<DVec3> = side(count, lean).collect();
