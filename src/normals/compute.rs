@@ -102,7 +102,8 @@ fn on_topology(
         ..Summary::default()
     };
     if extras.edge_counts {
-        (summary.edges, summary.near_crease) = edge_counts(&walker, turns(mesh, &walker.crease).as_deref());
+        let edges = edge_counts(&walker, turns(mesh, &walker.crease).as_deref());
+        edges.report(mesh.positions(), &mut summary);
     }
     let groups = match (recipe.scope, recipe.rule) {
         (Scope::Vertex, _) => SmoothGroups::per_vertex(mesh.faces().view(), topology, mesh.vertex_count()),

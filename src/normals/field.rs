@@ -1,6 +1,7 @@
 //! The result: one normal per (vertex, smooth group).
 
 use crate::mesh::Column;
+use crate::normals::creases::chains::CreaseChains;
 use crate::normals::fault::Faults;
 use glam::DVec3;
 
@@ -30,7 +31,7 @@ pub struct NormalField {
 pub struct Extras {
     /// [`NormalField::face_normals`].
     pub face_normals: bool,
-    /// [`Summary::edges`] and [`Summary::near_crease`].
+    /// [`Summary::edges`], [`Summary::near_crease`] and [`Summary::crease_chains`].
     pub edge_counts: bool,
 }
 
@@ -53,6 +54,8 @@ pub struct Summary {
     /// Edges whose dihedral angle is within 0.1° of the crease angle, or within what the digits allow where positions were
     /// rounded to few decimals: as far as the normals of the two faces can have turned by that.
     pub near_crease: usize,
+    /// Chains of crease edges.
+    pub crease_chains: CreaseChains,
     /// The crease angle applied, in degrees; `None` where smoothing groups decide alone.
     pub crease_degrees: Option<f64>,
     /// Clusters of welded positions wider than twice the welding distance.

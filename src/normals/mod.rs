@@ -34,6 +34,7 @@ mod slices;
 pub use crate::mesh::Weld;
 pub(crate) use compute::compute_from;
 pub use compute::{compute, compute_on, compute_with};
+pub use creases::chains::CreaseChains;
 pub(crate) use creases::dihedral_test::{CreaseTest, SLACK_DEGREES};
 pub(crate) use faces::field::FaceField;
 pub use fallback::replace::{Broken, LENGTH_TOLERANCE, Replacement, When, replace};

@@ -89,7 +89,7 @@ pub(super) fn triangle_field(
     };
     summary.splits = entries - summary.referenced_vertices;
     if extras.edge_counts {
-        (summary.edges, summary.near_crease) = found.finish();
+        found.finish().report(mesh.positions(), &mut summary);
     }
     let vertices = unreferenced(&entry_vertex, mesh.vertex_count());
     Ok(NormalField {

@@ -2,7 +2,7 @@
 
 use crate::io::Part;
 use crate::mesh::Orientation;
-use crate::normals::{EdgeCounts, Fault, Faults, Selection};
+use crate::normals::{CreaseChains, EdgeCounts, Fault, Faults, Selection};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -69,6 +69,9 @@ pub struct PartOutcome {
     pub crease_degrees: Option<f64>,
     /// Edges near the crease angle: [`Summary::near_crease`](crate::normals::Summary::near_crease).
     pub near_crease: usize,
+    /// Chains of crease edges.
+    #[serde(skip)]
+    pub crease_chains: CreaseChains,
     /// Edges by what they are.
     pub edges: EdgeCounts,
     /// Faults of the computation.

@@ -93,6 +93,7 @@ fn revise_part(
         splits: summary.splits,
         crease_degrees: summary.crease_degrees,
         near_crease: summary.near_crease,
+        crease_chains: summary.crease_chains,
         edges: summary.edges,
         quadric_fallbacks: summary.quadric_fallbacks,
         cone_declined: summary.cone_declined,

@@ -81,6 +81,16 @@ pub struct Page {
     /// The text and the id of each heading.
     contents: Vec<(String, String)>,
     ids: BTreeSet<String>,
+    drawings: Vec<Drawing>,
+}
+
+/// A drawing of a page, also as a file of its own.
+#[derive(Debug)]
+pub struct Drawing {
+    /// The name of the file, without suffix.
+    pub name: String,
+    /// The file: SVG.
+    pub svg: String,
 }
 
 impl Page {
@@ -93,6 +103,7 @@ impl Page {
             setting: |text| escape_html(text).into_owned(),
             body: String::new(),
             contents: Vec::new(),
+            drawings: Vec::new(),
             ids: BTreeSet::new(),
         }
     }
@@ -185,8 +196,11 @@ impl Page {
 
     /// A drawing under a caption; `draw` is given an id for its parts to refer to. See [`Plot::svg`](super::Plot::svg).
     pub fn drawing(&mut self, name: &str, caption: &str, draw: impl FnOnce(&str) -> String) {
-        let drawing = PreEscaped(draw(&self.id(name)));
-        self.push(html! { figure { (drawing) figcaption { (self.set(caption)) } } });
+        let name = self.id(name);
+        let drawing = draw(&name);
+        self.push(html! { figure { (PreEscaped(&drawing)) figcaption { (self.set(caption)) } } });
+        let file = "<svg xmlns=\"http://www.w3.org/2000/svg\" font-family=\"system-ui, sans-serif\" font-size=\"12\" ";
+        self.drawings.push(Drawing { name, svg: drawing.replacen("<svg ", file, 1) });
     }
 
     /// HTML that is not escaped.
@@ -206,6 +220,11 @@ impl Page {
         let id = numbered.into_iter().find(|id| !self.ids.contains(id)).expect("there are numbers enough");
         self.ids.insert(id.clone());
         id
+    }
+
+    /// The drawings so far.
+    pub fn take_drawings(&mut self) -> Vec<Drawing> {
+        std::mem::take(&mut self.drawings)
     }
 
     /// The whole page.

@@ -11,7 +11,7 @@ const STRONGER: [(&str, &[&str]); 2] =
 /// The command that fixes the findings, which are in order of severity; `None` if none can be fixed.
 ///
 /// The remedies are merged: the stronger value of `--when` and `--orient`, and for other options the value that the more severe
-/// finding needs. Recomputing all normals includes the broken and missing ones, so one step is enough.
+/// finding needs. For standard input, `FILE` stands where the reader puts a name. Recomputing all normals includes the broken and missing ones, so one step is enough.
 pub fn command(findings: &[&Finding], input: &str, output: &str) -> Option<String> {
     let remedies: Vec<Vec<&str>> =
         findings.iter().filter_map(|finding| Some(finding.remedy.as_deref()?.split(' ').collect())).collect();
@@ -37,6 +37,9 @@ pub fn command(findings: &[&Finding], input: &str, output: &str) -> Option<Strin
             command.push(' ');
             command.push_str(word);
         }
+    }
+    if input == "-" {
+        command.push_str(" < FILE");
     }
     (!remedies.is_empty()).then_some(command)
 }

@@ -18,6 +18,7 @@ use crease::num::Transfer;
 use crease::quality::catalogue::{Kind, entries};
 use crease::quality::{Diagnosis, Finding, Severity, Thresholds, compare, diagnose};
 use crease::report::{After, deviation_picture, diagnosis_page, encode_png};
+use std::collections::HashSet;
 use std::time::Instant;
 
 /// What a heat map of a file without normals shows.
@@ -67,11 +68,12 @@ fn run(sources: &[Source], args: &InspectArgs, console: &Console) -> Exit {
     let read = ReadOptions { root: args.root.clone(), ..ReadOptions::default() };
     let thresholds = args.thresholds.resolve(args.findings.places);
     let (mut batch, mut failed, mut exit) = (Batch::default(), None, Exit::Done);
+    let mut outputs = HashSet::new();
     for source in sources {
         let mut report = InspectReport::new(source);
         let start = Instant::now();
         let file = progress.begin(source);
-        let result = guarded(|| inspect(source, &read, args, &thresholds, &file, &mut report));
+        let result = guarded(|| inspect(source, &read, args, &thresholds, &file, &mut outputs, &mut report));
         drop(file);
         report.seconds.total = start.elapsed().as_secs_f64();
         report.head.record(&result);
@@ -102,13 +104,14 @@ fn run(sources: &[Source], args: &InspectArgs, console: &Console) -> Exit {
     exit_code(result, console)
 }
 
-/// Reads, diagnoses and draws.
+/// Reads, diagnoses and draws. `outputs` are the names of fixed versions so far: each input has its own.
 fn inspect(
     source: &Source,
     read: &ReadOptions,
     args: &InspectArgs,
     thresholds: &Thresholds,
     progress: &FileProgress<'_>,
+    outputs: &mut HashSet<String>,
     report: &mut InspectReport,
 ) -> Result<Outcome, Failure> {
     progress.stage(Stage::Read);
@@ -143,7 +146,10 @@ fn inspect(
         Source::File(path) => path.file_stem().unwrap_or_default().to_string_lossy(),
         Source::Stdin => "stdin".into(),
     };
-    report.fix_as = format!("{stem}-fixed.{}", loaded.format.extension());
+    let output = |number: String| format!("{stem}-fixed{number}.{}", loaded.format.extension());
+    let numbers = (1..).map(|number| if number == 1 { String::new() } else { format!("-{number}") });
+    report.fix_as =
+        numbers.map(output).find(|name| outputs.insert(name.clone())).expect("numbers do not end");
     report.fill(&diagnosis);
     draw(&loaded, &diagnosis, after.as_ref(), report, args)?;
     let is_grave = args.findings.fail_on.is_some_and(|least| diagnosis.worst() >= Some(least));

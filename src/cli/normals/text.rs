@@ -7,9 +7,10 @@ use crate::cli::common::numbers::{count, count_of, counts_above_zero, face_kinds
 use crate::cli::common::report::MeshOutput;
 use crease::io::Emit;
 use crease::mesh::Orientation;
-use crease::normals::{EdgeCounts, When};
+use crease::normals::{CreaseChains, EdgeCounts, When};
 use crease::pipeline::{Counts, FaultPlace, PartOutcome, Spot};
 use std::fmt::Write;
+use std::ops::Add;
 
 /// How many places of faults, and of broken normals, are printed when details are asked for.
 const PLACES: usize = 10;
@@ -231,7 +232,8 @@ fn remarks(report: &Report) -> Vec<(&'static str, String)> {
         let text = format!("{} within 0.1° of the crease angle ({angle}°)", count(near, "edge"));
         rows.push(("near", text));
     }
-    if are_creases_scattered(report) {
+    let chains = parts.iter().map(|part| part.outcome.crease_chains).fold(CreaseChains::default(), Add::add);
+    if report.recipe.emit == Emit::Corner && chains.are_scattered() {
         let text =
             "scattered: most chains of crease edges are shorter than 3 edges, as on a scan; try --crease off";
         rows.push(("creases", text.to_owned()));
@@ -260,22 +262,6 @@ fn remarks(report: &Report) -> Vec<(&'static str, String)> {
         ));
     }
     rows
-}
-
-/// Whether most chains of crease edges are shorter than three edges, as noise makes them.
-///
-/// A chain of n edges splits n − 1 vertices if it is open and n if it is closed, so the difference between crease edges and
-/// splits is the number of open chains. This holds if nothing else splits vertices: other sharp edges, or faces that share
-/// positions and not vertices, are no scan or are not decided.
-fn are_creases_scattered(report: &Report) -> bool {
-    const FEWEST: usize = 12;
-    const LENGTH: usize = 3;
-    let parts = &report.parts[..];
-    let of = |kind: fn(&EdgeCounts) -> usize| sum(parts, |part| kind(&part.edges));
-    let creases = of(|edges| edges.crease);
-    let others = of(|edges| edges.marked + edges.welded);
-    let chains = creases.saturating_sub(sum(parts, |part| part.splits));
-    report.recipe.emit == Emit::Corner && creases >= FEWEST && others == 0 && creases < LENGTH * chains
 }
 
 /// What `--orient` found, if it was asked for.

@@ -26,7 +26,7 @@ pub struct TradeArgs {
     #[arg(value_name = "INPUT")]
     pub input: Option<PathBuf>,
 
-    /// Folder for an HTML page with plots and pictures; created if necessary
+    /// Folder for an HTML page with plots and pictures, and for its plots as SVG; created if necessary
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
 

@@ -78,7 +78,11 @@ fn measure(
         report.surfaces = Some(trade);
     }
     drop(progress);
-    if let (Some(folder), Some(page)) = (&args.output, page) {
+    if let (Some(folder), Some((page, drawings))) = (&args.output, page) {
+        for drawing in drawings {
+            let name = format!("{}.svg", drawing.name);
+            Target::File(folder.join(name)).store(drawing.svg.into_bytes())?;
+        }
         let target = Target::File(folder.join(PAGE));
         report.output = Some(target.name());
         target.store(page.into_bytes())?;

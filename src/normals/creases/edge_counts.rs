@@ -1,10 +1,12 @@
 //! Counting edges by what they are, for reports.
 
 use crate::mesh::Link;
+use crate::normals::creases::chains::CreaseChains;
 use crate::normals::creases::dihedral_test::CreaseTest;
 use crate::normals::creases::fans::{Fans, MeshWalker, Sector};
 use crate::normals::faces::face_normals::FaceNormals;
-use crate::normals::field::EdgeCounts;
+use crate::normals::field::{EdgeCounts, Summary};
+use glam::DVec3;
 use rayon::prelude::*;
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -13,10 +15,11 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// An edge counts as a crease if it is hard at either end: next to a face that adds to no sum, the faces that decide may be
 /// others at each end. An edge is near the crease angle within 0.1°, or within what `turns` allows, the angle in radians that
 /// the normal of each face may be off by: of the two faces that decide.
-pub(crate) fn edge_counts(walker: &MeshWalker, turns: Option<&[f64]>) -> (EdgeCounts, usize) {
+pub(crate) fn edge_counts(walker: &MeshWalker, turns: Option<&[f64]>) -> FoundEdges {
     const CHUNK: usize = 1 << 14;
     let corner_count = walker.fans.faces.corners().len();
-    let Tally { mut counts, near, undecided } = (0..corner_count.div_ceil(CHUNK))
+    let Tally { edges: FoundEdges { mut counts, near, mut creases }, undecided } = (0..corner_count
+        .div_ceil(CHUNK))
         .into_par_iter()
         .map(|chunk| {
             let mut tally = Tally::default();
@@ -26,18 +29,52 @@ pub(crate) fn edge_counts(walker: &MeshWalker, turns: Option<&[f64]>) -> (EdgeCo
             tally
         })
         .reduce(Tally::default, Tally::join);
-    let (creases, nears) = decided_by_others(walker, turns, &undecided);
-    counts.crease += creases;
-    counts.smooth += undecided.len() - creases;
+    let (others, nears) = decided_by_others(walker, turns, &undecided);
+    counts.crease += others.len();
+    counts.smooth += undecided.len() - others.len();
+    creases.extend(others.into_iter().map(|edge| <[u32; 2]>::from(ends(walker, edge))));
     counts.non_manifold = walker.fans.topology.non_manifold_edges();
     counts.ambiguous = walker.fans.topology.ambiguous_edges();
-    (counts, near + nears)
+    FoundEdges { counts, near: near + nears, creases }
+}
+
+/// Edges by what they are.
+#[derive(Debug, Default, PartialEq)]
+pub(crate) struct FoundEdges {
+    pub(crate) counts: EdgeCounts,
+    /// How many are near the crease angle.
+    pub(crate) near: usize,
+    /// The ends of those that are creases.
+    pub(crate) creases: Vec<[u32; 2]>,
+}
+
+impl FoundEdges {
+    fn join(mut self, other: Self) -> Self {
+        self.creases.extend(other.creases);
+        Self { counts: self.counts + other.counts, near: self.near + other.near, creases: self.creases }
+    }
+
+    /// Puts the edges into a summary.
+    pub(crate) fn report(self, positions: &[DVec3], summary: &mut Summary) {
+        (summary.edges, summary.near_crease) = (self.counts, self.near);
+        summary.crease_chains = CreaseChains::of(&self.creases, positions);
+    }
+
+    /// Takes an edge into account that its angle decides on.
+    fn add(&mut self, is_crease: bool, ends: impl FnOnce() -> (u32, u32)) {
+        if is_crease {
+            self.counts.crease += 1;
+            let (a, b) = ends();
+            self.creases.push([a.min(b), a.max(b)]);
+        } else {
+            self.counts.smooth += 1;
+        }
+    }
 }
 
 #[derive(Default)]
 struct Tally {
-    counts: EdgeCounts,
-    near: usize,
+    pub(crate) edges: FoundEdges,
     /// Edges of a face that may add to no sum, by the lower of their half-edges.
     undecided: Vec<u32>,
 }
@@ -45,11 +82,12 @@ struct Tally {
 impl Tally {
     fn join(mut self, other: Self) -> Self {
         self.undecided.extend(other.undecided);
-        Self { counts: self.counts + other.counts, near: self.near + other.near, undecided: self.undecided }
+        Self { edges: self.edges.join(other.edges), undecided: self.undecided }
     }
 
     fn add(&mut self, walker: &MeshWalker, turns: Option<&[f64]>, half_edge: u32) {
-        let Self { counts, near, undecided } = self;
+        let Self { edges, undecided } = self;
+        let counts = &mut edges.counts;
         let across = match walker.fans.topology.link(half_edge) {
             Link::Twin(across) => across,
             Link::Welded(across) => {
@@ -81,12 +119,16 @@ impl Tally {
                     undecided.push(half_edge);
                     return;
                 }
-                *near += usize::from(is_near(walker, turns, half_edge, across));
+                edges.near += usize::from(is_near(walker, turns, half_edge, across));
                 limit.exceeded(walker.normal(half_edge), walker.normal(across))
             }
         };
-        if is_crease { counts.crease += 1 } else { counts.smooth += 1 }
+        edges.add(is_crease, || ends(walker, half_edge));
     }
+}
+
+fn ends(walker: &MeshWalker, half_edge: u32) -> (u32, u32) {
+    walker.fans.topology.ends(walker.fans.faces.corners(), half_edge)
 }
 
 /// Whether the angle between the faces of two corners is near the crease angle.
@@ -106,8 +148,7 @@ fn are_near(crease: &CreaseTest, normals: &FaceNormals, turns: Option<&[f64]>, [
 /// Edges of triangles counted vertex by vertex: an edge that two ends see, at the lower one. Every face adds to sums.
 #[derive(Default)]
 pub(crate) struct RingCounts {
-    pub(crate) counts: EdgeCounts,
-    pub(crate) near: usize,
+    pub(crate) edges: FoundEdges,
     /// The ends of edges with one face.
     pub(crate) open: Vec<[u32; 2]>,
     /// The ends of edges with more than two, lower one first, as often as they are met.
@@ -118,7 +159,7 @@ impl RingCounts {
     pub(crate) fn join(mut self, mut other: Self) -> Self {
         self.open.append(&mut other.open);
         self.non_manifold.append(&mut other.non_manifold);
-        Self { counts: self.counts + other.counts, near: self.near + other.near, ..self }
+        Self { edges: self.edges.join(other.edges), ..self }
     }
 
     /// Takes the edge that leaves a corner into account.
@@ -131,7 +172,7 @@ impl RingCounts {
         corner: u32,
         link: Link,
     ) {
-        let counts = &mut self.counts;
+        let counts = &mut self.edges.counts;
         match link {
             Link::Twin(across) if from < to => {
                 let faces = [corner, across].map(|corner| corner as usize / 3);
@@ -139,11 +180,11 @@ impl RingCounts {
                     CreaseTest::Every => true,
                     CreaseTest::None => false,
                     CreaseTest::Over { limit, .. } => {
-                        self.near += usize::from(are_near(crease, normals, turns, faces));
+                        self.edges.near += usize::from(are_near(crease, normals, turns, faces));
                         limit.exceeded(normals.unit[faces[0]], normals.unit[faces[1]])
                     }
                 };
-                if is_crease { counts.crease += 1 } else { counts.smooth += 1 }
+                self.edges.add(is_crease, || (from, to));
             }
             Link::Inconsistent(across) => counts.inconsistent += usize::from(corner < across),
             Link::Boundary => counts.boundary += 1,
@@ -152,18 +193,18 @@ impl RingCounts {
         }
     }
 
-    /// The counts, with those near the crease angle.
-    pub(crate) fn finish(mut self) -> (EdgeCounts, usize) {
+    /// The edges, when all are counted.
+    pub(crate) fn finish(mut self) -> FoundEdges {
         self.non_manifold.sort_unstable();
         self.non_manifold.dedup();
-        self.counts.non_manifold = self.non_manifold.len();
-        (self.counts, self.near)
+        self.edges.counts.non_manifold = self.non_manifold.len();
+        self.edges
     }
 }
 
-/// How many edges are creases, and near ones, by the faces that decide in the sectors of fan at their two ends. Each
-/// sector is walked once.
-fn decided_by_others(walker: &MeshWalker, turns: Option<&[f64]>, edges: &[u32]) -> (usize, usize) {
+/// Which edges are creases, and how many are near ones, by the faces that decide in the sectors of fan at their two ends.
+/// Each sector is walked once.
+fn decided_by_others(walker: &MeshWalker, turns: Option<&[f64]>, edges: &[u32]) -> (Vec<u32>, usize) {
     let mut verdicts: FxHashMap<u32, Verdict> = FxHashMap::default();
     let mut walked: FxHashSet<u32> = FxHashSet::default();
     let (mut sector, mut places) = (Sector::default(), Vec::new());
@@ -183,8 +224,9 @@ fn decided_by_others(walker: &MeshWalker, turns: Option<&[f64]>, edges: &[u32]) 
             });
         }
     }
-    let of_edges = || edges.iter().filter_map(|edge| verdicts.get(edge));
-    (of_edges().filter(|v| v.is_crease).count(), of_edges().filter(|v| v.is_near).count())
+    let is = |edge: &&u32, kind: fn(&Verdict) -> bool| verdicts.get(edge).is_some_and(kind);
+    let creases = edges.iter().filter(|edge| is(edge, |verdict| verdict.is_crease));
+    (creases.copied().collect(), edges.iter().filter(|edge| is(edge, |verdict| verdict.is_near)).count())
 }
 
 #[derive(Default)]

@@ -14,5 +14,7 @@ pub(super) mod smooth_groups;
 pub(super) mod triangle_groups;
 // The cone rule.
 pub(super) mod cone;
+// Chains of crease edges: scans have short ones.
+pub(super) mod chains;
 // Counts of edges by kind, for reports.
 pub(super) mod edge_counts;

@@ -13,7 +13,7 @@ use crate::normals::{NormalField, NormalRecipe, Weight};
 use crate::num::{Degrees, LinearRgb, Radians, three_digits, unit_scale, viridis};
 use crate::raster::{Camera, Object, Paint, RenderSettings, Samples, Scene, Shape, render};
 use crate::report::error::ReportError;
-use crate::report::html::Page;
+use crate::report::html::{Drawing, Page};
 use crate::report::panel::{Panel, panels};
 use crate::report::picture::Picture;
 use crate::report::plot::Plot;
@@ -59,11 +59,11 @@ fn drawing(page: &mut Page, name: &str, caption: &str, plot: &Plot) {
     page.drawing(name, &text(caption, &[]), |id| plot.svg(id));
 }
 
-/// The measurement as a page of HTML that opens from disk with nothing else and ends in plain advice.
+/// The measurement as a page of HTML that opens from disk with nothing else and ends in plain advice, and its plots as files.
 ///
 /// # Errors
 /// Pictures that cannot be drawn or made into files.
-pub fn trade_page(trade: &Trade) -> Result<String, ReportError> {
+pub fn trade_page(trade: &Trade) -> Result<(String, Vec<Drawing>), ReportError> {
     let mut page = Page::new(&text("title", &[]), &text("lead", &[]));
     weights(trade, &mut page);
     surfaces(trade, &mut page)?;
@@ -82,7 +82,8 @@ pub fn trade_page(trade: &Trade) -> Result<String, ReportError> {
     page.table(&approximation_table(trade));
     section(&mut page, "advice");
     page.list(advice(trade).iter().map(String::as_str));
-    Ok(page.finish())
+    let drawings = page.take_drawings();
+    Ok((page.finish(), drawings))
 }
 
 fn weights(trade: &Trade, page: &mut Page) {
@@ -163,7 +164,7 @@ fn error_sheet<'a>(
     page.pictures(&[(&panels(&sheet)?, &alternative)], &text("errors-caption", &[mesh]))
 }
 
-/// The measurement of a user mesh with this recipe, as a page.
+/// The measurement of a user mesh with this recipe, as a page, and its plots as files.
 ///
 /// # Errors
 /// Pictures that cannot be drawn or made into files.
@@ -172,7 +173,7 @@ pub fn own_page(
     parts: &[&Mesh],
     recipe: &NormalRecipe,
     name: &str,
-) -> Result<String, ReportError> {
+) -> Result<(String, Vec<Drawing>), ReportError> {
     let mut page = Page::new(&text("own-title", &[("name", name.into())]), &text("own-lead", &[]));
     section(&mut page, "own-weights");
     let counts = [
@@ -192,7 +193,8 @@ pub fn own_page(
     section(&mut page, "advice");
     page.paragraph(&text("own-advice", &[("weight", own.recommended.name().into())]));
     page.list(own.reasons.iter().map(String::as_str));
-    Ok(page.finish())
+    let drawings = page.take_drawings();
+    Ok((page.finish(), drawings))
 }
 
 /// The estimated errors on the largest part: of the recommended weight and the usual ones.
