@@ -52,28 +52,56 @@ fn scene_help(page: &str) -> String {
         match row {
             _ if is_rule(line) || lines.peek().is_some_and(|next| is_rule(next)) => {}
             Some(row) => {
-                let mut cells: Vec<&str> = row.split(" |").map(str::trim).collect();
-                cells.retain(|cell| !cell.is_empty());
-                let (meaning, keys) = cells.split_last().unwrap_or((&"", &[]));
-                push_wrapped(&mut out, &keys.join("  "), "  ");
-                push_wrapped(&mut out, meaning, "      ");
+                let mut keys: Vec<&str> = row.split(" |").map(str::trim).collect();
+                let meaning = keys.pop().unwrap_or_default();
+                keys.retain(|cell| !cell.is_empty());
+                push_wrapped(&mut out, &keys.join("  "), ["  "; 2]);
+                if !meaning.is_empty() {
+                    push_wrapped(&mut out, &without_links(meaning), ["      "; 2]);
+                }
             }
             None if is_code || line.is_empty() => out.extend([line, "\n"]),
-            None => push_wrapped(&mut out, line, ""),
+            None => {
+                let mut text = line.to_owned();
+                while let Some(next) = lines
+                    .next_if(|next| !next.is_empty() && !next.starts_with("- ") && !next.starts_with("```"))
+                {
+                    text.extend([" ", next.trim_start()]);
+                }
+                push_wrapped(&mut out, &text, if line.starts_with("- ") { ["", "  "] } else { ["", ""] });
+            }
         }
     }
     out
 }
 
-/// Appends a text in lines of at most 100 characters.
-fn push_wrapped(out: &mut String, text: &str, indent: &str) {
-    let mut line = indent.to_owned();
-    for word in text.split(' ') {
-        if line.len() > indent.len() && line.chars().count() + word.chars().count() > 100 {
-            out.extend([line.trim_end(), "\n"]);
-            line = indent.to_owned();
+/// A text with the words of links to other parts of its page only.
+fn without_links(text: &str) -> String {
+    match text.split_once("](#") {
+        Some((before, after)) => {
+            let after = after.split_once(')').map_or("", |(_, after)| after);
+            let (text, label) = before.rsplit_once('[').unwrap_or((before, ""));
+            format!("{text}{label}{}", without_links(after))
         }
-        line.extend([word, " "]);
+        None => text.to_owned(),
+    }
+}
+
+/// Appends a text in lines of at most 100 characters, the first and the others after an indent. Code stays on one line.
+fn push_wrapped(out: &mut String, text: &str, [first, others]: [&str; 2]) {
+    let mut line = first.to_owned();
+    let mut words = text.split(' ');
+    while let Some(word) = words.next() {
+        let mut word = word.to_owned();
+        while word.matches('`').count() % 2 == 1 {
+            let Some(next) = words.next() else { break };
+            word.extend([" ", next]);
+        }
+        if line.trim_start() != "" && line.chars().count() + word.chars().count() > 100 {
+            out.extend([line.trim_end(), "\n"]);
+            line = others.to_owned();
+        }
+        line.extend([word.as_str(), " "]);
     }
     out.extend([line.trim_end(), "\n"]);
 }
