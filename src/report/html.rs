@@ -199,8 +199,7 @@ impl Page {
         let name = self.id(name);
         let drawing = draw(&name);
         self.push(html! { figure { (PreEscaped(&drawing)) figcaption { (self.set(caption)) } } });
-        let file = "<svg xmlns=\"http://www.w3.org/2000/svg\" font-family=\"system-ui, sans-serif\" font-size=\"12\" ";
-        self.drawings.push(Drawing { name, svg: drawing.replacen("<svg ", file, 1) });
+        self.drawings.push(Drawing { name, svg: svg_file(&drawing) });
     }
 
     /// HTML that is not escaped.
@@ -253,6 +252,13 @@ impl Page {
         };
         page.into_string()
     }
+}
+
+/// A drawing of a page as a file of its own: with the name of its format and its font.
+pub fn svg_file(drawing: &str) -> String {
+    const HEAD: &str =
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" font-family=\"system-ui, sans-serif\" font-size=\"12\" ";
+    drawing.replacen("<svg ", HEAD, 1)
 }
 
 const STYLE: &str = include_str!("page.css");

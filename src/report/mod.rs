@@ -50,7 +50,7 @@ pub use artefact::{
 };
 pub use diagnosis::{After, Sight, deviation_picture, diagnosis_page};
 pub use error::ReportError;
-pub use html::{Drawing, Page, escape_html};
+pub use html::{Drawing, Page, escape_html, svg_file};
 pub use label::{draw_text, text_width};
 pub use overlay::{Overlay, overlay};
 pub use palette::{ColourCount, Palette};

@@ -8,7 +8,7 @@ use crease::artefact::{Experiment, Language, Outcome, Setup};
 use crease::num::Transfer;
 use crease::report::{
     Animation, Picture, ReportError, chart_plot, encode_png, experiment_page, experiment_sheet, index_page,
-    page_name, picture_name,
+    page_name, picture_name, svg_file,
 };
 use rayon::prelude::*;
 use std::path::Path;
@@ -58,11 +58,7 @@ fn files(run: &Run, language: Language, in_gallery: bool) -> Result<Vec<File>, R
         files.push((name, encode_png(&picture, Transfer::Srgb)?));
     }
     for chart in &outcome.charts {
-        let svg = chart_plot(chart, language).svg(chart.name);
-        // Alone in a file, a drawing has to say what it is, and which letters it was laid out for; the name of a vocabulary is
-        // no place that is gone to.
-        const ALONE: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" font-family=\"system-ui, sans-serif\" font-size=\"12\" ";
-        let svg = svg.replacen("<svg ", ALONE, 1);
+        let svg = svg_file(&chart_plot(chart, language).svg(chart.name));
         files.push((format!("{}.svg", picture_name(experiment, chart.name)), svg.into_bytes()));
     }
     Ok(files)

@@ -57,7 +57,10 @@ impl FoundEdges {
     /// Puts the edges into a summary.
     pub(crate) fn report(self, positions: &[DVec3], summary: &mut Summary) {
         (summary.edges, summary.near_crease) = (self.counts, self.near);
-        summary.crease_chains = CreaseChains::of(&self.creases, positions);
+        // Chains may end at marked edges, too: modelled ones, so there is no scan to detect.
+        if self.counts.marked == 0 {
+            summary.crease_chains = CreaseChains::of(&self.creases, positions);
+        }
     }
 
     /// Takes an edge into account that its angle decides on.

@@ -1,7 +1,7 @@
 lit-before = the mesh lit with the normals that it had before
 lit-after = the mesh lit with the normals that it has after
 changed = the mesh coloured by how far its normals changed, { $scale }
-lit-caption = Left: before. Middle: after. Right: by how much the normals of each corner changed; a ring marks the largest visible change.
+lit-caption = First: before. Second: after. Third: by how much the normals of each corner changed; a ring marks the largest visible change.
 off-before = before: the mesh coloured by the deviation of its normals from its own weighting, { $scale }
 off-after = after: the mesh coloured by the deviation of its normals from its own weighting, { $scale }
 off-caption = The deviation of normals from those that the estimated weighting of their own mesh gives, before and after.

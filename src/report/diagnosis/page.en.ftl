@@ -2,8 +2,8 @@ heat-alternative = the mesh coloured by the deviation of its stored normals, { $
 facing-alternative = the mesh with front faces light blue and back faces dark red
 creases-alternative = the shaded mesh, with lines along creases and seams
 overview-caption =
-    Left: angle between stored normals and normals computed with the estimated weighting{ $marks }. Middle: front faces
-    light blue, back faces dark red. Right: the shaded mesh, with orange lines at edges whose two sides have different
+    First: angle between stored normals and normals computed with the estimated weighting{ $marks }. Second: front faces
+    light blue, back faces dark red. Third: the shaded mesh, with orange lines at edges whose two sides have different
     normals.
 marks-dots = ; dots mark large deviations on faces too small to be visible
 marks-edges =
@@ -13,8 +13,8 @@ marks-rings = ; red rings mark the worst location of each error and warning
 marks-hidden = ; worst locations behind other faces have no ring
 
 close-up-alternative = close view of the worst location of { $finding }, from in front of its face
-close-up-seen = Left: { -close-up } Right: a ring marks it in the whole mesh.
-close-up-hidden = Left: { -close-up } Right: a ring marks it in the whole mesh, where it is behind other faces.
+close-up-seen = First: { -close-up } Second: a ring marks it in the whole mesh.
+close-up-hidden = First: { -close-up } Second: a ring marks it in the whole mesh, where it is behind other faces.
 close-up-alone = This is { -close-up }
 -close-up =
     the worst location, viewed from in front of its face, with the edges of faces. Faces that cover it are cut away.
