@@ -49,7 +49,7 @@ note-1 =
     Cada triângulo usa três dos quatro cantos, e por isso só as duas pontas da diagonal determinam as cores ao longo
     dela. O algoritmo de varredura no polígono inteiro não prefere diagonal, mas depende da rotação do polígono (veja o
     experimento `orientation`). O efeito é medido em relação à superfície exata, pois as duas triangulações têm erros.
-    Ao menos um dos erros é metade da diferença entre elas ou mais.
+    Ao menos um dos dois erros é pelo menos metade da diferença entre eles.
 order-measure = ondas: ordem da diferença em h
 order-of-black-slopes =
     não comparado com O(h²): encostas voltadas para longe da luz são pretas, e a luminância tem uma quebra nas suas

@@ -63,3 +63,28 @@ pub fn refused(verb: &str, failure: &Failure, console: &Console) -> Exit {
     console.error(&failure.message);
     failure.exit()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The suite runs the commands of the pages whose output they show; the others take long, or name files of readers.
+    #[test]
+    fn commands_that_the_pages_only_name_are_accepted() {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+        let docs = std::fs::read_dir(root.join("docs")).unwrap().map(|entry| entry.unwrap().path());
+        let mut count = 0;
+        for page in
+            docs.chain([root.join("README.md")]).filter(|path| path.extension() == Some("md".as_ref()))
+        {
+            let text = std::fs::read_to_string(&page).unwrap().replace("\\\n", " ");
+            let commands = text.lines().filter(|line| line.starts_with("    crease "));
+            for command in commands.map(|line| line.split(['#', '|']).next().unwrap_or_default()) {
+                let accepted = Cli::try_parse_from(shlex::split(command.trim()).unwrap());
+                assert!(accepted.is_ok(), "{}: {command}: {:?}", page.display(), accepted.err());
+                count += 1;
+            }
+        }
+        assert!(count > 5, "{count} commands found");
+    }
+}

@@ -25,7 +25,7 @@ divided-measure = dividida pela maior componente: verde sobre vermelho abaixo da
 exercise-clamped-measure = exercício 1.6.17: vermelho truncado
 exercise-clamped-by = o valor das aulas, (0,9; 1; 0,3)
 exercise-divided-measure = exercício 1.6.17: vermelho dividido
-exercise-divided-by = 0,9/1,1; as aulas imprimem 0,818
+exercise-divided-by = 0,9/1,1; o texto das aulas traz 0,818
 depth-cue-measure = depth cueing: luminância da placa mais próxima sobre a da mais distante
 depth-cue-by =
     (d₂ + k)/(d₁ + k), com d a distância ao centro de um pixel no meio de cada placa; tolerância: arestas ajustadas a
@@ -57,7 +57,7 @@ clamped-seen = Vermelho e verde são ambos truncados em 1: perto do meio a cor f
 divided-title = luz laranja, dividida
 divided-caption = Cada cor acima de 1 é dividida pela sua maior componente.
 divided-seen =
-    O matiz está correto em toda parte. Só se perde o brilho: o resultado é um disco uniforme, do tamanho do branco sob
+    O matiz está correto em toda parte. Só se perde luminância: o resultado é um disco uniforme, do tamanho do branco sob
     1/d².
 no-depth-cue-title = sem depth cueing
 no-depth-cue-caption =

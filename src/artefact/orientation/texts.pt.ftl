@@ -1,4 +1,4 @@
-title = Dependência da orientação: a cor muda quando o polígono gira
+title = A interpolação por varredura depende da orientação
 claim =
     A interpolação por linhas de varredura depende da orientação do polígono. O centro do losango do exercício 1.6.25
     tem a cor (0,1; 0,5; 0,5) numa posição e (0,2; 0,3; 0,1) depois de uma rotação de 90°.

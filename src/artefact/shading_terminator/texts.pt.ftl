@@ -1,7 +1,8 @@
 title = Facetas que se sombreiam deixam o terminador serrilhado
 claim =
     Tonalização e geometria discordam onde a normal interpolada aponta para a luz mas a faceta não. Se as facetas se
-    sombreiam, o terminador segue as suas arestas, e facetas inteiras saltam quando a luz se move.
+    sombreiam, o terminador segue as suas arestas, e facetas inteiras
+    acendem ou apagam de repente quando a luz se move.
 source-1 = Artigo: M. J.-Y. Chiang, Y. K. Li, B. Burley, Taming the shadow terminator, SIGGRAPH 2019 Talks
 source-2 = Aulas: 1.5.2.2, 1.6.13 (erros das normais nos vértices, que a tonalização de Phong mantém)
 formula-1 = {"N·L > 0 ≥ N_g·L"}

@@ -25,7 +25,7 @@ pub struct RunArgs {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
 
-    /// Report as JSON, one line per input
+    /// Report as JSON
     #[arg(long)]
     pub json: bool,
 
@@ -33,7 +33,7 @@ pub struct RunArgs {
     #[arg(short, long, conflicts_with = "verbose")]
     pub quiet: bool,
 
-    /// Report more: every part, every note
+    /// Report details
     #[arg(short, long)]
     pub verbose: bool,
 }

@@ -135,7 +135,7 @@ macro_rules! thresholds {
 }
 
 thresholds! {
-    /// Maximum angle between a stored normal and the one of the mesh's own recipe, in degrees [default: 15]
+    /// Maximum angle between a stored normal and the one computed with the estimated recipe, in degrees [default: 15]
     deviation => deviation: Degrees, angle, "DEG";
     /// Maximum angle of a stored normal beyond 90° from its face, in degrees [default: 5]
     past_face => against: Degrees, angle, "DEG";
@@ -169,7 +169,7 @@ thresholds! {
     confidence => confidence: Confidence, confidence, "SHARE";
     /// Maximum number of faces at a vertex [default: 48]
     valence => valence: u32, clap::value_parser!(u32), "N";
-    /// Blinn exponent of the highlight that each face has to show [default: its material's, or 32]
+    /// Specular exponent (Blinn) at which a face counts as too large [default: its material's, or 32]
     exponent => exponent: f64, from_1, "N";
     /// Change of slope at an edge that shows as a Mach band, in 8-bit steps a pixel [default: 0.1]
     band => band: f64, from_0, "STEPS";

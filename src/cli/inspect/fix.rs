@@ -1,7 +1,8 @@
 //! One command that fixes all that can be fixed together.
 
 use crease::io::shell_word;
-use crease::quality::Finding;
+use crease::quality::catalogue::Kind;
+use crease::quality::{Finding, Severity};
 use std::collections::BTreeMap;
 
 /// Values of options of which one does all that another does, least first.
@@ -13,8 +14,15 @@ const STRONGER: [(&str, &[&str]); 2] =
 /// The remedies are merged: the stronger value of `--when` and `--orient`, and for other options the value that the more severe
 /// finding needs. For standard input, `FILE` stands where the reader puts a name. Recomputing all normals includes the broken and missing ones, so one step is enough.
 pub fn command(findings: &[&Finding], input: &str, output: &str) -> Option<String> {
+    let has_authored = findings.iter().any(|finding| finding.kind == Kind::Custom);
+    // Authored normals are kept, unless more than a note needs all to be computed.
+    let is_due = |finding: &&&Finding| {
+        let keeps = finding.remedy.as_deref().is_some_and(|options| options.contains("--when"));
+        finding.severity > Severity::Note || keeps || !has_authored
+    };
+    let due = findings.iter().filter(is_due);
     let remedies: Vec<Vec<&str>> =
-        findings.iter().filter_map(|finding| Some(finding.remedy.as_deref()?.split(' ').collect())).collect();
+        due.filter_map(|finding| Some(finding.remedy.as_deref()?.split(' ').collect())).collect();
     let mut options: BTreeMap<&str, &str> = BTreeMap::new();
     for (number, words) in remedies.iter().enumerate() {
         let given: BTreeMap<&str, &str> = pairs(words).collect();

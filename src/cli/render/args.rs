@@ -211,7 +211,7 @@ pub struct NormalArgs {
     #[arg(long, value_name = "DEG|off", value_parser = crease_angle, allow_negative_numbers = true)]
     pub crease: Option<Degrees>,
 
-    /// Stored normals to replace [default: all; those given by a scene only with one of these options]
+    /// Stored normals to replace [default: all; normals of a scene file only if --weight, --crease or --when is used]
     #[arg(long, value_name = "WHICH", value_parser = one_of::<When>())]
     pub when: Option<When>,
 }
@@ -226,8 +226,8 @@ impl NormalArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Formulas and numbers")]
 pub struct ColourArgs {
-    /// Switch one guard of the formulas that the literature omits: highlight, diffuse, spot, renormalise, underflow;
-    /// repeatable
+    /// Switch one guard on or off: highlight, diffuse, spot, renormalise, underflow; repeatable. A guard keeps the
+    /// result of a formula in range; textbooks usually omit it
     #[arg(long, value_name = "NAME=on|off", value_parser = values::guard)]
     pub guard: Vec<GuardSwitch>,
 

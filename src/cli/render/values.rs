@@ -165,8 +165,8 @@ choices! { Cull {
 choices! { Samples {
     "1" => One: "the centre",
     "4" => Four: "a rotated square",
-    "8" => Eight: "eight positions, no two in a row or column",
-    "16" => Sixteen: "sixteen, likewise",
+    "8" => Eight: "8 positions, each in its own row and column",
+    "16" => Sixteen: "16 positions, each in its own row and column",
 } }
 
 choices! { Bits {
@@ -176,7 +176,7 @@ choices! { Bits {
 
 choices! { Terminator {
     "smooth" => Smooth: "kept: only the interpolated normal counts",
-    "hard" => Hard: "removed, as in the face's own shadow: along the edges of faces",
+    "hard" => Hard: "removed: the face shadows itself, with an edge along the faces",
     "soft" => Soft: "removed gradually (Chiang, Li and Burley 2019)",
 } }
 

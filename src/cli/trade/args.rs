@@ -17,8 +17,8 @@ Examples:
 /// Measure accuracy against speed
 ///
 /// Without an input: the error of every weight against surfaces whose normals are known, of encodings of normals and
-/// of kinds of shading, with the cost of each; about a minute and a half. Errors are the same in every run, times are
-/// of this machine. With a mesh: how the weights differ on it, what they cost, and which one to use.
+/// of kinds of shading, with the cost of each; about a minute and a half. Errors are the same in every run. Times
+/// depend on the machine. With a mesh: how the weights differ on it, what they cost, and which one to use.
 #[derive(Args)]
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
 pub struct TradeArgs {

@@ -129,13 +129,14 @@ impl<'a> Sample<'a> {
             }
         }
         let groups = self.part.mesh.columns().smoothing.as_ref();
-        if let Some(groups) = groups.filter(|_| plain.estimate.reproduced < NEARLY_ALL) {
+        if let Some(groups) = groups.filter(|_| plain.estimate.exactly < NEARLY_ALL) {
             let left = self.in_one_group();
             let separating = separating_angle(&left, 1);
             let known = [Crease::DEFAULT_ANGLE, plain.estimate.crease, separating, Degrees(180.0)];
             for crease in known.into_iter().chain(candidates(&left, &known)) {
                 let other = self.by_rule(Smoothness::new(crease, Some(&groups.of_face)), rotated_back);
-                plain = if other.estimate.reproduced > plain.estimate.reproduced { other } else { plain };
+                let closeness = |fit: &Fit| [fit.estimate.reproduced, fit.estimate.exactly];
+                plain = if closeness(&other) > closeness(&plain) { other } else { plain };
             }
         }
         plain

@@ -4,7 +4,10 @@ changed = the mesh coloured by how far its normals changed, { $scale }
 lit-caption = First: before. Second: after. Third: by how much the normals of each corner changed; a ring marks the largest visible change.
 off-before = before: the mesh coloured by the deviation of its normals from its own weighting, { $scale }
 off-after = after: the mesh coloured by the deviation of its normals from its own weighting, { $scale }
-off-caption = The deviation of normals from those that the estimated weighting of their own mesh gives, before and after.
-numbers = In { $name }, { $changed } of { $corners } corners have another direction, { $visible } of them visibly: by { $largest }° at most ({ $largest-steps } of 255 grey steps under a key light) and { $mean }° in the mean ({ $mean-steps } steps). { $gained } corners gained a normal and { $lost } lost one. { $turned } faces have reversed winding, and { $faces }.
+off-caption = Angle between the stored normals and those computed with the estimated weighting. First: before. Second: after.
+numbers =
+    In { $name }, { $changed } of { $corners } normals changed direction, { $visible } of them visibly. The largest change is { $largest }°
+    ({ $largest-steps } of 255 grey steps under a key light), the mean { $mean }° ({ $mean-steps } steps). { $gained } corners gained a normal
+    and { $lost } lost one. { $turned } faces have reversed winding, and { $faces }.
 same-faces = no faces were added or removed
 other-faces = { $here } faces were removed, { $there } added

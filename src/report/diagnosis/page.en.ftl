@@ -7,7 +7,7 @@ overview-caption =
     normals.
 marks-dots = ; dots mark large deviations on faces too small to be visible
 marks-edges =
-    ; at edges that are smooth or split contrary to the estimated crease angle (see the findings), all corners deviate
+    ; all corners deviate at edges whose smoothing does not match the estimated crease angle (see the findings)
 marks-lines = ; grey lines mark edges with two computed normals
 marks-rings = ; red rings mark the worst location of each error and warning
 marks-hidden = ; worst locations behind other faces have no ring

@@ -219,16 +219,16 @@ fn close_ups(
     Ok(picture.is_some() || node.is_some())
 }
 
-/// The worst places of a finding.
+/// The worst locations of a finding.
 fn places(finding: &Finding) -> Table {
-    let columns = ["place", "face", "corner", "vertex", "position", "degrees"];
-    let mut table = Table::new("The worst places", &columns);
+    let columns = ["location", "face", "corner", "vertex", "position", "degrees"];
+    let mut table = Table::new("Worst locations", &columns);
     for site in finding.places.iter().filter(|site| site.position.is_some()) {
         let number = |number: Option<u32>| number.map_or(String::new(), |number| number.to_string());
         let place = match (&site.line, &site.node) {
             (Some(line), _) => format!("line {line}"),
             (None, Some(node)) if !node.is_empty() => node.clone(),
-            _ => format!("part {}", site.part),
+            _ => format!("primitive {}", site.part),
         };
         let position = site.position.map(|p| p.to_array().map(digits).join(", ")).unwrap_or_default();
         let degrees = site.degrees.map(digits).unwrap_or_default();

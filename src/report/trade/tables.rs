@@ -67,7 +67,7 @@ pub fn order_table(trade: &Trade) -> Table {
 pub fn surface_table(trade: &Trade) -> Table {
     let mut table = by_weight(
         "Error in degrees at 64 × 32: rms / median / 99 % / largest",
-        &["surface", "mesh", "left out"],
+        &["surface", "mesh", "omitted"],
     );
     for case in &trade.vertex {
         let error = |weight: Weight| {
@@ -127,7 +127,7 @@ pub fn precision_table(trade: &Trade) -> Table {
         ("fast − faithful, rms", &|row| three_digits(row.fast.rms)),
         ("largest", &|row| three_digits(row.fast.max)),
         ("faithful − truth, rms", &|row| three_digits(row.faithful.rms)),
-        ("", &|row| if row.declined { "left to faithful" } else { "" }.to_owned()),
+        ("", &|row| if row.declined { "faithful used" } else { "" }.to_owned()),
     ];
     Table::of("Precision: degrees", &trade.precision, &columns)
 }

@@ -25,7 +25,7 @@ pub(super) fn sliver_cases() -> Vec<StressCase> {
         StressCase::new(
             Group::Needle,
             "next-to-sliver",
-            "vertex beside a sliver",
+            "vertex next to a sliver",
             UNCHANGED,
             measure_neighbour,
         ),
@@ -115,7 +115,7 @@ pub(super) fn zero_area_cases() -> Vec<StressCase> {
         StressCase::new(
             Group::Degenerate,
             "next-to-zero-area",
-            "vertex beside faces of no area",
+            "vertex next to zero-area faces",
             UNCHANGED,
             || {
                 let mut fan = Fan::cone(6, 0.3);

@@ -7,7 +7,7 @@ described! {
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
     Group {
         Magnitude = "magnitude": "coordinates from 1e-45 to 3e38, and mixed in one triangle",
-        Offset = "offset": "triangles of size 1 far from the origin: arithmetic and storage apart",
+        Offset = "offset": "triangles of size 1 far from the origin: arithmetic and storage separately",
         Needle = "needle": "faces much longer than high, and the sliver threshold",
         Degenerate = "degenerate": "exactly collinear and duplicate points",
         NonFinite = "non-finite": "positions that are infinite or not a number",
@@ -19,7 +19,7 @@ described! {
         Product = "product": "differences of nearly equal products",
         Highlight = "highlight": "powers of cosines up to a million, opposite and grazing light",
         Attenuation = "attenuation": "light very close to its source",
-        Raster = "raster": "triangles 1e30 off the picture, behind the eye, of a million pixels, thinner than one",
+        Raster = "raster": "triangles far outside the picture, behind the camera, very large, or thinner than a pixel",
         Encoding = "encoding": "normals in few bits, at the poles and on the edges of the octahedron",
     }
 }
@@ -32,7 +32,7 @@ impl Group {
             Group::Angle | Group::Product => {
                 "single precision has no way of its own to them: fast uses them as a whole"
             }
-            Group::Unit => "made unit in f64 only",
+            Group::Unit => "normalised in f64 only",
             Group::Crease => "counted for the report from the same face normals",
             Group::Raster => "pictures are drawn one way",
             Group::Encoding => "codes are made one way",

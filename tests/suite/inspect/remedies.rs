@@ -66,18 +66,18 @@ impl Faulty {
         let before = findings(&file);
         let found = named(&before, id).unwrap_or_else(|| panic!("{name}: {id} is not found in {before:?}"));
         let Some(command) = found["command"].as_str() else { return false };
-        let after = findings(&carried_out(command));
+        let after = findings(&carried_out(command, folder.path()));
         assert!(named(&after, id).is_none(), "{name}: {command} leaves {:?}", named(&after, id));
         true
     }
 }
 
-/// Carries out a command and gives the file that it writes.
-fn carried_out(command: &str) -> PathBuf {
+/// Carries out a command in a folder and gives the file that it writes.
+fn carried_out(command: &str, folder: &Path) -> PathBuf {
     let words: Vec<&str> = command.split(' ').collect();
-    let output = crease().args(&words[1..]).output().unwrap();
+    let output = crease().current_dir(folder).args(&words[1..]).output().unwrap();
     assert!(output.status.success(), "{command}: {}", text(&output.stderr));
-    words[words.iter().position(|word| *word == "-o").unwrap() + 1].into()
+    folder.join(words[words.iter().position(|word| *word == "-o").unwrap() + 1])
 }
 
 /// Faults that are told of files rather than planted into clean meshes.
@@ -156,7 +156,7 @@ fn check_real(row: &Row) -> Vec<String> {
     }
     let mut failures = Vec::new();
     for (command, ids) in by_command {
-        let after = findings(&carried_out(command));
+        let after = findings(&carried_out(command, folder.path()));
         let left = ids.iter().filter(|id| named(&after, id).is_some());
         failures.extend(left.map(|id| format!("{}: {command} leaves {id}", row.name())));
         // A note that has become a warning is new as well.
@@ -167,7 +167,7 @@ fn check_real(row: &Row) -> Vec<String> {
             let next = named(&after, id).and_then(|it| it["command"].as_str());
             match next.filter(|_| UNCOVERED.contains(&(row.name(), id))) {
                 Some(next) => {
-                    let last = findings(&carried_out(next));
+                    let last = findings(&carried_out(next, folder.path()));
                     let graver = last.iter().filter(|it| it["severity"] != "note");
                     failures.extend(graver.map(|it| format!("{}: {next} leaves {}", row.name(), it["id"])));
                 }
