@@ -85,7 +85,7 @@ impl fmt::Display for PixelReport {
             }
             match &sample.seen {
                 Some(point) => write_point(f, point)?,
-                None => writeln!(f, "seen         nothing but the background")?,
+                None => writeln!(f, "visible      background only")?,
             }
             if self.samples.len() > 1 {
                 writeln!(f, "sample's sum {}", NineEach(sample.colour))?;

@@ -68,10 +68,11 @@ enum Staged {
 
 /// Makes a folder for outputs: before the work, not after.
 pub fn make_folder(folder: &Path) -> Result<()> {
+    let file = folder.ancestors().find(|it| it.exists() && !it.is_dir());
     ensure!(
-        !folder.exists() || folder.is_dir(),
+        file.is_none(),
         "{} is a file, not a folder\nhelp: name a folder; it is created if necessary",
-        folder.display()
+        file.unwrap_or(folder).display()
     );
     fs::create_dir_all(folder).with_context(|| format!("could not create the folder {}", folder.display()))
 }
@@ -231,8 +232,7 @@ impl Store {
 /// An empty file in the folder of another, which is made if it is not there.
 fn temporary_in_folder(path: &Path) -> Result<NamedTempFile> {
     let folder = folder_of(path);
-    fs::create_dir_all(&folder)
-        .with_context(|| format!("could not create the folder {}", folder.display()))?;
+    make_folder(&folder)?;
     let mut builder = tempfile::Builder::new();
     builder.prefix(".crease-").suffix(".tmp");
     // The crate's own default is 0600; a new file shall be as open as the umask allows.

@@ -3,7 +3,7 @@
 use super::fix;
 use super::json::{Against, Counts, InspectReport};
 use crate::cli::common::console::{Style, escaped};
-use crate::cli::common::numbers::{count, counts_above_zero};
+use crate::cli::common::numbers::{count, count_of};
 use crease::num::{Degrees, three_digits};
 use crease::quality::catalogue::Entry;
 use crease::quality::{Element, Finding, PartDiagnosis, Severity, Site};
@@ -143,7 +143,7 @@ impl Layout {
             format!("{}° ({} of 255 grey steps)", three_digits(degrees), three_digits(steps))
         };
         let summary = match comparison.changed {
-            0 => format!("no direction of {} corners changed", comparison.corners),
+            0 => format!("no normals changed ({})", count(comparison.corners, "corner")),
             changed => format!(
                 "{changed} of {} corners changed, {} visibly, by at most {} and on average {}, under a key light",
                 comparison.corners,
@@ -152,13 +152,17 @@ impl Layout {
                 angle(comparison.mean, mean_steps)
             ),
         };
-        let mut lines = counts_above_zero(&[
-            (comparison.gained, "corners have a normal only in that file"),
-            (comparison.lost, "corners have a normal only in this file"),
-            (comparison.turned, "faces have reversed winding"),
-            (comparison.unmatched[0], "faces are only in this file"),
-            (comparison.unmatched[1], "faces are only in that file"),
-        ]);
+        let counts = [
+            (comparison.gained, ["corner has", "corners have"], "a normal only in that file"),
+            (comparison.lost, ["corner has", "corners have"], "a normal only in this file"),
+            (comparison.turned, ["face has", "faces have"], "reversed winding"),
+            (comparison.unmatched[0], ["face is", "faces are"], "only in this file"),
+            (comparison.unmatched[1], ["face is", "faces are"], "only in that file"),
+        ];
+        let counts = counts.into_iter().filter(|(number, ..)| *number > 0);
+        let mut lines: Vec<String> = counts
+            .map(|(number, [one, many], what)| format!("{} {what}", count_of(number, one, many)))
+            .collect();
         let places = comparison.places.iter().take(self.places);
         lines.extend(places.map(|site| format!("at {}", place(site, report))));
         let mut list = |name: &str, is_wanted: fn([u64; 2]) -> bool| {

@@ -46,7 +46,7 @@ pub struct NormalsArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Input and output")]
 pub struct OutputArgs {
-    /// Output file, or `-` for standard output (one input only)
+    /// Output file, or `-` for standard output (one input only); folders are created if necessary
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 

@@ -28,7 +28,7 @@ pub struct SurfaceArgs {
     #[arg(value_name = "SURFACE", value_parser = one_of::<Kind>())]
     pub kind: Kind,
 
-    /// Output file, or `-` for standard output
+    /// Output file, or `-` for standard output; folders are created if necessary
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
 

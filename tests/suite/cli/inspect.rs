@@ -297,7 +297,7 @@ fn before_and_after_are_distinguished() {
         "{said}"
     );
     let same = inspect(&[&mended, "--against", &mended]);
-    assert!(text(&same.stdout).contains("no direction of 6 corners changed"), "{}", text(&same.stdout));
+    assert!(text(&same.stdout).contains("no normals changed (6 corners)"), "{}", text(&same.stdout));
 }
 
 #[test]
@@ -355,6 +355,15 @@ fn batches_name_their_findings_and_fixes_are_written_to_the_working_folder() {
     let output = inspect(&[&a, "--json"]);
     let json = text(&output.stdout);
     assert!(json.contains(" -o a-fixed.obj"), "{json}");
+
+    let twin = files.path().join("twin/a.obj");
+    std::fs::create_dir(twin.parent().unwrap()).unwrap();
+    std::fs::write(&twin, zero).unwrap();
+    let output = inspect(&["-v", &a, &path(twin)]);
+    let listed = text(&output.stdout);
+    assert!(listed.contains(" -o a-fixed.obj ") && listed.contains(" -o a-fixed-2.obj "), "{listed}");
+    let output = crease().args(["inspect", "-"]).write_stdin(zero).output().unwrap();
+    assert!(text(&output.stdout).contains("crease normals - -o stdin-fixed.obj --when broken < FILE"));
 }
 
 #[test]

@@ -85,7 +85,7 @@ fn recomputed_pixels_are_those_of_the_picture() {
 fn outside_and_next_to_the_mesh() {
     let gear = gear();
     let next_to = render(with(&gear, &["--probe", "0,0"]));
-    assert!(text(&next_to.stdout).contains("nothing but the background"), "{}", text(&next_to.stdout));
+    assert!(text(&next_to.stdout).contains("background only"), "{}", text(&next_to.stdout));
     let outside = render(with(&gear, &["--probe", "96,0"]));
     assert_eq!(code(&outside), 2);
     assert!(text(&outside.stderr).contains("outside the picture of 96x72"), "{}", text(&outside.stderr));
