@@ -101,8 +101,8 @@ fn write_point(f: &mut fmt::Formatter, point: &ProbePoint) -> fmt::Result {
     let side = if point.front { "front" } else { "back" };
     let object = point.object;
     match point.face {
-        Some(face) => writeln!(f, "seen         object {object}, face {face}, its {side}")?,
-        None => writeln!(f, "seen         object {object}, an analytic surface, its {side}")?,
+        Some(face) => writeln!(f, "visible      object {object}, face {face}, its {side}")?,
+        None => writeln!(f, "visible      object {object}, an analytic surface, its {side}")?,
     }
     for (vertex, weight) in point.vertices.iter().zip(&point.weights) {
         writeln!(f, "  vertex {:<4} weight {}", vertex, Nine(*weight))?;

@@ -210,7 +210,7 @@ fn pages_are_in_plain_words() {
 }
 
 /// Names of measured cases, which JSON reports have too.
-const EXEMPT: &[&str] = &["src/trade/cases.rs", "src/trade/stress/degenerate.rs"];
+const EXEMPT: &[&str] = &["src/trade/cases.rs"];
 
 /// All files of a kind below a folder, with their paths from the root.
 fn sources(folder: &Path, ending: &str) -> Vec<(String, String)> {

@@ -86,8 +86,8 @@ pub struct FindingArgs {
     #[arg(long, value_name = "SEVERITY", value_parser = one_of::<Severity>())]
     pub fail_on: Option<Severity>,
 
-    /// Report only findings of at least this severity, and count the others; --fail-on ignores these [default: note; the
-    /// text hides notes unless -v or this option is given]
+    /// Report only findings of at least this severity, and count the others; --fail-on ignores these [default: note in
+    /// JSON, warning in text without -v]
     #[arg(long, value_name = "SEVERITY", value_parser = one_of::<Severity>())]
     pub severity: Option<Severity>,
 

@@ -6,7 +6,7 @@ use crease::quality::catalogue::{Entry, entries};
 const SYMPTOMS: [(&str, &str); 15] = [
     (
         "black in viewer, black or flickering spots, nan",
-        "not-finite-normals zero-normals flipped-normals missing-normals",
+        "not-finite-normals zero-normals flipped-normals missing-normals inverted-normals cancelling-fans singular-node",
     ),
     (
         "dark from one side, inside out, inverted, lit from behind",
@@ -20,19 +20,22 @@ const SYMPTOMS: [(&str, &str); 15] = [
         "faceted, blocky, flat, low poly, hard edges, polygons visible, not smooth",
         "faceted-normals no-normals coarse-outline",
     ),
-    ("soft or rounded edges, blurred, gradients on flat faces, smudges", "soft-normals averaged-crease"),
+    (
+        "soft or rounded edges, blurred, blurry, inflated, gradients on flat faces, smudges",
+        "soft-normals averaged-crease",
+    ),
     ("seam, visible line, crack, hard edge on a smooth surface", "split-seam cracked-seam needless-seam"),
     (
         "dark or bright patches, spots, streaks",
-        "stray-normals normals-against-face missing-normals cancelling-fans",
+        "stray-normals flipped-normals normals-against-face missing-normals cancelling-fans",
     ),
-    ("highlights with steps, noise or banding", "coarse-normals"),
-    ("bright or dark bands, mach bands", "mach-bands"),
+    ("highlights with steps, noise or banding, shiny, glossy", "coarse-normals lost-highlight"),
+    ("bright or dark bands, stripes, mach bands", "mach-bands"),
     (
         "wrong light, lit from the wrong side",
         "swapped-axes rotated-normals untransformed-normals constant-normals mirrored-node",
     ),
-    ("animated shapes, morph targets, blend shapes", "wrong-morph-normals"),
+    ("animated shapes, animation, morph targets, blend shapes", "wrong-morph-normals"),
     ("normal map, tangents", "tangents-off-normals"),
     ("jagged outline, silhouette", "coarse-outline"),
     ("shadows break up, terminator", "shading-terminator"),
