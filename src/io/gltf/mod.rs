@@ -37,8 +37,8 @@ mod appearance;
 mod read;
 // New binary data, and the JSON that describes them.
 mod data;
-// Triangles and vertices of a new file.
-mod vertices;
+// Triangles of a new file.
+mod triangles;
 // Materials of other formats.
 mod material;
 // Objects as nodes.

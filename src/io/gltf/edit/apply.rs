@@ -2,7 +2,7 @@
 
 use super::group::Group;
 use super::member::Member;
-use super::store::{Changed, Store, notes};
+use super::store::{Changed, Remark, Store};
 use crate::io::companion_files::{leads_to, output_name};
 use crate::io::gltf::buffers::{Storage, address, encode_data, percent_encoded};
 use crate::io::gltf::document::GltfDocument;
@@ -49,7 +49,7 @@ pub fn edit(
             group.write_faces(&mut store)?;
         }
     }
-    let remarks = store.remarks;
+    let remarks = std::mem::take(&mut store.remarks).into_iter();
     if store.is_quantized {
         store.require(QUANTIZATION);
     }
@@ -57,7 +57,8 @@ pub fn edit(
     let vertices: usize = loaded.parts.iter().map(|part: &Part| part.mesh.vertex_count()).sum();
     written.vertices = vertices as u64 + added;
     written.added_vertices = added;
-    written.notes.extend(notes(remarks));
+    let note = |(remark, count): (Remark, usize)| Note::counted(count, remark.1, remark.2);
+    written.notes.extend(remarks.filter_map(note));
     let drops = edits.iter().any(|edit| !edit.faces.dropped.is_empty());
     if (added > 0 || drops) && document.lists("extensionsUsed", "FB_geometry_metadata") {
         let text = "FB_geometry_metadata still has the vertex and face counts of the input";

@@ -40,29 +40,26 @@ impl Group<'_, '_> {
         let stored =
             Stored::new(self.source, self.vertices, self.options.normal_format, morph).map_err(unreadable)?;
         let rows = Rows::new(&stored, self.members, tables);
-        store.remark(Remark::WithoutNormal, rows.missing);
+        store.remark(Remark::WITHOUT_NORMAL, rows.missing);
 
         let count = self.members[0].block.count as usize;
         let locals: Vec<u32> = self.corners().map(|(member, corner)| member.vertex(corner)).collect();
         let mut split = split_vertices(count, &locals, &[&rows.of_corner]);
-        let table = rows.gather(&stored, samples(&split, &rows.of_corner));
+        let mut table = rows.gather(&stored, &split);
         if split.added(count) == 0 && table.is_stored(&stored) {
             self.write_faces(store)?;
             return Ok(0);
         }
         let has_normals = |set| self.vertices.of_set(set, "NORMAL").is_some();
         if !morph && target_sets.clone().any(has_normals) {
-            store.remark(Remark::StaleDeltas, self.members.len());
+            store.remark(Remark::STALE_DELTAS, self.members.len());
         }
         let new_tangents = self.tangents(&stored, &rows, &locals)?;
-        let mut table = match &new_tangents {
-            Some(tangents) => {
-                split = split_vertices(count, &locals, &[&rows.of_corner, &tangents.keys]);
-                rows.gather(&stored, samples(&split, &rows.of_corner))
-            }
-            None => table,
-        };
-        table.repair_unused(&stored, samples(&split, &rows.of_corner));
+        if let Some(tangents) = &new_tangents {
+            split = split_vertices(count, &locals, &[&rows.of_corner, &tangents.keys]);
+            table = rows.gather(&stored, &split);
+        }
+        table.repair_unused(&stored, &split);
 
         store.is_quantized |= stored.format.component != Component::F32;
         self.put(store, 0, "NORMAL", stored.format, &table.normals(&stored), false);
@@ -151,15 +148,11 @@ impl Group<'_, '_> {
             let uvs: Vec<[f32; 2]> = uvs.collect();
             let range = values.len()..values.len() + member.corners.len();
             let finite = |uv: [f32; 2]| uv.map(|x| if x.is_finite() { x } else { 0.0 });
-            let vertices =
-                member.corners.iter().map(|&corner| member.mesh.faces().corners()[corner as usize]);
-            let positions =
-                vertices.map(|vertex| member.mesh.positions()[vertex as usize].as_vec3().to_array());
-            let normals =
-                rows.of_corner[range.clone()].iter().map(|&row| stored.decode(rows.row(row)).to_array());
+            let corners = member.corners.iter();
+            let vertices = corners.map(|&corner| member.mesh.faces().corners()[corner as usize]);
             let surface = Surface {
-                positions: positions.collect(),
-                normals: normals.collect(),
+                positions: vertices.map(|v| member.mesh.position(v).as_vec3().to_array()).collect(),
+                normals: range.clone().map(|corner| stored.decode(rows.of(corner)).to_array()).collect(),
                 uvs: locals[range].iter().map(|&vertex| finite(uvs[vertex as usize])).collect(),
                 tangents: Vec::new(),
             };
@@ -208,7 +201,7 @@ impl Group<'_, '_> {
             self.put(store, 0, "TANGENT", format, bytemuck::cast_slice(&values), false);
         } else if !keep {
             self.sites(0).into_iter().for_each(|site| store.splices.remove(site, "TANGENT"));
-            store.remark(Remark::TangentsRemoved, self.members.len());
+            store.remark(Remark::TANGENTS_REMOVED, self.members.len());
         }
         if !keep {
             let sets = self.vertices.target_sets();
@@ -217,7 +210,7 @@ impl Group<'_, '_> {
             let sites = had.iter().flat_map(|&set| self.sites(set));
             sites.for_each(|site| store.splices.remove(site, "TANGENT"));
             if new.is_some() && !had.is_empty() {
-                store.remark(Remark::TangentDeltasRemoved, self.members.len());
+                store.remark(Remark::TANGENT_DELTAS_REMOVED, self.members.len());
             }
         }
         Ok(())
@@ -258,12 +251,6 @@ fn finite(elements: &Elements<'_>) -> Option<Vec<u8>> {
     let floats = elements.floats(0.0);
     let repaired: Vec<[f32; 3]> = floats.map(|v| if is_finite(&v) { v } else { [0.0; 3] }).collect();
     Some(bytemuck::cast_slice(&repaired).to_vec())
-}
-
-/// The row and the old number of every vertex of a split.
-fn samples<'s>(split: &'s VertexSplit, of_corner: &'s [u32]) -> impl Iterator<Item = (u32, u32)> + use<'s> {
-    let row = |sample| if sample == NONE { NONE } else { of_corner[sample as usize] };
-    split.sample.iter().zip(&split.source).map(move |(&sample, &source)| (row(sample), source))
 }
 
 /// Reading checked every attribute, so that this only passes on what should not happen.

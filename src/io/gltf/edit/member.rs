@@ -123,7 +123,7 @@ pub fn rewrite_indices(
     if indices.is_empty() {
         // glTF has no empty primitives, and taking this one out would renumber others.
         indices = vec![0; 3];
-        store.remark(Remark::Emptied, 1);
+        store.remark(Remark::EMPTIED, 1);
     }
     let old = primitive.indices.and_then(|accessor| store.document.records.accessors[accessor].format);
     let old = old.map_or(Component::U16, |format| format.component);
@@ -157,7 +157,7 @@ pub fn drop_draco(store: &mut Store<'_>, member: &Member<'_>) {
     let extensions = json.member(member.primitive.object, "extensions");
     if let Some(extensions) = extensions.filter(|&extensions| json.member(extensions, DRACO).is_some()) {
         store.splices.remove(extensions, DRACO);
-        store.remark(Remark::DracoRemoved, 1);
+        store.remark(Remark::DRACO_REMOVED, 1);
     }
 }
 

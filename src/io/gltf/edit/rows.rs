@@ -5,7 +5,7 @@ use crate::io::gltf::accessor::{Source, float};
 use crate::io::gltf::data::{LENGTH_TOLERANCE, normal_format, push_floats, push_normal};
 use crate::io::gltf::records::{Format, VertexAccessors};
 use crate::io::{NormalFormat, ReadError};
-use crate::mesh::{Column, NONE};
+use crate::mesh::{Column, NONE, VertexSplit};
 use glam::{DVec3, Vec3};
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
@@ -52,7 +52,7 @@ impl<'a> Stored<'a> {
             (None, None) => push_normal(DVec3::Z, self.format, out),
         }
         for delta in &self.deltas {
-            push_raw(delta.as_ref().map_or([0.0; 3], |delta| delta[vertex]), out);
+            push_delta(delta, vertex, out);
         }
     }
 
@@ -68,7 +68,7 @@ impl<'a> Stored<'a> {
         for (target, delta) in self.deltas.iter().enumerate() {
             match element {
                 // A target without normals leaves the base's normal alone, and so a kept one stays alone too.
-                Some(element) => push_raw(delta.as_ref().map_or([0.0; 3], |delta| delta[element]), out),
+                Some(element) => push_delta(delta, element, out),
                 None => {
                     let moved = member.edit.morph_normals[target][slot as usize];
                     push_floats(moved - written.as_dvec3(), out);
@@ -101,89 +101,85 @@ impl<'a> Stored<'a> {
     }
 }
 
-fn push_raw(vector: [f32; 3], out: &mut Vec<u8>) {
-    out.extend_from_slice(bytemuck::bytes_of(&vector));
+fn push_delta(deltas: &Option<Vec<[f32; 3]>>, vertex: usize, out: &mut Vec<u8>) {
+    let delta = deltas.as_ref().map_or([0.0; 3], |deltas| deltas[vertex]);
+    out.extend_from_slice(bytemuck::bytes_of(&delta));
 }
 
-/// The rows that the corners of a group of primitives ask for, equal ones once.
-pub struct Rows {
+/// A list of rows, as bytes.
+pub struct Table {
     bytes: Vec<u8>,
     size: usize,
-    /// The row of each corner, over all members.
+}
+
+/// The rows that the corners of a group of primitives ask for.
+pub struct Rows {
+    table: Table,
+    /// The row of each corner, over all members; corners with equal rows have the first of them.
     pub of_corner: Vec<u32>,
     /// Corners without a normal of their own, among others that have one.
     pub missing: usize,
 }
 
 impl Rows {
+    /// `tables` holds the row of each normal by part, [`NONE`] between groups.
     pub fn new(stored: &Stored<'_>, members: &[Member<'_>], tables: &mut FxHashMap<usize, Vec<u32>>) -> Rows {
-        let mut rows = Rows { bytes: Vec::new(), size: stored.size(), of_corner: Vec::new(), missing: 0 };
-        let mut count = 0;
+        let table = Table { bytes: Vec::new(), size: stored.size() };
+        let mut rows = Rows { table, of_corner: Vec::new(), missing: 0 };
+        let (mut bytes, mut count) = (Vec::new(), 0);
         for member in members {
             let Some(normals) = &member.edit.normals else { continue };
-            // From normal numbers to rows; kept empty between groups.
             let table = tables.entry(member.part).or_insert_with(|| vec![NONE; normals.values.len()]);
             let mut seen = Vec::new();
             for &corner in &member.corners {
                 let slot = member.slot(normals, corner);
                 let known = slot.map(|slot| table[slot as usize]).filter(|&row| row != NONE);
-                if let Some(row) = known {
-                    rows.of_corner.push(row);
+                rows.of_corner.push(known.unwrap_or(count));
+                if known.is_some() {
                     continue;
                 }
                 match slot {
                     Some(slot) => {
-                        stored.push_given(member, normals, slot, &mut rows.bytes);
+                        stored.push_given(member, normals, slot, &mut bytes);
                         table[slot as usize] = count;
                         seen.push(slot);
                     }
                     None => {
-                        let start = rows.bytes.len();
-                        stored.push_stored(member.vertex(corner) as usize, &mut rows.bytes);
-                        stored.repair(&mut rows.bytes[start..]);
+                        let start = bytes.len();
+                        stored.push_stored(member.vertex(corner) as usize, &mut bytes);
+                        stored.repair(&mut bytes[start..]);
                         rows.missing += 1;
                     }
                 }
-                rows.of_corner.push(count);
                 count += 1;
             }
             seen.iter().for_each(|&slot| table[slot as usize] = NONE);
         }
-        rows.merge_equal();
+        let mut first: FxHashMap<&[u8], u32> = FxHashMap::default();
+        let numbered = bytes.chunks_exact(rows.table.size).zip(0..);
+        let first: Vec<u32> = numbered.map(|(row, number)| *first.entry(row).or_insert(number)).collect();
+        rows.of_corner.iter_mut().for_each(|row| *row = first[*row as usize]);
+        rows.table.bytes = bytes;
         rows
     }
 
-    /// Lets corners with equal rows refer to the first of them.
-    fn merge_equal(&mut self) {
-        let mut first: FxHashMap<&[u8], u32> = FxHashMap::default();
-        let rows = self.bytes.chunks_exact(self.size).zip(0..);
-        let canonical: Vec<u32> = rows.map(|(row, number)| *first.entry(row).or_insert(number)).collect();
-        self.of_corner.iter_mut().for_each(|row| *row = canonical[*row as usize]);
+    /// The row of a corner.
+    pub fn of(&self, corner: usize) -> &[u8] {
+        let start = self.of_corner[corner] as usize * self.table.size;
+        &self.table.bytes[start..start + self.table.size]
     }
 
-    pub fn row(&self, number: u32) -> &[u8] {
-        let start = number as usize * self.size;
-        &self.bytes[start..start + self.size]
-    }
-
-    /// The rows of vertices, one after the other: that of the given number, or as stored where it is [`NONE`].
-    pub fn gather(&self, stored: &Stored<'_>, vertices: impl Iterator<Item = (u32, u32)>) -> Table {
+    /// The rows of the vertices of a split: as stored where no corner uses the vertex.
+    pub fn gather(&self, stored: &Stored<'_>, split: &VertexSplit) -> Table {
         let mut bytes = Vec::new();
-        for (row, old_vertex) in vertices {
-            if row == NONE {
-                stored.push_stored(old_vertex as usize, &mut bytes);
-            } else {
-                bytes.extend_from_slice(self.row(row));
+        for (&sample, &source) in split.sample.iter().zip(&split.source) {
+            match sample {
+                NONE => stored.push_stored(source as usize, &mut bytes),
+                corner => bytes.extend_from_slice(self.of(corner as usize)),
             }
         }
-        Table { bytes, size: self.size }
+        Table { bytes, size: self.table.size }
     }
-}
-
-/// One row a vertex.
-pub struct Table {
-    bytes: Vec<u8>,
-    size: usize,
 }
 
 impl Table {
@@ -199,7 +195,6 @@ impl Table {
 
     /// Whether this is what is stored already.
     pub fn is_stored(&self, stored: &Stored<'_>) -> bool {
-        let same = stored.same.as_ref().is_some_and(|bytes| *bytes == self.normals(stored));
         let delta = |(target, delta): (usize, &Option<Vec<[f32; 3]>>)| {
             let new = self.deltas(stored, target);
             match delta {
@@ -207,13 +202,14 @@ impl Table {
                 None => new.iter().all(|&byte| byte == 0),
             }
         };
-        same && stored.deltas.iter().enumerate().all(delta)
+        stored.same.as_ref().is_some_and(|bytes| *bytes == self.normals(stored))
+            && stored.deltas.iter().enumerate().all(delta)
     }
 
-    /// Repairs the normals of vertices that no corner uses, given the row that each vertex comes from.
-    pub fn repair_unused(&mut self, stored: &Stored<'_>, vertices: impl Iterator<Item = (u32, u32)>) {
-        let rows = self.bytes.chunks_exact_mut(self.size).zip(vertices);
-        rows.filter(|(_, (row, _))| *row == NONE).for_each(|(row, _)| stored.repair(row));
+    /// Repairs the normals of vertices of a split that no corner uses.
+    pub fn repair_unused(&mut self, stored: &Stored<'_>, split: &VertexSplit) {
+        let rows = self.bytes.chunks_exact_mut(self.size).zip(&split.sample);
+        rows.filter(|(_, sample)| **sample == NONE).for_each(|(row, _)| stored.repair(row));
     }
 
     fn column(&self, start: usize, size: usize) -> Cow<'_, [u8]> {
