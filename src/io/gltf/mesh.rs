@@ -212,7 +212,11 @@ pub fn draw(source: &Source<'_>, primitive: &Primitive, count: usize) -> Result<
     let mut order = match primitive.indices {
         Some(accessor) => {
             let elements = source.elements(accessor)?;
-            check_format(elements.format, accessor)?;
+            let Format { component, width, .. } = elements.format;
+            if width != 1 || !matches!(component, Component::U8 | Component::U16 | Component::U32) {
+                let found = "the indices are not unsigned integers";
+                return Err(out_of_range(numbered("accessors", accessor), found));
+            }
             let expansion = if primitive.mode == mode::TRIANGLES { 1 } else { 8 };
             source.spend(4 * expansion * elements.count as u64, || primitive.place())?;
             let indices = elements.integers();
@@ -264,14 +268,6 @@ fn strip(order: &[u32]) -> Vec<u32> {
 fn fan(order: &[u32]) -> Vec<u32> {
     let Some((&centre, rim)) = order.split_first() else { return Vec::new() };
     rim.windows(2).flat_map(|edge| [edge[0], edge[1], centre]).collect()
-}
-
-fn check_format(format: Format, accessor: usize) -> Result<(), ReadError> {
-    let unsigned = matches!(format.component, Component::U8 | Component::U16 | Component::U32);
-    if unsigned && format.width == 1 {
-        return Ok(());
-    }
-    Err(out_of_range(numbered("accessors", accessor), "the indices are not unsigned integers"))
 }
 
 fn check_range(indices: &[u32], format: Format, count: usize, accessor: usize) -> Result<(), ReadError> {

@@ -39,8 +39,6 @@ mod read;
 mod data;
 // Triangles of a new file.
 mod triangles;
-// Materials of other formats.
-mod material;
 // Objects as nodes.
 mod objects;
 // A new file from meshes.

@@ -1,14 +1,15 @@
 //! A new glTF file from meshes.
 
+use super::appearance::material_members;
 use super::buffers::address;
 use super::data::{Blob, Bounds, Bytes, Target, accessor_json, normal_format, steps, view_json};
 use super::extensions::QUANTIZATION;
+use super::glb;
 use super::json::quoted;
 use super::mesh::mode;
 use super::objects::pieces;
 use super::records::{Component, Format as ElementFormat};
 use super::triangles::groups;
-use super::{glb, material};
 use crate::io::mesh_checks::{beyond_f32, displacement_note, unsupported_notes};
 use crate::io::split_mesh::SplitMesh;
 use crate::io::text::counted;
@@ -223,7 +224,7 @@ impl<'a> File<'a> {
         *self.material_numbers.entry(name).or_insert_with(|| {
             let known = self.known.get(name);
             self.textures += known.map_or(0, |material| material.textures);
-            let members = known.map(|known| material::members(known)).unwrap_or_default();
+            let members = known.map(|known| material_members(known)).unwrap_or_default();
             self.materials.push(format!("{{\"name\":{}{members}}}", quoted(name)));
             self.materials.len() - 1
         })
@@ -293,10 +294,7 @@ fn values<T: Sync, U: Copy + Send + Sync>(
 }
 
 /// Positions as `f32`, and their bounds.
-fn positions(
-    split: &SplitMesh<'_>,
-    notes: &mut Vec<Note>,
-) -> Result<(Vec<[f32; 3]>, Bounds), WriteError> {
+fn positions(split: &SplitMesh<'_>, notes: &mut Vec<Note>) -> Result<(Vec<[f32; 3]>, Bounds), WriteError> {
     let mesh = split.mesh;
     let rounded: Vec<[f32; 3]> = mesh.positions().par_iter().map(|p| p.as_vec3().to_array()).collect();
     let none = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);

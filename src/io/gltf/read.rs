@@ -9,7 +9,6 @@ use super::json::Json;
 use super::mesh::Assembler;
 use super::records::Records;
 use super::{extensions, nodes};
-use crate::io::mesh_checks::check_size;
 use crate::io::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions};
 use std::cell::{Cell, RefCell};
 use std::path::Path;
@@ -35,7 +34,6 @@ fn check_primitive_count(records: &Records, bytes: u64) -> Result<(), ReadError>
 /// With a JSON pointer or a byte offset: damaged or compressed data, unknown required extensions, missing buffers.
 pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
     let mut notes = Vec::new();
-    check_size(&bytes, options)?;
     let (glb, json, file) = if is_glb(&bytes) {
         let glb = Glb::parse(&bytes, &mut notes)?;
         let span = glb.json();

@@ -7,12 +7,11 @@
 
 use super::cursor::Cursor;
 use super::document::ObjDocument;
-use super::new_file::check_emit;
-use super::normal_numbers::NormalNumbers;
+use super::new_file::{NormalNumbers, check_emit};
 use super::statements::{Keyword, Statement, statements};
 use crate::io::text::{Copier, counted, line_end_length, push_integer};
 use crate::io::{Loaded, Note, PartEdit, WriteError, WriteOptions, Written};
-use crate::mesh::{ColumnIndex, Mesh, Storage};
+use crate::mesh::{Mesh, Storage};
 use std::iter::Peekable;
 use std::ops::Range;
 use std::slice;
@@ -52,12 +51,8 @@ fn changes_nothing(mesh: &Mesh, edit: &PartEdit) -> bool {
         return false;
     }
     let Some(new) = &edit.normals else { return true };
-    let Some(stored) = &mesh.columns().normals else { return false };
-    let (ColumnIndex::PerCorner(new_index), ColumnIndex::PerCorner(index)) = (&new.index, &stored.index)
-    else {
-        return false;
-    };
-    edit.kept == stored.values.len() && new_index == index
+    let stored = mesh.columns().normals.as_ref();
+    stored.is_some_and(|stored| edit.kept == stored.values.len() && new.index == stored.index)
 }
 
 fn edited(

@@ -68,21 +68,12 @@ fn check_vertices(content: &Content, text: &[u8]) -> Result<(), ReadError> {
 
 /// References to missing attributes and to texture coordinates that are not finite become absent. Such normals stay.
 fn remove_bad_attributes(content: &mut Content, text: &[u8]) {
+    let (uvs, normals) = (content.uvs.len(), content.normals.len());
     for (index, count, target, kind) in [
-        (
-            &mut content.corner_uvs.values,
-            content.uvs.len(),
-            Keyword::TextureCoordinate,
-            notes::UV_OUT_OF_RANGE,
-        ),
-        (
-            &mut content.corner_normals.values,
-            content.normals.len(),
-            Keyword::Normal,
-            notes::NORMAL_OUT_OF_RANGE,
-        ),
+        (&mut content.corner_uvs, uvs, Keyword::TextureCoordinate, notes::UV_OUT_OF_RANGE),
+        (&mut content.corner_normals, normals, Keyword::Normal, notes::NORMAL_OUT_OF_RANGE),
     ] {
-        let bad = remove(index, |slot| slot as usize >= count);
+        let bad = remove(&mut index.values, |slot| slot as usize >= count);
         if bad > 0 {
             let places = bad_references(text, count, target, 1 + Note::MOST_PLACES);
             content.notes.add_all(kind, bad, places.iter().map(|bad| bad.offset));

@@ -105,13 +105,9 @@ impl Roles {
     pub fn of(header: &Header) -> Result<Roles, ReadError> {
         let named = |name: &str| header.elements.iter().position(|element| element.name == name);
         let Some(vertex) = named("vertex") else {
+            let found = "the header has no element `vertex`";
             let advice = "name the element with the vertices `vertex`";
-            return Err(ReadError::new(
-                Problem::Syntax,
-                Place::File,
-                "the header has no element `vertex`",
-                advice,
-            ));
+            return Err(ReadError::new(Problem::Syntax, Place::File, found, advice));
         };
         let faces = named("face").map(|element| (element, false));
         let faces = faces.or_else(|| named("tristrips").map(|element| (element, true)));
@@ -126,9 +122,8 @@ impl Roles {
         let vertex = &self.vertex;
         if vertex.element == element {
             let triples = [Some(vertex.position), vertex.normal, vertex.color].into_iter().flatten();
-            return Some(
-                triples.flatten().chain(vertex.uv.into_iter().flatten()).chain(vertex.opacity).collect(),
-            );
+            let others = vertex.uv.into_iter().flatten().chain(vertex.opacity);
+            return Some(triples.flatten().chain(others).collect());
         }
         if let Some(face) = self.face.as_ref().filter(|face| face.element == element) {
             let normals = face.normal.into_iter().flatten();

@@ -21,10 +21,7 @@ pub(in crate::io) fn edit(
     edits: &[PartEdit],
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
-    let (Some(part), unchanged) = (loaded.parts.first(), PartEdit::default()) else {
-        return Err(WriteError::Unsupported("a PLY file has exactly one mesh".to_owned()));
-    };
-    let (mesh, edit) = (&part.mesh, edits.first().unwrap_or(&unchanged));
+    let (mesh, edit) = (&loaded.parts[0].mesh, &edits[0]);
     let by_face = options.emit == Emit::Face;
     // Points have no normals to change.
     let has_faces = mesh.face_count() > 0;
@@ -35,13 +32,14 @@ pub(in crate::io) fn edit(
         return Ok(Written { bytes: document.bytes.clone(), vertices, ..Written::default() });
     }
     let (faces, order) = edit.faces.corner_order(mesh.faces());
-    let keys = vertex_normals.map_or(Vec::new(), |normals| match &normals.index {
-        ColumnIndex::PerCorner(index) => order.iter().map(|&corner| index[corner as usize]).collect(),
-        ColumnIndex::PerVertex => Vec::new(),
-    });
-    let all_keys = [&keys[..]];
-    let split =
-        split_vertices(mesh.vertex_count(), faces.corners(), if keys.is_empty() { &[] } else { &all_keys });
+    let keys: Option<Vec<u32>> = match vertex_normals.map(|normals| &normals.index) {
+        Some(ColumnIndex::PerCorner(index)) => {
+            Some(order.iter().map(|&corner| index[corner as usize]).collect())
+        }
+        _ => None,
+    };
+    let split_keys: Vec<&[u32]> = keys.iter().map(Vec::as_slice).collect();
+    let split = split_vertices(mesh.vertex_count(), faces.corners(), &split_keys);
     let editor = Editor {
         document,
         mesh,
@@ -65,7 +63,7 @@ struct Editor<'a> {
     edit: &'a PartEdit,
     vertex_normals: Option<&'a Column<DVec3>>,
     /// The normal of each corner that is kept, if they are given by corner.
-    keys: Vec<u32>,
+    keys: Option<Vec<u32>>,
     face_normals: Option<&'a [DVec3]>,
     /// The faces that are kept, by old vertices.
     faces: Faces,
@@ -161,12 +159,10 @@ impl Editor<'_> {
     /// The normal that a vertex, old or new, gets; `None` keeps the stored one.
     fn normal(&self, vertex: usize) -> Option<DVec3> {
         let normals = self.vertex_normals?;
-        let slot = match normals.index {
-            ColumnIndex::PerVertex => self.split.source[vertex],
-            ColumnIndex::PerCorner(_) => match self.split.sample[vertex] {
-                NONE => NONE,
-                corner => self.keys[corner as usize],
-            },
+        let slot = match (&self.keys, self.split.sample[vertex]) {
+            (None, _) => self.split.source[vertex],
+            (_, NONE) => NONE,
+            (Some(keys), corner) => keys[corner as usize],
         };
         if slot == NONE {
             return self.unused_normal(vertex);
@@ -216,16 +212,13 @@ impl Editor<'_> {
         let Kind::List { count, item } = list.kind else { return Ok(()) };
         let index_type = self.index_type(list, item);
         // The normals of reversed faces are reversed too.
-        let fields = if self.face_normals.is_some()
-            || role.normal.is_some() && !self.edit.faces.reversed.is_empty()
-        {
-            let behind = element.properties.len() - 1;
-            let packed = self.document.packed.faces;
+        let reverses = role.normal.is_some() && !self.edit.faces.reversed.is_empty();
+        let fields = (self.face_normals.is_some() || reverses).then(|| {
+            let (packed, behind) = (self.document.packed.faces, element.properties.len() - 1);
             let (header, notes) = (&mut self.header, &mut self.notes);
-            Some(NormalProperties::plan(self.document, element, role.normal, packed, behind, header, notes)?)
-        } else {
-            None
-        };
+            NormalProperties::plan(self.document, element, role.normal, packed, behind, header, notes)
+        });
+        let fields = fields.transpose()?;
         let stored = self.document.face_normals(self.mesh);
         let (mut faces_read, mut faces_kept, mut rows_kept) = (0_usize, 0, 0);
         let (mut corners, mut changes) = (Vec::new(), Changes::default());

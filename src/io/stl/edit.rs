@@ -1,9 +1,8 @@
 //! Writing an STL back into its own bytes.
 
 use super::ascii::{FacetText, SolidText, solids};
-use super::document::{FACET, FIRST, HEADER, Layout, StlDocument};
 use super::new_file::{stored, vertex_normals_note};
-use super::read::VECTOR;
+use super::read::{FACET, FIRST, HEADER, Layout, StlDocument, VECTOR};
 use crate::io::text::{Copier, line_end_length, push_f32};
 use crate::io::{Loaded, PartEdit, WriteError, WriteOptions, Written};
 use crate::mesh::Mesh;
@@ -16,13 +15,10 @@ pub(in crate::io) fn edit(
     edits: &[PartEdit],
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
-    let unchanged = PartEdit::default();
-    let edits = || edits.iter().chain(std::iter::repeat(&unchanged));
-    let meshes = || loaded.parts.iter().map(|part| &part.mesh).zip(edits());
-    let bytes = match (document.layout, meshes().next()) {
-        (Layout::Ascii, _) => edit_ascii(&document.bytes, meshes()),
-        (Layout::Binary { .. }, Some((mesh, edit))) => edit_binary(&document.bytes, mesh, edit),
-        (Layout::Binary { .. }, None) => document.bytes.clone(),
+    let meshes = || loaded.parts.iter().map(|part| &part.mesh).zip(edits);
+    let bytes = match document.layout {
+        Layout::Ascii => edit_ascii(&document.bytes, meshes()),
+        Layout::Binary { .. } => edit_binary(&document.bytes, &loaded.parts[0].mesh, &edits[0]),
     };
     let kept: usize = meshes().map(|(mesh, edit)| mesh.face_count() - edit.faces.dropped.len()).sum();
     let has_normals = meshes().any(|(_, edit)| edit.normals.is_some() || edit.face_normals.is_some());

@@ -1,7 +1,7 @@
 //! The orientation policies: which faces to reverse so that neighbours agree and surfaces face outwards.
 
 use super::components::Components;
-use super::rooms::{Role, Shell, roles, shells};
+use super::shells::{Role, Shell, roles, shells};
 use super::visibility::votes;
 use crate::mesh::face_normals::vector_area;
 use crate::mesh::polygon_mesh::Mesh;

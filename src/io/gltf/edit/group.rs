@@ -1,7 +1,7 @@
 //! New normals and tangents for the primitives that share one set of vertices.
 
 use super::member::{Member, drop_draco, rewrite_indices};
-use super::rows::{Rows, Stored};
+use super::rows::{CornerRows, Stored};
 use super::store::{NewData, Remark, Store};
 use crate::io::gltf::accessor::{Elements, Source};
 use crate::io::gltf::data::Target;
@@ -39,14 +39,14 @@ impl Group<'_, '_> {
         let morph = self.members.iter().all(|member| member.has_morph_normals(target_sets.len()));
         let stored =
             Stored::new(self.source, self.vertices, self.options.normal_format, morph).map_err(unreadable)?;
-        let rows = Rows::new(&stored, self.members, tables);
+        let rows = CornerRows::new(&stored, self.members, tables);
         store.remark(Remark::WITHOUT_NORMAL, rows.missing);
 
         let count = self.members[0].block.count as usize;
         let locals: Vec<u32> = self.corners().map(|(member, corner)| member.vertex(corner)).collect();
         let mut split = split_vertices(count, &locals, &[&rows.of_corner]);
-        let mut table = rows.gather(&stored, &split);
-        if split.added(count) == 0 && table.is_stored(&stored) {
+        let mut new_rows = rows.gather(&split);
+        if split.added(count) == 0 && stored.is_stored(&new_rows) {
             self.write_faces(store)?;
             return Ok(0);
         }
@@ -54,17 +54,17 @@ impl Group<'_, '_> {
         if !morph && target_sets.clone().any(has_normals) {
             store.remark(Remark::STALE_DELTAS, self.members.len());
         }
-        let new_tangents = self.tangents(&stored, &rows, &locals)?;
+        let new_tangents = self.tangents(&rows, &locals)?;
         if let Some(tangents) = &new_tangents {
             split = split_vertices(count, &locals, &[&rows.of_corner, &tangents.keys]);
-            table = rows.gather(&stored, &split);
+            new_rows = rows.gather(&split);
         }
-        table.repair_unused(&stored, &split);
+        rows.repair_unused(&mut new_rows, &split);
 
         store.is_quantized |= stored.format.component != Component::F32;
-        self.put(store, 0, "NORMAL", stored.format, &table.normals(&stored), false);
-        for (target, set) in target_sets.enumerate().take(stored.deltas.len()) {
-            let deltas = table.deltas(&stored, target);
+        self.put(store, 0, "NORMAL", stored.format, &new_rows.normals(&stored), false);
+        for (target, set) in target_sets.enumerate().take(stored.targets) {
+            let deltas = new_rows.deltas(&stored, target);
             if has_normals(set) || deltas.iter().any(|&byte| byte != 0) {
                 self.put(store, set, "NORMAL", Format::vector(Component::F32, false, 3), &deltas, false);
             }
@@ -131,12 +131,7 @@ impl Group<'_, '_> {
     }
 
     /// Tangents to go with the new normals, if they are wanted and can be had.
-    fn tangents(
-        &self,
-        stored: &Stored<'_>,
-        rows: &Rows,
-        locals: &[u32],
-    ) -> Result<Option<CornerTangents>, WriteError> {
+    fn tangents(&self, rows: &CornerRows<'_>, locals: &[u32]) -> Result<Option<CornerTangents>, WriteError> {
         let wanted =
             self.options.tangents == TangentPolicy::Regenerate && self.vertices.get("TANGENT").is_some();
         let uv_sets: Option<Vec<usize>> =
@@ -152,7 +147,7 @@ impl Group<'_, '_> {
             let vertices = corners.map(|&corner| member.mesh.faces().corners()[corner as usize]);
             let surface = Surface {
                 positions: vertices.map(|v| member.mesh.position(v).as_vec3().to_array()).collect(),
-                normals: range.clone().map(|corner| stored.decode(rows.of(corner)).to_array()).collect(),
+                normals: range.clone().map(|corner| rows.normal(corner).to_array()).collect(),
                 uvs: locals[range].iter().map(|&vertex| finite(uvs[vertex as usize])).collect(),
                 tangents: Vec::new(),
             };
