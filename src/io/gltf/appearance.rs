@@ -133,7 +133,17 @@ fn camera_at(node: &Placed<'_>) -> Result<Option<FileCamera>, ReadError> {
     let camera = Fields::new(json, camera)?;
     let name = camera.name()?;
     let read = projection(&camera).and_then(|(projection, [near, far])| {
-        check_rotation(node)?;
+        if let Some((at, member)) = node.frame.without_rotation {
+            let (what, advice) = match member {
+                "matrix" => {
+                    ("a matrix without an inverse", "use `rotation`, `translation` and `scale` instead")
+                }
+                _ => ("a rotation of zeros", "use a quaternion of length 1, such as 0, 0, 0, 1"),
+            };
+            let found = format!("{what} gives a camera at or below this node no orientation");
+            let place = Place::Json(format!("/nodes/{at}/{member}"));
+            return Err(ReadError::new(Problem::Range, place, found, advice));
+        }
         let position = node.frame.world.w_axis.truncate();
         Ok(FileCamera {
             name: name.clone(),
@@ -155,22 +165,20 @@ fn camera_at(node: &Placed<'_>) -> Result<Option<FileCamera>, ReadError> {
 /// The projection of a camera, and its near and far distances, the latter infinite if there is none.
 fn projection(camera: &Fields<'_>) -> Result<(FileProjection, [f64; 2]), ReadError> {
     let kind = camera.required_string("type")?;
-    let (lens, projection, is_near, near_range) = match &*kind {
+    let (lens, projection, is_near, near_range): (_, _, fn(f64) -> bool, _) = match &*kind {
         "perspective" => {
             let lens = camera.required_child("perspective")?;
             let is_angle = |angle| angle > 0.0 && angle < PI;
             let angle = needed(&lens, "yfov", is_angle, "an angle above 0 and below π, in radians")?;
             optional(&lens, "aspectRatio", |aspect| aspect > 0.0, "a number above 0, or none")?;
-            let is_near: fn(f64) -> bool = |near| near > 0.0;
-            (lens, FileProjection::Perspective(angle), is_near, "a distance above 0")
+            (lens, FileProjection::Perspective(angle), |near| near > 0.0, "a distance above 0")
         }
         "orthographic" => {
             let lens = camera.required_child("orthographic")?;
             let wanted = "half of the visible size, a length above 0";
             let whole = |name| Ok(2.0 * needed(&lens, name, |half| half > 0.0, wanted)?);
-            let (width, height) = (whole("xmag")?, whole("ymag")?);
-            let is_near: fn(f64) -> bool = |near| near >= 0.0;
-            (lens, FileProjection::Orthographic { width, height }, is_near, "a distance of 0 or more")
+            let projection = FileProjection::Orthographic { width: whole("xmag")?, height: whole("ymag")? };
+            (lens, projection, |near| near >= 0.0, "a distance of 0 or more")
         }
         kind => {
             let found = format!("unknown camera type `{kind}`");
@@ -209,16 +217,6 @@ fn optional(
         }
         number => Ok(number),
     }
-}
-
-fn check_rotation(node: &Placed<'_>) -> Result<(), ReadError> {
-    let Some((at, member)) = node.frame.without_rotation else { return Ok(()) };
-    let (what, advice) = match member {
-        "matrix" => ("a matrix without an inverse", "use `rotation`, `translation` and `scale` instead"),
-        _ => ("a rotation of zeros", "use a quaternion of length 1, such as 0, 0, 0, 1"),
-    };
-    let found = format!("{what} gives a camera at or below this node no orientation");
-    Err(ReadError::new(Problem::Range, Place::Json(format!("/nodes/{at}/{member}")), found, advice))
 }
 
 /// The members of a glTF material behind its name, each with a comma in front.

@@ -36,6 +36,11 @@ impl Storage {
             Storage::Absent => None,
         }
     }
+
+    /// The name and path of a file.
+    pub fn file(&self) -> Option<(&str, &Path)> {
+        if let Storage::File { name, path, .. } = self { Some((name, path)) } else { None }
+    }
 }
 
 /// A buffer: its declared length, never more than what is there.

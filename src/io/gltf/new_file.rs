@@ -6,7 +6,6 @@ use super::data::{Blob, Bounds, Bytes, Target, accessor_json, normal_format, ste
 use super::extensions::QUANTIZATION;
 use super::glb;
 use super::json::quoted;
-use super::mesh::mode;
 use super::objects::pieces;
 use super::records::{Component, Format as ElementFormat};
 use super::triangles::groups;
@@ -19,6 +18,7 @@ use crate::io::{
 };
 use crate::mesh::{Column, FaceLabels, Mesh, NONE};
 use glam::DVec3;
+use gltf::json::mesh as mode;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
@@ -197,7 +197,7 @@ impl<'a> File<'a> {
     fn loose(&mut self, mesh: &'a Mesh, attributes: &Attributes, primitives: &mut Vec<String>) {
         let columns = mesh.columns();
         let vertices = mesh.vertex_count();
-        let mut primitive = |file: &mut Self, mode: u64, indices: Cow<'a, [u32]>| {
+        let mut primitive = |file: &mut Self, mode: u32, indices: Cow<'a, [u32]>| {
             let indices = file.indices(indices, vertices);
             let list = &attributes.loose;
             primitives.push(format!("{{\"attributes\":{{{list}}},\"indices\":{indices},\"mode\":{mode}}}"));

@@ -121,7 +121,11 @@ impl<'a> Cutter<'a> {
                 of_face: numbers.iter().map(|&face| groups.of_face[face as usize]).collect(),
                 before_first: numbers.partition_point(|&face| (face as usize) < groups.before_first),
             }),
-            materials: old.materials.as_ref().map(|labels| cut_labels(labels, numbers, &mut self.materials)),
+            materials: old.materials.as_ref().map(|labels| {
+                let of_face = numbers.iter().map(|&face| labels.of_face[face as usize]);
+                let of_face = self.materials.of_all(of_face);
+                FaceLabels { of_face, names: self.materials.values(&labels.names) }
+            }),
             ..Columns::default()
         };
         self.finish(faces, columns)
@@ -154,11 +158,6 @@ fn cut<T: Clone>(mesh: &Mesh, column: &Column<T>, corners: &[usize], numbers: &m
     let slot = |&corner: &usize| column.slot(corner, mesh.faces().corners()[corner]).unwrap_or(NONE);
     let index = numbers.of_all(corners.iter().map(slot));
     Column::per_corner(numbers.values(&column.values), index)
-}
-
-fn cut_labels(labels: &FaceLabels, faces: &[u32], numbers: &mut Numbers) -> FaceLabels {
-    let of_face = numbers.of_all(faces.iter().map(|&face| labels.of_face[face as usize]));
-    FaceLabels { of_face, names: numbers.values(&labels.names) }
 }
 
 /// The parts to write: those given, or where one has several objects, these.

@@ -3,6 +3,7 @@
 use super::fields::{Fields, checked_index};
 use super::json::{Json, Value};
 use crate::io::{Note, Place, Problem, ReadError};
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 pub use gltf::json::accessor::ComponentType as Component;
@@ -104,10 +105,10 @@ impl Primitive {
 }
 
 /// The vertex accessors of a primitive, which shares its vertices with those that have equal ones. Set 0 are the attributes,
-/// set n + 1 those of morph target n: pairs of semantic and accessor, sorted by semantic.
+/// set n + 1 those of morph target n: the accessor of each semantic.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct VertexAccessors {
-    pub sets: Vec<Vec<(String, usize)>>,
+    pub sets: Vec<BTreeMap<String, usize>>,
 }
 
 impl VertexAccessors {
@@ -116,7 +117,7 @@ impl VertexAccessors {
     }
 
     pub fn of_set(&self, set: usize, semantic: &str) -> Option<usize> {
-        self.sets.get(set)?.iter().find(|(name, _)| name == semantic).map(|&(_, accessor)| accessor)
+        self.sets.get(set)?.get(semantic).copied()
     }
 
     /// The accessor of positions, which all primitives have whose vertices are read.
@@ -284,22 +285,13 @@ fn primitive(
     })
 }
 
-fn vertex_set(fields: Fields<'_>, accessors: usize) -> Result<Vec<(String, usize)>, ReadError> {
+/// Of duplicates the last counts, as everywhere.
+fn vertex_set(fields: Fields<'_>, accessors: usize) -> Result<BTreeMap<String, usize>, ReadError> {
     let json = fields.json;
-    let mut set: Vec<(String, usize)> = Vec::new();
-    for (key, value) in json.members(fields.object) {
+    let member = |(key, value)| {
         let index = json.integer(value).unwrap_or(u64::MAX);
         let index = checked_index(index, accessors, "accessor", || fields.place())?;
-        set.push((json.string(key).unwrap_or_default().into_owned(), index));
-    }
-    // Sorted, equal sets are equal lists. Of duplicates the last counts, as everywhere.
-    set.sort_by(|a, b| a.0.cmp(&b.0));
-    set.dedup_by(|later, earlier| {
-        let same = later.0 == earlier.0;
-        if same {
-            earlier.1 = later.1;
-        }
-        same
-    });
-    Ok(set)
+        Ok((json.string(key).unwrap_or_default().into_owned(), index))
+    };
+    json.members(fields.object).map(member).collect()
 }

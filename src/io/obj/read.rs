@@ -82,7 +82,7 @@ fn check_encoding(bytes: &[u8]) -> Result<(), ReadError> {
         [0xff, 0xfe, 0, 0, ..] | [0, 0, 0xfe, 0xff, ..] => "UTF-32",
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => "UTF-16",
         // Without a mark: ASCII in UTF-16 has a zero in every other byte.
-        [0, 1.., 0, 1.., ..] | [1.., 0, 1.., 0, ..] => "UTF-16",
+        [0, 1..=255, 0, 1..=255, ..] | [1..=255, 0, 1..=255, 0, ..] => "UTF-16",
         _ => return Ok(()),
     };
     let found = format!("the file is {name} text");

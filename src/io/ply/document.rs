@@ -3,8 +3,6 @@
 use super::header::{Element, Header, Kind};
 use super::scalar::Scalar;
 use crate::io::{Place, Problem, ReadError};
-use crate::mesh::{Column, ColumnIndex, Mesh};
-use glam::DVec3;
 
 /// A PLY file as it was read.
 #[derive(Clone, Debug)]
@@ -47,14 +45,6 @@ impl PlyDocument {
             }
         }
         left
-    }
-
-    /// The stored normals of faces; `None` if vertices have some.
-    pub(super) fn face_normals<'a>(&self, mesh: &'a Mesh) -> Option<&'a [DVec3]> {
-        match &mesh.columns().normals {
-            Some(Column { values, index: ColumnIndex::PerCorner(_) }) => Some(values),
-            _ => None,
-        }
     }
 }
 

@@ -219,7 +219,11 @@ impl Editor<'_> {
             NormalProperties::plan(self.document, element, role.normal, packed, behind, header, notes)
         });
         let fields = fields.transpose()?;
-        let stored = self.document.face_normals(self.mesh);
+        // Normals of faces, if vertices have none.
+        let stored = match &self.mesh.columns().normals {
+            Some(Column { values, index: ColumnIndex::PerCorner(_) }) => Some(values),
+            _ => None,
+        };
         let (mut faces_read, mut faces_kept, mut rows_kept) = (0_usize, 0, 0);
         let (mut corners, mut changes) = (Vec::new(), Changes::default());
         rows.each(element, |_, row, rows| {

@@ -121,7 +121,8 @@ impl Reading {
                 uvs.push(notes.valid_or_zero(NOT_FINITE, row.span.start, uv.is_finite(), uv));
             }
             if let (Some(color), Some(colors)) = (role.color, &mut colors) {
-                let channel = |at: usize| Ok((value(at)? / kinds[at].full_scale()) as f32);
+                let full = |scalar: Scalar| if scalar.is_integer() { scalar.largest() } else { 1.0 };
+                let channel = |at: usize| Ok((value(at)? / full(kinds[at])) as f32);
                 let [r, g, b] = color.map(channel);
                 let color = [r?, g?, b?, role.opacity.map_or(Ok(1.0), channel)?];
                 let is_finite = color.iter().all(|value| value.is_finite());
@@ -238,6 +239,8 @@ struct CornerUvs {
     values: Vec<DVec2>,
     /// One a corner, [`NONE`] where a face has no uv.
     index: Vec<u32>,
+    /// The list of one face: where each number is, and the number.
+    list: Vec<(usize, f64)>,
 }
 
 impl CornerUvs {
@@ -251,23 +254,18 @@ impl CornerUvs {
         corners: usize,
         notes: &mut RepeatedNotes,
     ) -> Result<(), ReadError> {
-        let first = self.values.len();
-        let mut pending = None;
+        self.list.clear();
         for item in rows.items(&row.fields[at], kind) {
-            let value = rows.scalar(&item, kind.scalar())?;
-            match pending.take() {
-                None => pending = Some(value),
-                Some(u) => {
-                    let uv = DVec2::new(u, value);
-                    self.values.push(notes.valid_or_zero(NOT_FINITE, item.start, uv.is_finite(), uv));
-                }
-            }
+            self.list.push((item.start, rows.scalar(&item, kind.scalar())?));
         }
-        if self.values.len() - first == corners && pending.is_none() {
-            self.index.extend(first as u32..(first + corners) as u32);
-        } else {
-            self.values.truncate(first);
+        if self.list.len() != 2 * corners {
             self.index.extend(std::iter::repeat_n(NONE, corners));
+            return Ok(());
+        }
+        for &[(_, u), (at, v)] in self.list.as_chunks().0 {
+            let uv = DVec2::new(u, v);
+            self.index.push(self.values.len() as u32);
+            self.values.push(notes.valid_or_zero(NOT_FINITE, at, uv.is_finite(), uv));
         }
         Ok(())
     }

@@ -155,11 +155,16 @@ fn faces_outward(mesh: &Mesh, faces: &[u32], against: &[bool], bounds: Bounds) -
             for &face in block {
                 let sign = if against[face as usize] { -1.0 } else { 1.0 };
                 for triangle in mesh.faces().fan(face) {
-                    sums.add_triangle(triangle.map(place), sign);
+                    let [a, b, c] = triangle.map(place);
+                    sums.volume += sign * a.dot(b.cross(c));
+                    let area = sign * (b - a).cross(c - a);
+                    sums.area.iter_mut().zip(area.to_array()).for_each(|(sum, term)| *sum += term);
+                    sums.magnitude += permanent(a, b, c);
                 }
                 let corners = mesh.faces().face(face as usize);
                 for quad in corners[1..].windows(3) {
-                    sums.add_quad([corners[0], quad[0], quad[1], quad[2]].map(place));
+                    let [a, b, c, d] = [corners[0], quad[0], quad[1], quad[2]].map(place);
+                    sums.between_cuts += (b - a).dot((c - a).cross(d - a)).abs();
                 }
             }
             sums
@@ -184,17 +189,6 @@ struct Sums {
 }
 
 impl Sums {
-    fn add_triangle(&mut self, [a, b, c]: [DVec3; 3], sign: f64) {
-        self.volume += sign * a.dot(b.cross(c));
-        let area = sign * (b - a).cross(c - a);
-        self.area.iter_mut().zip(area.to_array()).for_each(|(sum, term)| *sum += term);
-        self.magnitude += permanent(a, b, c);
-    }
-
-    fn add_quad(&mut self, [a, b, c, d]: [DVec3; 4]) {
-        self.between_cuts += (b - a).dot((c - a).cross(d - a)).abs();
-    }
-
     fn merge(&mut self, other: Sums) {
         self.volume += other.volume;
         self.area.iter_mut().zip(other.area).for_each(|(sum, term)| *sum += term);

@@ -144,17 +144,17 @@ impl Package<'_> {
     fn same_gltf(&mut self, store: Store<'_>) {
         let document = self.document;
         // A document that is one file stays one.
-        let external =
-            document.buffers.list.iter().any(|buffer| matches!(buffer.storage, Storage::File { .. }));
+        let external = document.buffers.list.iter().any(|buffer| buffer.storage.file().is_some());
         let stem = self.options.stem.as_ref().filter(|_| external);
         let name = stem.map(|stem| self.free_name(stem, "normals.bin"));
         let stale = stem.and_then(|stem| self.own_earlier(stem));
         let changed = store.finish(stale, |extra| Some(address(name.as_deref(), extra)));
         self.written.bytes = changed.json.into_bytes();
         if let (Some(name), Some(extra)) = (name, changed.extra) {
-            let replaced = changed.replaced.map(|buffer| &document.buffers.list[buffer].storage);
-            if let Some(Storage::File { path, .. }) = replaced {
-                self.written.companions.retain(|file| file.content != OutputContent::CopyOf(path.clone()));
+            let replaced = changed.replaced.and_then(|buffer| document.buffers.list[buffer].storage.file());
+            if let Some((_, path)) = replaced {
+                let copy = OutputContent::CopyOf(path.to_owned());
+                self.written.companions.retain(|file| file.content != copy);
             }
             self.written.companions.insert(0, OutputFile { name, content: OutputContent::Bytes(extra) });
         }
@@ -168,18 +168,16 @@ impl Package<'_> {
             let number = number.and_then(|name| name.strip_suffix(".bin"));
             number.is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()))
         };
-        let mut buffers = self.document.buffers.list.iter();
-        buffers.rposition(|buffer| matches!(&buffer.storage, Storage::File { name, .. } if is_own(name)))
+        let mut buffers = self.document.buffers.list.iter().map(|buffer| buffer.storage.file());
+        buffers.rposition(|file| file.is_some_and(|(name, _)| is_own(name)))
     }
 
     /// A name for a file next to the output, `<stem>.<name>` or with a number in it, that no other such file has.
     fn free_name(&self, stem: &str, name: &str) -> String {
         let is_taken = |name: &String| {
-            let of_input = self.document.buffers.list.iter().any(|buffer| match &buffer.storage {
-                Storage::File { name: other, .. } => output_name(Path::new(""), other).as_ref() == Some(name),
-                _ => false,
-            });
-            of_input || self.written.companions.iter().any(|file| file.name == *name)
+            let mut of_input = self.document.buffers.list.iter().filter_map(|buffer| buffer.storage.file());
+            of_input.any(|(other, _)| output_name(Path::new(""), other).as_ref() == Some(name))
+                || self.written.companions.iter().any(|file| file.name == *name)
         };
         let (front, extension) = name.rsplit_once('.').unwrap_or((name, "bin"));
         let front = if front.is_empty() { stem.to_owned() } else { format!("{stem}.{front}") };

@@ -23,10 +23,7 @@ pub struct Group<'g, 'a> {
 }
 
 /// A tangent for every corner, and its number among the different ones.
-struct CornerTangents {
-    values: Vec<[f32; 4]>,
-    keys: Vec<u32>,
-}
+type CornerTangents = (Vec<[f32; 4]>, Vec<u32>);
 
 impl Group<'_, '_> {
     /// Writes what changes. Returns how many vertices were added.
@@ -55,8 +52,8 @@ impl Group<'_, '_> {
             store.remark(Remark::STALE_DELTAS, self.members.len());
         }
         let new_tangents = self.tangents(&rows, &locals)?;
-        if let Some(tangents) = &new_tangents {
-            split = split_vertices(count, &locals, &[&rows.of_corner, &tangents.keys]);
+        if let Some((_, keys)) = &new_tangents {
+            split = split_vertices(count, &locals, &[&rows.of_corner, keys]);
             new_rows = rows.gather(&split);
         }
         rows.repair_unused(&mut new_rows, &split);
@@ -126,7 +123,7 @@ impl Group<'_, '_> {
         bytes: &[u8],
         same_bounds: bool,
     ) {
-        let data = NewData { format, bytes: Cow::Borrowed(bytes), target: Target::Vertices, same_bounds };
+        let data = NewData { format, bytes, target: Target::Vertices, same_bounds };
         store.put(self.vertices.of_set(set, semantic), semantic, &self.sites(set), &data);
     }
 
@@ -145,13 +142,16 @@ impl Group<'_, '_> {
             let finite = |uv: [f32; 2]| uv.map(|x| if x.is_finite() { x } else { 0.0 });
             let corners = member.corners.iter();
             let vertices = corners.map(|&corner| member.mesh.faces().corners()[corner as usize]);
-            let surface = Surface {
+            let normals: Vec<Vec3> = range.clone().map(|corner| rows.normal(corner)).collect();
+            let mut surface = Surface {
                 positions: vertices.map(|v| member.mesh.position(v).as_vec3().to_array()).collect(),
-                normals: range.clone().map(|corner| rows.normal(corner).to_array()).collect(),
                 uvs: locals[range].iter().map(|&vertex| finite(uvs[vertex as usize])).collect(),
-                tangents: Vec::new(),
+                tangents: normals.iter().map(|&normal| perpendicular(normal)).collect(),
+                normals,
             };
-            values.extend(surface.into_tangents());
+            // The error type has no values.
+            let _ = generate_tangents(&mut surface);
+            values.extend(surface.tangents);
         }
         let mut numbers: FxHashMap<[u32; 4], u32> = FxHashMap::default();
         let mut number = |tangent: &[f32; 4]| {
@@ -159,7 +159,7 @@ impl Group<'_, '_> {
             *numbers.entry(tangent.map(f32::to_bits)).or_insert(next)
         };
         let keys = values.iter().map(&mut number).collect();
-        Ok(Some(CornerTangents { values, keys }))
+        Ok(Some((values, keys)))
     }
 
     /// The texture coordinates of the material's normal map, which tangents are for.
@@ -184,12 +184,12 @@ impl Group<'_, '_> {
     ) -> Result<(), WriteError> {
         let Some(accessor) = self.vertices.get("TANGENT") else { return Ok(()) };
         let keep = self.options.tangents == TangentPolicy::Keep;
-        if let Some(new) = new {
+        if let Some((new, _)) = new {
             let old = self.source.elements(accessor).map_err(unreadable)?.floats::<4>(0.0);
             let old: Vec<[f32; 4]> = old.collect();
             let value = |(&sample, &source): (&u32, &u32)| match sample {
                 NONE => old[source as usize],
-                sample => new.values[sample as usize],
+                sample => new[sample as usize],
             };
             let values: Vec<[f32; 4]> = split.sample.iter().zip(&split.source).map(value).collect();
             let format = Format::vector(Component::F32, false, 4);
@@ -253,24 +253,15 @@ fn unreadable(error: ReadError) -> WriteError {
     WriteError::Unsupported(error.to_string())
 }
 
-/// What tangents depend on, one entry a corner, three corners a triangle, and the tangents.
+/// What tangents depend on, one entry a corner, three corners a triangle, and the tangents by MikkTSpace (Mikkelsen,
+/// *Simulation of Wrinkled Surfaces Revisited*, 2008).
 struct Surface {
     positions: Vec<[f32; 3]>,
-    normals: Vec<[f32; 3]>,
+    normals: Vec<Vec3>,
     /// As stored, v counted from the top of the image.
     uvs: Vec<[f32; 2]>,
+    /// With the handedness in `w`. Where uv have no direction it is some unit vector perpendicular to the normal.
     tangents: Vec<[f32; 4]>,
-}
-
-impl Surface {
-    /// The tangent of every corner by MikkTSpace (Mikkelsen, *Simulation of Wrinkled Surfaces Revisited*, 2008), its
-    /// handedness in `w`. Where uv have no direction it is some unit vector perpendicular to the normal.
-    fn into_tangents(mut self) -> Vec<[f32; 4]> {
-        self.tangents = self.normals.iter().map(|&normal| perpendicular(normal)).collect();
-        // The error type has no values.
-        let _ = generate_tangents(&mut self);
-        self.tangents
-    }
 }
 
 /// The same bits on every platform.
@@ -300,7 +291,7 @@ impl Geometry<Portable> for Surface {
     }
 
     fn normal(&self, face: usize, vert: usize) -> [f32; 3] {
-        self.normals[3 * face + vert]
+        self.normals[3 * face + vert].to_array()
     }
 
     fn tex_coord(&self, face: usize, vert: usize) -> [f32; 2] {
@@ -317,8 +308,7 @@ impl Geometry<Portable> for Surface {
     }
 }
 
-fn perpendicular(normal: [f32; 3]) -> [f32; 4] {
-    let normal = Vec3::from_array(normal);
+fn perpendicular(normal: Vec3) -> [f32; 4] {
     let axis = if normal.x.abs() < 0.5 { Vec3::X } else { Vec3::Y };
     let [x, y, z] = axis.reject_from_normalized(normal).normalize_or(Vec3::X).to_array();
     [x, y, z, 1.0]
@@ -331,13 +321,14 @@ mod tests {
     fn square(uvs: [[f32; 2]; 4]) -> Vec<[f32; 4]> {
         let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
         let order = [0, 1, 2, 0, 2, 3];
-        let surface = Surface {
+        let mut surface = Surface {
             positions: order.map(|v: usize| points[v]).to_vec(),
-            normals: vec![[0.0, 0.0, 1.0]; 6],
+            normals: vec![Vec3::Z; 6],
             uvs: order.map(|v: usize| uvs[v]).to_vec(),
-            tangents: Vec::new(),
+            tangents: vec![perpendicular(Vec3::Z); 6],
         };
-        surface.into_tangents()
+        let _ = generate_tangents(&mut surface);
+        surface.tangents
     }
 
     #[test]

@@ -4,12 +4,11 @@ use super::store::{NewData, Remark, Store};
 use crate::io::gltf::data::Target;
 use crate::io::gltf::document::{Block, GltfDocument, Piece};
 use crate::io::gltf::extensions::{DRACO, ORDERED, has_implicit_features};
-use crate::io::gltf::mesh::mode;
 use crate::io::gltf::records::{Component, Format, Primitive};
 use crate::io::{Loaded, PartEdit, WriteError};
 use crate::mesh::{Column, Mesh};
 use glam::DVec3;
-use std::borrow::Cow;
+use gltf::json::mesh::TRIANGLES;
 use std::ops::Range;
 
 /// The triangles of one primitive, as an edit leaves them.
@@ -138,15 +137,11 @@ pub fn rewrite_indices(
         Component::U16 => indices.iter().flat_map(|&index| (index as u16).to_le_bytes()).collect(),
         _ => bytemuck::cast_slice(&indices).to_vec(),
     };
-    let data = NewData {
-        format: Format::vector(component, false, 1),
-        bytes: Cow::Owned(bytes),
-        target: Target::Indices,
-        same_bounds: false,
-    };
+    let format = Format::vector(component, false, 1);
+    let data = NewData { format, bytes: &bytes, target: Target::Indices, same_bounds: false };
     store.put(primitive.indices, "indices", &[primitive.object], &data);
-    if primitive.mode != mode::TRIANGLES {
-        store.splices.set(primitive.object, "mode", mode::TRIANGLES);
+    if primitive.mode != u64::from(TRIANGLES) {
+        store.splices.set(primitive.object, "mode", TRIANGLES);
     }
     Ok(true)
 }

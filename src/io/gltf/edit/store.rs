@@ -10,7 +10,6 @@ use crate::io::gltf::json::{Value, quoted};
 use crate::io::gltf::records::Format;
 use crate::io::gltf::splice::{Changes, Splices, changed_object};
 use rustc_hash::FxHashSet;
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 pub struct Store<'a> {
@@ -53,7 +52,7 @@ struct Placed {
 /// New elements of an accessor.
 pub struct NewData<'d> {
     pub format: Format,
-    pub bytes: Cow<'d, [u8]>,
+    pub bytes: &'d [u8],
     pub target: Target,
     /// The values are the old ones, only more of each, so that their bounds stay right.
     pub same_bounds: bool,
@@ -180,7 +179,7 @@ impl<'a> Store<'a> {
         let mut changes = Changes::new();
         let has = |name| json.member(accessor, name).is_some();
         if has("min") || has("max") {
-            let bounds = bounds(&data.bytes, data.format);
+            let bounds = bounds(data.bytes, data.format);
             for (name, values) in [("min", &bounds.low), ("max", &bounds.high)] {
                 changes.extend(has(name).then(|| (name.to_owned(), Some(number_list(values)))));
             }
@@ -194,7 +193,7 @@ impl<'a> Store<'a> {
         let start = padded(self.appended.len());
         self.appended.resize(start, 0);
         match stride {
-            None => self.appended.extend_from_slice(&data.bytes),
+            None => self.appended.extend_from_slice(data.bytes),
             Some(stride) => {
                 for element in data.bytes.chunks_exact(size) {
                     self.appended.extend_from_slice(element);
