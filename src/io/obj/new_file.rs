@@ -225,13 +225,9 @@ impl<'a> NormalNumbers<'a> {
 
     fn used(&self, edit: &PartEdit) -> Vec<bool> {
         let mut is_used = vec![false; self.normals.values.len()];
-        let mut dropped = edit.faces.dropped.iter().peekable();
-        for (face, range) in self.mesh.faces().ranges().enumerate() {
-            if dropped.next_if(|&&next| next as usize == face).is_none() {
-                for slot in range.filter_map(|corner| self.slot(corner)) {
-                    is_used[slot] = true;
-                }
-            }
+        let faces = self.mesh.faces().ranges().enumerate();
+        for (_, range) in faces.filter(|&(face, _)| edit.faces.keeps(face as u32)) {
+            range.filter_map(|corner| self.slot(corner)).for_each(|slot| is_used[slot] = true);
         }
         is_used
     }

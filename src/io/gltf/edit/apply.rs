@@ -53,26 +53,6 @@ pub fn edit(
     if store.is_quantized {
         store.require(QUANTIZATION);
     }
-    let mut written = package(document, store, to, options)?;
-    let vertices: usize = loaded.parts.iter().map(|part: &Part| part.mesh.vertex_count()).sum();
-    written.vertices = vertices as u64 + added;
-    written.added_vertices = added;
-    let note = |(remark, count): (Remark, usize)| Note::counted(count, remark.1, remark.2);
-    written.notes.extend(remarks.filter_map(note));
-    let drops = edits.iter().any(|edit| !edit.faces.dropped.is_empty());
-    if (added > 0 || drops) && document.lists("extensionsUsed", "FB_geometry_metadata") {
-        let text = "FB_geometry_metadata still has the vertex and face counts of the input";
-        written.notes.push(Note::warning(Place::File, text));
-    }
-    Ok(written)
-}
-
-fn package(
-    document: &GltfDocument,
-    mut store: Store<'_>,
-    to: Format,
-    options: &WriteOptions,
-) -> Result<Written, WriteError> {
     let mut package = Package { document, options, written: Written::default() };
     if to != Format::Glb || document.glb.is_some() {
         package.settle_buffers(&mut store);
@@ -84,7 +64,18 @@ fn package(
         (None, _) => package.same_gltf(store),
     }
     package.copy_images();
-    Ok(package.written)
+    let mut written = package.written;
+    let vertices: usize = loaded.parts.iter().map(|part: &Part| part.mesh.vertex_count()).sum();
+    written.vertices = vertices as u64 + added;
+    written.added_vertices = added;
+    let note = |(remark, count): (Remark, usize)| Note::counted(count, remark.1, remark.2);
+    written.notes.extend(remarks.filter_map(note));
+    let drops = edits.iter().any(|edit| !edit.faces.dropped.is_empty());
+    if (added > 0 || drops) && document.lists("extensionsUsed", "FB_geometry_metadata") {
+        let text = "FB_geometry_metadata still has the vertex and face counts of the input";
+        written.notes.push(Note::warning(Place::File, text));
+    }
+    Ok(written)
 }
 
 struct Package<'a> {
@@ -111,7 +102,11 @@ impl Package<'_> {
                     let copy = OutputContent::CopyOf(path.clone());
                     let known = self.written.companions.iter().find(|other| other.content == copy);
                     let known = known.map(|other| other.name.clone());
-                    let name = known.unwrap_or_else(|| self.free_name(stem, &bare_name(path)));
+                    let name = known.unwrap_or_else(|| {
+                        // Without what would make it lead elsewhere.
+                        let bare = path.file_name().map(|name| name.to_string_lossy());
+                        self.free_name(stem, &bare.unwrap_or("buffer.bin".into()))
+                    });
                     store.splices.set(object, "uri", quoted(&percent_encoded(&name)));
                     name
                 }
@@ -273,11 +268,6 @@ impl Package<'_> {
             self.written.notes.extend(Note::counted(left.len(), ["image", "images"], text));
         }
     }
-}
-
-/// The last part of a path, without what would make it lead elsewhere.
-fn bare_name(path: &Path) -> String {
-    path.file_name().map_or_else(|| "buffer.bin".into(), |name| name.to_string_lossy().into_owned())
 }
 
 /// Points what has `buffer` and `byteOffset` at the merged buffer.
