@@ -239,17 +239,11 @@ impl RepeatedNotes {
     }
 
     /// The value, or zero and a note if it is not valid.
-    pub fn valid_or_zero<T: Default>(
-        &mut self,
-        kind: NoteKind,
-        offset: usize,
-        is_valid: bool,
-        value: T,
-    ) -> T {
+    pub fn valid_or_zero<T: Default>(&mut self, kind: NoteKind, at: usize, is_valid: bool, value: T) -> T {
         if is_valid {
             return value;
         }
-        self.add(kind, offset);
+        self.add(kind, at);
         T::default()
     }
 

@@ -36,7 +36,13 @@ pub fn write<'a>(
         notes.push(Note::warning(Place::File, text));
     }
     let mut written = if format == loaded.format || format.is_gltf() && loaded.format.is_gltf() {
-        edit(loaded, &edits, format, options)?
+        match &loaded.document {
+            Document::Obj(document) => obj::edit(document, loaded, &edits, options),
+            Document::Gltf(document) => gltf::edit(document, loaded, &edits, format, options),
+            Document::Ply(document) => ply::edit(document, loaded, &edits, options),
+            Document::Stl(document) => stl::edit(document, loaded, &edits, options),
+            Document::None => Err(WriteError::no_document()),
+        }?
     } else {
         let parts = placed(loaded, edits, format, options, &mut notes)?;
         let left = loaded.document.outside_meshes();
@@ -72,21 +78,6 @@ pub fn write<'a>(
 /// [`WriteError`] for content that the format cannot store and that must not be dropped, or cannot count.
 pub fn write_new(parts: &[Part], format: Format, options: &WriteOptions) -> Result<Written, WriteError> {
     write_parts(format, parts, &[], options)
-}
-
-fn edit(
-    loaded: &Loaded,
-    edits: &[PartEdit],
-    to: Format,
-    options: &WriteOptions,
-) -> Result<Written, WriteError> {
-    match &loaded.document {
-        Document::Obj(document) => obj::edit(document, loaded, edits, options),
-        Document::Gltf(document) => gltf::edit(document, loaded, edits, to, options),
-        Document::Ply(document) => ply::edit(document, loaded, edits, options),
-        Document::Stl(document) => stl::edit(document, loaded, edits, options),
-        Document::None => Err(WriteError::no_document()),
-    }
 }
 
 fn write_parts(

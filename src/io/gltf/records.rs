@@ -157,9 +157,8 @@ impl Records {
         let (buffers, materials) = (root.list("buffers")?, root.list("materials")?);
         let views = records(&root, "bufferViews", |_, fields| view(fields, buffers.len()))?;
         let accessors = records(&root, "accessors", |_, fields| accessor(fields, views.len()))?;
-        let meshes = records(&root, "meshes", |number, fields| {
-            mesh(number, fields, accessors.len(), materials.len())
-        })?;
+        let counts = Counts { accessors: accessors.len(), materials: materials.len() };
+        let meshes = records(&root, "meshes", |number, fields| mesh(number, fields, counts))?;
         Ok(Records { buffers, views, accessors, meshes, materials, json })
     }
 
@@ -253,24 +252,21 @@ fn sparse(accessor: &Fields<'_>, views: usize) -> Result<Option<Sparse>, ReadErr
     Ok(Some(Sparse { count, index_view, index_offset, index_component, value_view, value_offset }))
 }
 
-fn mesh(
-    mesh: usize,
-    fields: Fields<'_>,
+/// The lengths of the lists that primitives refer to.
+#[derive(Clone, Copy)]
+struct Counts {
     accessors: usize,
     materials: usize,
-) -> Result<MeshRecord, ReadError> {
-    let primitive =
-        |(number, object)| primitive((mesh, number), Fields::new(fields.json, object)?, accessors, materials);
+}
+
+fn mesh(mesh: usize, fields: Fields<'_>, counts: Counts) -> Result<MeshRecord, ReadError> {
+    let primitive = |(number, object)| primitive((mesh, number), Fields::new(fields.json, object)?, counts);
     let primitives = fields.items("primitives")?.enumerate().map(primitive).collect::<Result<_, _>>()?;
     Ok(MeshRecord { object: fields.object, name: fields.name()?, primitives })
 }
 
-fn primitive(
-    number: (usize, usize),
-    fields: Fields<'_>,
-    accessors: usize,
-    materials: usize,
-) -> Result<Primitive, ReadError> {
+fn primitive(number: (usize, usize), fields: Fields<'_>, counts: Counts) -> Result<Primitive, ReadError> {
+    let Counts { accessors, materials } = counts;
     let mut sites = vec![fields.required_child("attributes")?.object];
     sites.extend(fields.list("targets")?);
     let sets = sites.iter().map(|&site| vertex_set(Fields { object: site, ..fields }, accessors));

@@ -42,10 +42,10 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
     let (mut notes, mesh) = (merged.notes, merged.mesh);
     let mut libraries = match base.or(options.root.as_deref()) {
         Some(base) => {
-            let used = mesh.columns().materials.as_ref();
-            mtl::find(&bytes, &merged.libraries, used, base, options)
+            let used = mesh.columns().materials.as_ref().map_or(&[][..], |labels| &labels.names);
+            mtl::find(&merged.libraries, used, base, options)
         }
-        None => mtl::out_of_reach(&bytes, &merged.libraries),
+        None => mtl::out_of_reach(&merged.libraries),
     };
     notes.append(&mut libraries.notes);
     let name = match &mesh.columns().objects {

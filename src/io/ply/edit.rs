@@ -3,7 +3,7 @@
 use super::document::{FaceRole, PlyDocument};
 use super::header::{Element, Kind, Property};
 use super::normal_properties::NormalProperties;
-use super::rows::{Row, Rows, damaged, read_corners};
+use super::rows::{Row, Rows, damaged};
 use super::scalar::{Encoding, Scalar};
 use crate::io::text::Changes;
 use crate::io::{Emit, Loaded, Note, PartEdit, Place, Problem, ReadError, WriteError, WriteOptions, Written};
@@ -227,7 +227,7 @@ impl Editor<'_> {
         let (mut faces_read, mut faces_kept, mut rows_kept) = (0_usize, 0, 0);
         let (mut corners, mut changes) = (Vec::new(), Changes::default());
         rows.each(element, |_, row, rows| {
-            read_corners(rows, row, role.list, list.kind, &mut corners)?;
+            rows.corners(&row.fields[role.list], list.kind, &mut corners)?;
             changes.clear();
             // Rows with fewer than three corners are not faces of the mesh.
             let face = (corners.len() >= 3).then_some(faces_read);

@@ -3,7 +3,7 @@
 use super::document::{FaceRole, Packed, PlyDocument, Roles, VertexRole};
 use super::header;
 use super::header::{Element, Header, Kind};
-use super::rows::{OVERLONG, Row, Rows, place, places, read_corners, vertex_index};
+use super::rows::{OVERLONG, Row, Rows, place, places, vertex_index};
 use super::scalar::{Encoding, Scalar};
 use crate::io::error::{NoteKind, RepeatedNotes};
 use crate::io::mesh_checks::{build_part, non_finite_note};
@@ -163,7 +163,7 @@ impl Reading {
         let mesh = &mut self.mesh;
         mesh.faces = Faces::with_capacity(3 * rows.plausible_count(element));
         rows.each(element, |_, row, rows| {
-            read_corners(rows, row, role.list, kind, &mut corners)?;
+            rows.corners(&row.fields[role.list], kind, &mut corners)?;
             if corners.len() < 3 {
                 self.notes.add(SHORT_FACE, row.fields[role.list].start);
                 return Ok(());

@@ -218,6 +218,16 @@ impl<'a> Rows<'a> {
         })
     }
 
+    /// The vertices of the face in a list of a row.
+    pub fn corners(&self, list: &Range<usize>, kind: Kind, corners: &mut Vec<u32>) -> Result<(), ReadError> {
+        corners.clear();
+        let scalar = kind.scalar();
+        for item in self.items(list, kind) {
+            corners.push(vertex_index(self.scalar(&item, scalar)?, item.start)?);
+        }
+        Ok(())
+    }
+
     /// The places of the items of a list.
     pub fn items(&self, field: &Range<usize>, kind: Kind) -> Items<'a> {
         let mut items = Items { bytes: self.bytes, rest: field.clone(), size: 0 };
@@ -258,22 +268,6 @@ impl Iterator for Items<'_> {
         self.rest.start = word.end;
         Some(word)
     }
-}
-
-/// The vertices of the face in a row.
-pub(super) fn read_corners(
-    rows: &Rows<'_>,
-    row: &Row,
-    list: usize,
-    kind: Kind,
-    corners: &mut Vec<u32>,
-) -> Result<(), ReadError> {
-    corners.clear();
-    let scalar = kind.scalar();
-    for item in rows.items(&row.fields[list], kind) {
-        corners.push(vertex_index(rows.scalar(&item, scalar)?, item.start)?);
-    }
-    Ok(())
 }
 
 /// A number as that of a vertex.

@@ -2,6 +2,7 @@
 
 use super::group::Group;
 use super::member::Member;
+use super::rows::Tables;
 use super::store::{Changed, Remark, Store};
 use crate::io::companion_files::{leads_to, output_name};
 use crate::io::gltf::buffers::{Storage, address, encode_data, percent_encoded};
@@ -14,7 +15,6 @@ use crate::io::gltf::splice::{Splices, changed_object};
 use crate::io::{
     Format, Loaded, Note, OutputContent, OutputFile, Part, PartEdit, Place, WriteError, WriteOptions, Written,
 };
-use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -35,7 +35,7 @@ pub fn edit(
 ) -> Result<Written, WriteError> {
     let mut store = Store::new(document);
     let source = document.accessors();
-    let mut tables = FxHashMap::default();
+    let mut tables = Tables::default();
     let mut groups: BTreeMap<(usize, bool), Vec<Member<'_>>> = BTreeMap::new();
     for member in Member::all(document, loaded, edits) {
         groups.entry((member.block.source, member.has_normals())).or_default().push(member);

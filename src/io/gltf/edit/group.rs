@@ -1,7 +1,7 @@
 //! New normals and tangents for the primitives that share one set of vertices.
 
 use super::member::{Member, drop_draco, rewrite_indices};
-use super::rows::{CornerRows, Stored};
+use super::rows::{CornerRows, Stored, Tables};
 use super::store::{NewData, Remark, Store};
 use crate::io::gltf::accessor::{Elements, Source};
 use crate::io::gltf::data::Target;
@@ -27,11 +27,7 @@ type CornerTangents = (Vec<[f32; 4]>, Vec<u32>);
 
 impl Group<'_, '_> {
     /// Writes what changes. Returns how many vertices were added.
-    pub fn write(
-        &self,
-        store: &mut Store<'_>,
-        tables: &mut FxHashMap<usize, Vec<u32>>,
-    ) -> Result<u64, WriteError> {
+    pub fn write(&self, store: &mut Store<'_>, tables: &mut Tables) -> Result<u64, WriteError> {
         let target_sets = self.vertices.target_sets();
         let morph = self.members.iter().all(|member| member.has_morph_normals(target_sets.len()));
         let stored =

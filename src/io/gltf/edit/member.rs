@@ -81,6 +81,50 @@ impl<'a> Member<'a> {
         let element = slot.checked_sub(self.block.first_normal?)?;
         (element < self.block.count).then_some(element as usize)
     }
+
+    /// Refuses to break an extension that refers to vertices or triangles by number; `moved` if some indices are of other vertices.
+    fn check_order(&self, document: &GltfDocument, indices: &[u32], moved: bool) -> Result<(), WriteError> {
+        let primitive = document.records.fields(self.primitive.object);
+        let mesh = document.records.fields(document.records.meshes[self.part].object);
+        let refuse = |name: &str, what: &str| {
+            let text = format!(
+                "{}: the extension {name} refers to {what} by number, and these would change; remove the extension, or keep \
+                 the mesh unchanged (--crease off or --emit vertex splits no vertices; --degenerate keep without --flip and \
+                 --orient keeps all faces)",
+                primitive.place()
+            );
+            Err(WriteError::Unsupported(text))
+        };
+        for (name, has_triangles) in ORDERED {
+            if primitive.extension(name).is_none() && mesh.extension(name).is_none() {
+                continue;
+            }
+            if moved {
+                return refuse(name, "vertices");
+            }
+            if self.reshaped && has_triangles {
+                return refuse(name, "triangles");
+            }
+        }
+        if moved && has_implicit_features(&primitive) {
+            return refuse("EXT_mesh_features", "vertices");
+        }
+        if document.lists("extensionsUsed", "FB_ngon_encoding") && !self.same_polygons(indices) {
+            return refuse("FB_ngon_encoding", "the first corners of triangles");
+        }
+        Ok(())
+    }
+
+    /// Whether `FB_ngon_encoding` still makes the same polygons: neighbouring triangles with the same first corner are one.
+    fn same_polygons(&self, indices: &[u32]) -> bool {
+        let first_corners = || self.corners.chunks_exact(3).zip(indices.chunks_exact(3));
+        first_corners().zip(first_corners().skip(1)).all(|((old, new), (old_next, new_next))| {
+            // Triangles that were not neighbours before belong to different polygons whatever their corners.
+            let neighbours = old[0] / 3 + 1 == old_next[0] / 3;
+            let before = neighbours && self.vertex(old[0]) == self.vertex(old_next[0]);
+            before == (new[0] == new_next[0])
+        })
+    }
 }
 
 /// The corners of a primitive's faces that are kept, with flipped faces, and whether any face was dropped or flipped.
@@ -118,7 +162,7 @@ pub fn rewrite_indices(
     if !moved && !member.reshaped {
         return Ok(false);
     }
-    check_order(store.document, member, &indices, moved)?;
+    member.check_order(store.document, &indices, moved)?;
     if indices.is_empty() {
         // glTF has no empty primitives, and taking this one out would renumber others.
         indices = vec![0; 3];
@@ -154,53 +198,4 @@ pub fn drop_draco(store: &mut Store<'_>, member: &Member<'_>) {
         store.splices.remove(extensions, DRACO);
         store.remark(Remark::DRACO_REMOVED, 1);
     }
-}
-
-/// Refuses to break an extension that refers to vertices or triangles by number; `moved` if some indices are of other vertices.
-fn check_order(
-    document: &GltfDocument,
-    member: &Member<'_>,
-    indices: &[u32],
-    moved: bool,
-) -> Result<(), WriteError> {
-    let primitive = document.records.fields(member.primitive.object);
-    let mesh = document.records.fields(document.records.meshes[member.part].object);
-    let refuse = |name: &str, what: &str| {
-        let text = format!(
-            "{}: the extension {name} refers to {what} by number, and these would change; remove the extension, or keep \
-             the mesh unchanged (--crease off or --emit vertex splits no vertices; --degenerate keep without --flip and \
-             --orient keeps all faces)",
-            primitive.place()
-        );
-        Err(WriteError::Unsupported(text))
-    };
-    for (name, has_triangles) in ORDERED {
-        if primitive.extension(name).is_none() && mesh.extension(name).is_none() {
-            continue;
-        }
-        if moved {
-            return refuse(name, "vertices");
-        }
-        if member.reshaped && has_triangles {
-            return refuse(name, "triangles");
-        }
-    }
-    if moved && has_implicit_features(&primitive) {
-        return refuse("EXT_mesh_features", "vertices");
-    }
-    if document.lists("extensionsUsed", "FB_ngon_encoding") && !same_polygons(member, indices) {
-        return refuse("FB_ngon_encoding", "the first corners of triangles");
-    }
-    Ok(())
-}
-
-/// Whether `FB_ngon_encoding` still makes the same polygons: neighbouring triangles with the same first corner are one.
-fn same_polygons(member: &Member<'_>, indices: &[u32]) -> bool {
-    let first_corners = || member.corners.chunks_exact(3).zip(indices.chunks_exact(3));
-    first_corners().zip(first_corners().skip(1)).all(|((old, new), (old_next, new_next))| {
-        // Triangles that were not neighbours before belong to different polygons whatever their corners.
-        let neighbours = old[0] / 3 + 1 == old_next[0] / 3;
-        let before = neighbours && member.vertex(old[0]) == member.vertex(old_next[0]);
-        before == (new[0] == new_next[0])
-    })
 }

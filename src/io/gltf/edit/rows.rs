@@ -139,6 +139,9 @@ impl Stored {
     }
 }
 
+/// The row of each normal, by part. All are [`NONE`] between groups.
+pub type Tables = FxHashMap<usize, Vec<u32>>;
+
 /// The rows that the corners of a group of primitives ask for.
 pub struct CornerRows<'a> {
     stored: &'a Stored,
@@ -150,12 +153,7 @@ pub struct CornerRows<'a> {
 }
 
 impl<'a> CornerRows<'a> {
-    /// `tables` holds the row of each normal by part, [`NONE`] between groups.
-    pub fn new(
-        stored: &'a Stored,
-        members: &[Member<'_>],
-        tables: &mut FxHashMap<usize, Vec<u32>>,
-    ) -> CornerRows<'a> {
+    pub fn new(stored: &'a Stored, members: &[Member<'_>], tables: &mut Tables) -> CornerRows<'a> {
         let (mut bytes, mut of_corner) = (Vec::new(), Vec::new());
         let (mut count, mut missing) = (0, 0);
         for member in members {
