@@ -135,8 +135,8 @@ impl Document {
             Document::None => false,
             Document::Obj(document) => document.source() == Some(bytes),
             Document::Gltf(document) => document.source() == bytes,
-            Document::Ply(document) => document.source() == bytes,
-            Document::Stl(document) => document.source() == bytes,
+            Document::Ply(document) => document.bytes == bytes,
+            Document::Stl(document) => document.bytes == bytes,
         }
     }
 

@@ -33,7 +33,7 @@ pub fn by_object(part: &Part) -> Option<(Vec<Part>, usize)> {
     if let Some(mesh) = cutter.loose() {
         pieces.push(Part { name: part.name.clone(), mesh, non_finite_faces: Vec::new() });
     }
-    let unused = cutter.vertices.never_used();
+    let unused = cutter.vertices.known.iter().filter(|(_, piece)| *piece == 0).count();
     Some((pieces, unused))
 }
 
@@ -82,10 +82,6 @@ impl Numbers {
 
     fn values<T: Clone>(&self, values: &[T]) -> Vec<T> {
         self.list.iter().map(|&old| values[old as usize].clone()).collect()
-    }
-
-    fn never_used(&self) -> usize {
-        self.known.iter().filter(|(_, piece)| *piece == 0).count()
     }
 }
 

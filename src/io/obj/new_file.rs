@@ -86,7 +86,7 @@ impl Writer {
         }
         self.vertices += mesh.vertex_count() as u64;
         self.uvs += columns.uvs.as_ref().map_or(0, |uvs| uvs.values.len() as u64);
-        self.normals += normals.map_or(0, |normals| normals.new_lines());
+        self.normals += normals.map_or(0, |normals| normals.new.len() as u64);
     }
 
     fn positions(&mut self, mesh: &Mesh) {
@@ -264,10 +264,6 @@ impl<'a> NormalNumbers<'a> {
 
     pub fn of_corner(&self, corner: usize) -> Option<u32> {
         self.slot(corner).map(|slot| self.numbers[slot])
-    }
-
-    pub fn new_lines(&self) -> u64 {
-        self.new.len() as u64
     }
 
     pub fn push_lines(&self, line_end: &[u8], out: &mut Vec<u8>) {

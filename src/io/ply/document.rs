@@ -7,7 +7,7 @@ use crate::io::{Place, Problem, ReadError};
 /// A PLY file as it was read.
 #[derive(Clone, Debug)]
 pub struct PlyDocument {
-    pub(super) bytes: Vec<u8>,
+    pub(in crate::io) bytes: Vec<u8>,
     pub(super) header: Header,
     pub(super) roles: Roles,
     /// Whether ascii rows share lines.
@@ -23,10 +23,6 @@ pub(super) struct Packed {
 }
 
 impl PlyDocument {
-    pub(in crate::io) fn source(&self) -> &[u8] {
-        &self.bytes
-    }
-
     /// The elements and properties that are not part of the mesh.
     pub(in crate::io) fn outside_meshes(&self) -> Vec<String> {
         let mut left = Vec::new();

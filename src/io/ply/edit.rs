@@ -76,7 +76,7 @@ struct Editor<'a> {
 impl Editor<'_> {
     fn run(mut self) -> Result<Written, ReadError> {
         let document = self.document;
-        let roles = &document.roles;
+        let (roles, by_face) = (&document.roles, self.face_normals.is_some());
         let mut rows = Rows::new(&document.bytes, &document.header, document.shared_lines);
         for (at, element) in document.header.elements.iter().enumerate() {
             let start = rows.at;
@@ -86,7 +86,7 @@ impl Editor<'_> {
                     self.write_vertices(&mut rows, element)?;
                 }
                 Some(face) if !face.are_strips => self.write_faces(&mut rows, element, face)?,
-                Some(strips) if self.faces_change() => {
+                Some(strips) if self.adds_vertices() || !self.edit.faces.is_empty() || by_face => {
                     rows.each(element, |_, _, _| Ok(()))?;
                     self.replace_strips(element, strips)?;
                 }
@@ -184,17 +184,15 @@ impl Editor<'_> {
         (!is_unit).then_some(DVec3::Z)
     }
 
-    /// Whether the faces are no longer those of the strips.
-    fn faces_change(&self) -> bool {
-        let splits = self.split.added(self.mesh.vertex_count()) > 0;
-        splits || !self.edit.faces.is_empty() || self.face_normals.is_some()
+    fn adds_vertices(&self) -> bool {
+        self.split.added(self.mesh.vertex_count()) > 0
     }
 
     /// The type of vertex indices: that of the file if it can hold the added vertices, else `int`, else `uint`.
     fn index_type(&mut self, list: &Property, item: Scalar) -> Scalar {
         let largest = (self.split.source.len().saturating_sub(1)) as f64;
         let holds = |scalar: &Scalar| scalar.largest() >= largest;
-        if self.split.added(self.mesh.vertex_count()) == 0 || holds(&item) {
+        if !self.adds_vertices() || holds(&item) {
             return item;
         }
         let new = if holds(&Scalar::I32) { Scalar::I32 } else { Scalar::U32 };

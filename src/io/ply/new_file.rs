@@ -96,12 +96,8 @@ impl Layout {
     }
 
     fn header(&self, parts: &[Part], vertices: usize) -> String {
-        let mut text = concat!(
-            "ply\nformat binary_little_endian 1.0\ncomment made by crease ",
-            env!("CARGO_PKG_VERSION"),
-            "\n"
-        )
-        .to_owned();
+        let version = env!("CARGO_PKG_VERSION");
+        let mut text = format!("ply\nformat binary_little_endian 1.0\ncomment made by crease {version}\n");
         let mut element = |name: &str, count: usize, properties: &[(&str, Names)]| {
             text.push_str(&format!("element {name} {count}\n"));
             for (kind, names) in properties {

@@ -3,7 +3,7 @@
 use super::document::{FaceRole, Packed, PlyDocument, Roles, VertexRole};
 use super::header;
 use super::header::{Element, Header, Kind};
-use super::rows::{OVERLONG, Row, Rows, place, places, vertex_index};
+use super::rows::{OVERLONG, Row, Rows, places, vertex_index};
 use super::scalar::{Encoding, Scalar};
 use crate::io::error::{NoteKind, RepeatedNotes};
 use crate::io::mesh_checks::{build_part, non_finite_note};
@@ -27,7 +27,7 @@ const NOT_FINITE: NoteKind =
 pub fn read(bytes: Vec<u8>, _base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
     let header = header::parse(&bytes)?;
     let roles = Roles::of(&header)?;
-    let place = |offset: usize| place(&bytes, header.encoding, offset);
+    let place = |offset: usize| places(&bytes, header.encoding, &[offset]).remove(0);
     let mut rows = Rows::new(&bytes, &header, false);
     let mut reading = Reading::of(&mut rows, &header, &roles);
     if reading.as_ref().is_err_and(|error| error.problem == Problem::Truncated) && rows.notes.has(OVERLONG) {
@@ -110,7 +110,7 @@ impl Reading {
             let vector = |[x, y, z]: [usize; 3]| Ok(DVec3::new(value(x)?, value(y)?, value(z)?));
             let position = vector(role.position)?;
             if !position.is_finite() && non_finite.is_none() {
-                *non_finite = row.first_field();
+                *non_finite = row.fields.first().map(|field| field.start);
             }
             mesh.positions.push(position);
             if let (Some(normal), Some(normals)) = (role.normal, &mut normals) {
@@ -170,7 +170,7 @@ impl Reading {
             }
             if corners.iter().any(|&corner| u64::from(corner) >= vertex_count) && self.out_of_range.is_none()
             {
-                self.out_of_range = row.first_field();
+                self.out_of_range = row.fields.first().map(|field| field.start);
             }
             mesh.faces.push(&corners);
             if let Some(normal) = role.normal {
@@ -290,7 +290,7 @@ fn notes(reading: &Reading, rows: &Rows<'_>, header: &Header) -> Vec<Note> {
     if !rest.trim_ascii().is_empty() {
         let bytes_left = counted(rest.len(), "byte", "bytes");
         let text = format!("{bytes_left} after the last row ignored");
-        notes.push(Note::warning(place(rows.bytes, header.encoding, rows.at), text));
+        notes.push(Note::warning(places(&[rows.at]).remove(0), text));
     }
     let mut names = BTreeSet::new();
     let repeated: Vec<&Element> =

@@ -4,7 +4,7 @@ use super::header::{Element, Header, Kind};
 use super::scalar::{Encoding, Scalar};
 use crate::io::error::{NoteKind, RepeatedNotes};
 use crate::io::mesh_checks::DAMAGED;
-use crate::io::text::{at_byte, counted, line_end_length, line_place, line_places, next_word, shown};
+use crate::io::text::{at_byte, counted, line_end_length, line_places, next_word, shown};
 use crate::io::{Place, Problem, ReadError};
 use crate::mesh::NONE;
 use std::ops::Range;
@@ -22,15 +22,7 @@ fn truncated(offset: usize, found: impl Into<String>) -> ReadError {
     at_byte(Problem::Truncated, offset, found, "the file is cut off, or a count in its header is wrong")
 }
 
-/// Where an offset is: a line in ascii, a byte in binary.
-pub(super) fn place(bytes: &[u8], encoding: Encoding, offset: usize) -> Place {
-    match encoding {
-        Encoding::Ascii => line_place(bytes, offset),
-        _ => Place::Byte(offset as u64),
-    }
-}
-
-/// As [`place`], for ascending offsets.
+/// Where ascending offsets are: on lines in ascii, at bytes in binary.
 pub(super) fn places(bytes: &[u8], encoding: Encoding, offsets: &[usize]) -> Vec<Place> {
     match encoding {
         Encoding::Ascii => line_places(bytes, offsets),
@@ -45,13 +37,6 @@ pub(super) struct Row {
     pub span: Range<usize>,
     /// The bytes of each property; of a list, its count included.
     pub fields: Vec<Range<usize>>,
-}
-
-impl Row {
-    /// Where its first property is.
-    pub fn first_field(&self) -> Option<usize> {
-        self.fields.first().map(|field| field.start)
-    }
 }
 
 /// Goes through the body.

@@ -11,7 +11,7 @@ use std::path::Path;
 /// An STL file as it was read.
 #[derive(Clone, Debug)]
 pub struct StlDocument {
-    pub(super) bytes: Vec<u8>,
+    pub(in crate::io) bytes: Vec<u8>,
     pub(super) layout: Layout,
 }
 
@@ -27,10 +27,6 @@ pub(super) const FIRST: usize = 84;
 pub(super) const FACET: usize = 50;
 
 impl StlDocument {
-    pub(in crate::io) fn source(&self) -> &[u8] {
-        &self.bytes
-    }
-
     /// The attribute bytes behind facets, in which some programs keep colours.
     pub(in crate::io) fn outside_meshes(&self) -> Vec<String> {
         let Layout::Binary { facets } = self.layout else { return Vec::new() };
@@ -64,10 +60,6 @@ const HEAD: usize = 1024;
 
 fn mentions(text: &[u8], word: &[u8]) -> bool {
     text.windows(word.len()).any(|window| window.eq_ignore_ascii_case(word))
-}
-
-pub(super) fn is_binary(bytes: &[u8]) -> bool {
-    has_exact_length(bytes) || !is_ascii(bytes) && bytes.len() >= FIRST
 }
 
 /// Whether a file starts like an ascii STL and has no control characters where a binary one has numbers.
@@ -169,10 +161,11 @@ fn read_binary(
 /// With the line or the byte: a file that ends too early, facets without three vertices, words that are not numbers, positions
 /// that are not finite (unless [`ReadOptions::non_finite`] allows them), and bytes that are not STL.
 pub fn read(bytes: Vec<u8>, _base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
-    let (layout, (parts, notes)) = if is_binary(&bytes) {
+    let is_ascii = is_ascii(&bytes);
+    let (layout, (parts, notes)) = if has_exact_length(&bytes) || !is_ascii && bytes.len() >= FIRST {
         let facets = facet_count(&bytes)?;
         (Layout::Binary { facets }, read_binary(&bytes, facets, options)?)
-    } else if is_ascii(&bytes) {
+    } else if is_ascii {
         (Layout::Ascii, ascii::read(&bytes, options)?)
     } else {
         let found = match bytes.len() {

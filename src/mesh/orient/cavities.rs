@@ -87,7 +87,7 @@ impl Solid {
 
     fn walls<'a>(&self, mesh: &'a Mesh) -> Walls<'a> {
         let shells = (0..self.shells.len()).map(|shell| (shell as u32, self.faces(shell)));
-        Walls::new(mesh, self.orientations.components.against(), shells)
+        Walls::new(mesh, &self.orientations.components.against, shells)
     }
 }
 

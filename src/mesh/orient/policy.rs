@@ -148,7 +148,7 @@ impl Orientations {
         let components = Components::find(mesh, topology);
         let (closed, open) = (0..components.len())
             .into_par_iter()
-            .filter(|&component| components.is_orientable(component))
+            .filter(|&component| components.orientable[component])
             .partition(|&component| components.is_closed(component, mesh, topology));
         Self { components, closed, open }
     }

@@ -65,7 +65,7 @@ impl Shell {
 
 /// Those of the closed components that have a volume, ascending.
 pub(super) fn shells(mesh: &Mesh, components: &Components, closed: &[usize]) -> Vec<Shell> {
-    let against = components.against();
+    let against = &components.against;
     let shell = |&component: &usize| {
         let faces = components.faces(component);
         let outward = faces_outward(mesh, faces, against, face_bounds(mesh, faces))?;
@@ -100,7 +100,7 @@ fn rooms(mesh: &Mesh, components: &Components, shells: &[Shell]) -> Vec<u32> {
     within.sort_unstable();
     let points_inward = |shell: u32| {
         let Shell { component, outward, .. } = shells[shell as usize];
-        let against = components.against();
+        let against = &components.against;
         let faces = components.faces(component).iter();
         normals_oppose(mesh, faces.map(|&face| (face, against[face as usize] == outward)))
     };

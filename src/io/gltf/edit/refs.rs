@@ -11,7 +11,7 @@ pub struct References {
     accessors: FxHashMap<u64, usize>,
     views: FxHashMap<u64, usize>,
     /// Accessors whose bytes in the BIN chunk are no other accessor's.
-    unaliased: FxHashSet<usize>,
+    pub unaliased: FxHashSet<usize>,
 }
 
 /// Extensions full of numbers that mean materials and variants only.
@@ -57,11 +57,6 @@ impl References {
     /// Whether one accessor alone uses a view.
     pub fn is_only_user(&self, view: usize) -> bool {
         self.views.get(&(view as u64)) == Some(&1)
-    }
-
-    /// Whether an accessor's bytes are in the BIN chunk and no other accessor's.
-    pub fn owns_bytes(&self, accessor: usize) -> bool {
-        self.unaliased.contains(&accessor)
     }
 }
 

@@ -138,7 +138,8 @@ impl<'a> Store<'a> {
             && record.sparse.is_none()
             && data.target == Target::Vertices;
         let view = record.view.map(|view| &records.views[view]);
-        let Some(view) = view.filter(|view| is_same && !view.extended && self.refs.owns_bytes(old)) else {
+        let Some(view) = view.filter(|view| is_same && !view.extended && self.refs.unaliased.contains(&old))
+        else {
             return false;
         };
         let size = data.format.size();
