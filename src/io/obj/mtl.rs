@@ -334,9 +334,8 @@ mod tests {
         fs::write(folder.join("m/t.png"), "").unwrap();
         fs::write(folder.join("u.png"), "").unwrap();
         fs::write(folder.join("v.png"), "").unwrap();
-        let text = b"m/a.mtl ../../b.mtl /etc/hostname";
-        let statement = 0..text.len();
-        let found = find(text, std::slice::from_ref(&statement), None, &folder, &ReadOptions::default());
+        let statement = "m/a.mtl ../../b.mtl /etc/hostname".to_owned();
+        let found = find(&[statement], &[], &folder, &ReadOptions::default());
         let names: Vec<&str> = found.files.iter().map(|file| &*file.name).collect();
         assert_eq!(names, ["m/a.mtl", "m/t.png", "u.png"]);
         let said: Vec<String> = found.notes.iter().map(ToString::to_string).collect();
