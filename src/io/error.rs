@@ -210,13 +210,7 @@ impl NoteKind {
 
 /// How often each kind of note is due, and at which byte offsets first.
 #[derive(Clone, Debug, Default)]
-pub(super) struct RepeatedNotes(BTreeMap<NoteKind, Occurrences>);
-
-#[derive(Clone, Debug, Default)]
-struct Occurrences {
-    count: u64,
-    offsets: Vec<usize>,
-}
+pub(super) struct RepeatedNotes(BTreeMap<NoteKind, (u64, Vec<usize>)>);
 
 impl RepeatedNotes {
     /// Adds one occurrence.
@@ -226,16 +220,16 @@ impl RepeatedNotes {
 
     /// Adds `count` occurrences, some of which are at these offsets.
     pub fn add_all(&mut self, kind: NoteKind, count: u64, offsets: impl IntoIterator<Item = usize>) {
-        let known = self.0.entry(kind).or_default();
-        let room = (1 + Note::MOST_PLACES).saturating_sub(known.offsets.len());
-        known.offsets.extend(offsets.into_iter().take(room));
-        known.count += count;
+        let (total, known) = self.0.entry(kind).or_default();
+        let room = (1 + Note::MOST_PLACES).saturating_sub(known.len());
+        known.extend(offsets.into_iter().take(room));
+        *total += count;
     }
 
     /// Appends what was found further back in the file.
     pub fn append(&mut self, other: Self) {
-        for (kind, found) in other.0 {
-            self.add_all(kind, found.count, found.offsets);
+        for (kind, (count, offsets)) in other.0 {
+            self.add_all(kind, count, offsets);
         }
     }
 
@@ -245,26 +239,20 @@ impl RepeatedNotes {
     }
 
     /// The value, or zero and a note if it is not valid.
-    pub fn valid_or_zero<T: Default>(
-        &mut self,
-        kind: NoteKind,
-        offset: usize,
-        is_valid: bool,
-        value: T,
-    ) -> T {
+    pub fn valid_or_zero<T: Default>(&mut self, kind: NoteKind, at: usize, is_valid: bool, value: T) -> T {
         if is_valid {
             return value;
         }
-        self.add(kind, offset);
+        self.add(kind, at);
         T::default()
     }
 
     /// The notes by rank, each with its first offset; `places` converts ascending offsets.
     pub fn notes(&self, places: impl Fn(&[usize]) -> Vec<Place>) -> impl Iterator<Item = (usize, Note)> {
-        self.0.iter().filter_map(move |(&NoteKind(_, severity, text), found)| {
-            let mut offsets = found.offsets.clone();
+        self.0.iter().filter_map(move |(&NoteKind(_, severity, text), (count, offsets))| {
+            let mut offsets = offsets.clone();
             offsets.sort_unstable();
-            let note = Note::for_all(severity, found.count, places(&offsets), text)?;
+            let note = Note::for_all(severity, *count, places(&offsets), text)?;
             Some((*offsets.first()?, note))
         })
     }

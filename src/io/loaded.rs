@@ -84,33 +84,22 @@ impl Loaded {
 
     /// The nodes of the file; `None` for formats without nodes (all but glTF).
     pub(crate) fn node_tree(&self) -> Option<NodeTree<'_>> {
-        match &self.document {
-            Document::Gltf(document) => document.node_tree(),
-            _ => None,
-        }
+        if let Document::Gltf(document) = &self.document { document.node_tree() } else { None }
     }
 
     /// The tangents of a part's vertices with their handedness, where they have one; empty if no vertex has, and for
     /// formats without tangents (all but glTF).
     pub fn tangents(&self, part: usize) -> Vec<Option<DVec4>> {
-        match &self.document {
-            Document::Gltf(document) => {
-                document.attribute(part, 0, "TANGENT", |t: [f32; 4]| DVec4::from_array(t.map(f64::from)))
-            }
-            _ => Vec::new(),
-        }
+        let Document::Gltf(document) = &self.document else { return Vec::new() };
+        document.attribute(part, 0, "TANGENT", |t: [f32; 4]| DVec4::from_array(t.map(f64::from)))
     }
 
     /// What a morph target adds to the normals of a part's vertices, where it has normals; empty if it has none, and for
     /// formats without morph targets (all but glTF).
     pub fn morph_normals(&self, part: usize, target: usize) -> Vec<Option<DVec3>> {
-        match &self.document {
-            Document::Gltf(document) => {
-                let value = |n: [f32; 3]| DVec3::from_array(n.map(f64::from));
-                document.attribute(part, target + 1, "NORMAL", value)
-            }
-            _ => Vec::new(),
-        }
+        let Document::Gltf(document) = &self.document else { return Vec::new() };
+        let value = |n: [f32; 3]| DVec3::from_array(n.map(f64::from));
+        document.attribute(part, target + 1, "NORMAL", value)
     }
 
     /// Where each part is placed in the world: nowhere if no node has it; once, with the identity, if there are no nodes at all.
@@ -146,8 +135,8 @@ impl Document {
             Document::None => false,
             Document::Obj(document) => document.source() == Some(bytes),
             Document::Gltf(document) => document.source() == bytes,
-            Document::Ply(document) => document.source() == bytes,
-            Document::Stl(document) => document.source() == bytes,
+            Document::Ply(document) => document.bytes == bytes,
+            Document::Stl(document) => document.bytes == bytes,
         }
     }
 

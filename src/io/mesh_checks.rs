@@ -1,6 +1,6 @@
 //! What readers and writers of all formats check: sizes, positions, faces, and features that a format does not have.
 
-use super::{Format, NonFinite, Note, Part, Place, Problem, ReadError, ReadOptions};
+use super::{Format, Limits, NonFinite, Note, Part, Place, Problem, ReadError, ReadOptions, WriteError};
 use crate::mesh::{Columns, Faces, Mesh, MeshBuilder, MeshError, Storage};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -10,11 +10,11 @@ pub(super) const DROP_ADVICE: &str = "correct it, or drop the faces at such vert
 /// What to do about a file that contradicts itself.
 pub(super) const DAMAGED: &str = "the file is damaged; export it again";
 
-pub(super) fn check_size(bytes: &[u8], options: &ReadOptions) -> Result<(), ReadError> {
-    if bytes.len() as u64 <= options.limits.bytes {
+pub(super) fn check_size(bytes: u64, limits: &Limits) -> Result<(), ReadError> {
+    if bytes <= limits.bytes {
         return Ok(());
     }
-    let found = format!("the file has {} bytes (limit {})", bytes.len(), options.limits.bytes);
+    let found = format!("the file has {bytes} bytes (limit {})", limits.bytes);
     Err(ReadError::new(Problem::Limit, Place::File, found, "raise the limit"))
 }
 
@@ -106,6 +106,16 @@ pub(super) fn unsupported_notes(format: Format, parts: &[Part]) -> Vec<Note> {
     });
     let text = |name| format!("{title} has no {name}; they were omitted");
     lost.map(|(name, ..)| Note::warning(Place::File, text(name))).collect()
+}
+
+/// The error about a mesh with a position that is infinite as `f32`.
+pub(super) fn beyond_f32(mesh: &Mesh) -> WriteError {
+    let vertex = mesh.positions().iter().position(|p| !p.as_vec3().is_finite()).unwrap_or(0);
+    let DVec3 { x, y, z } = mesh.positions()[vertex];
+    WriteError::Unsupported(format!(
+        "vertex {vertex} at ({x:e}, {y:e}, {z:e}) is out of the range of 32-bit floats; scale the model, or write PLY \
+         or OBJ"
+    ))
 }
 
 /// Whether any position of a mesh is not an `f32`.

@@ -22,6 +22,8 @@ mod part;
 mod loaded;
 // What readers and writers of all formats check.
 mod mesh_checks;
+// Vertices split for formats that store every value per vertex.
+mod split_mesh;
 // The formats.
 pub mod gltf;
 // Wavefront OBJ (appendix B1 of the Advanced Visualizer manual, and the practice of real files).

@@ -1,6 +1,6 @@
 //! Reading a file of any format: opening it, detecting its format, calling its reader.
 
-use super::mesh_checks::face_notes;
+use super::mesh_checks::{check_size, face_notes};
 use super::text::without_byte_order_mark;
 use super::{Format, Limits, Loaded, Place, Problem, ReadError, ReadOptions, gltf, obj, ply, stl};
 #[cfg(unix)]
@@ -64,42 +64,33 @@ pub(crate) fn read_whole(path: &Path, limits: &Limits) -> Result<Vec<u8>, ReadEr
         };
         return Err(ReadError::new(Problem::Io, Place::File, found, advice));
     }
-    if metadata.len() > limits.bytes {
-        let found = format!("the file has {} bytes (limit {})", metadata.len(), limits.bytes);
-        return Err(ReadError::new(Problem::Limit, Place::File, found, "raise the limit"));
-    }
+    check_size(metadata.len(), limits)?;
     read_length(path, metadata.len()).map_err(|error| io_error(&error))
 }
 
-/// Reads a file of about this many bytes; a large one on all threads, since most of the time goes into giving it memory.
-fn read_length(path: &Path, length: u64) -> std::io::Result<Vec<u8>> {
-    #[cfg(unix)]
-    if let Some(bytes) = read_in_pieces(path, length)? {
-        return Ok(bytes);
-    }
-    #[cfg(not(unix))]
-    let _ = length;
+#[cfg(not(unix))]
+fn read_length(path: &Path, _length: u64) -> std::io::Result<Vec<u8>> {
     fs::read(path)
 }
 
-/// `None` if the file is small, or does not have this length.
+/// Reads a file of about this many bytes; a large one on all threads, since most of the time goes into giving it memory.
 #[cfg(unix)]
-fn read_in_pieces(path: &Path, length: u64) -> std::io::Result<Option<Vec<u8>>> {
+fn read_length(path: &Path, length: u64) -> std::io::Result<Vec<u8>> {
     use std::os::unix::fs::FileExt;
     const PIECE: usize = 1 << 20;
     let Some(length) = usize::try_from(length).ok().filter(|&length| length > 2 * PIECE) else {
-        return Ok(None);
+        return fs::read(path);
     };
     let file = fs::File::open(path)?;
     let mut bytes = vec![0; length];
     let pieces = bytes.par_chunks_mut(PIECE).enumerate();
     let read = pieces.map(|(number, piece)| file.read_exact_at(piece, (number * PIECE) as u64));
     match read.collect::<std::io::Result<()>>() {
-        Err(error) if error.kind() == ErrorKind::UnexpectedEof => return Ok(None),
+        Err(error) if error.kind() == ErrorKind::UnexpectedEof => return fs::read(path),
         result => result?,
     }
     let has_grown = file.read_at(&mut [0], length as u64)? > 0;
-    Ok((!has_grown).then_some(bytes))
+    if has_grown { fs::read(path) } else { Ok(bytes) }
 }
 
 fn io_error(error: &std::io::Error) -> ReadError {
@@ -126,6 +117,7 @@ pub fn read_bytes(
     let Some(format) = format.or_else(|| detect(&bytes, None)) else {
         return Err(unknown(&bytes));
     };
+    check_size(bytes.len() as u64, &options.limits)?;
     let mut loaded = match format {
         Format::Obj => obj::read(bytes, base, options),
         Format::Gltf | Format::Glb => gltf::read(bytes, base, options),

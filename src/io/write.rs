@@ -35,21 +35,26 @@ pub fn write<'a>(
         let text = format!("{format} has no choice of normal formats; only glTF has one");
         notes.push(Note::warning(Place::File, text));
     }
-    if format == loaded.format || format.is_gltf() && loaded.format.is_gltf() {
-        let mut written = edit(loaded, &edits, format, options)?;
-        written.notes.splice(0..0, notes);
-        return Ok(written);
-    }
-    let parts = placed(loaded, edits, format, options, &mut notes)?;
-    let left = loaded.document.outside_meshes();
-    if !left.is_empty() {
-        let text = format!("a new file has only the meshes; omitted: {}", left.join(", "));
-        notes.push(Note::warning(Place::File, text));
-    }
-    if let Document::Gltf(document) = &loaded.document {
-        notes.extend(document.texture_transform_note(format));
-    }
-    let mut written = write_parts(format, &parts, loaded.document.materials(), options)?;
+    let mut written = if format == loaded.format || format.is_gltf() && loaded.format.is_gltf() {
+        match &loaded.document {
+            Document::Obj(document) => obj::edit(document, loaded, &edits, options),
+            Document::Gltf(document) => gltf::edit(document, loaded, &edits, format, options),
+            Document::Ply(document) => ply::edit(document, loaded, &edits, options),
+            Document::Stl(document) => stl::edit(document, loaded, &edits, options),
+            Document::None => Err(WriteError::no_document()),
+        }?
+    } else {
+        let parts = placed(loaded, edits, format, options, &mut notes)?;
+        let left = loaded.document.outside_meshes();
+        if !left.is_empty() {
+            let text = format!("a new file has only the meshes; omitted: {}", left.join(", "));
+            notes.push(Note::warning(Place::File, text));
+        }
+        if let Document::Gltf(document) = &loaded.document {
+            notes.extend(document.texture_transform_note(format));
+        }
+        write_parts(format, &parts, loaded.document.materials(), options)?
+    };
     written.notes.splice(0..0, notes);
     Ok(written)
 }
@@ -73,21 +78,6 @@ pub fn write<'a>(
 /// [`WriteError`] for content that the format cannot store and that must not be dropped, or cannot count.
 pub fn write_new(parts: &[Part], format: Format, options: &WriteOptions) -> Result<Written, WriteError> {
     write_parts(format, parts, &[], options)
-}
-
-fn edit(
-    loaded: &Loaded,
-    edits: &[PartEdit],
-    to: Format,
-    options: &WriteOptions,
-) -> Result<Written, WriteError> {
-    match &loaded.document {
-        Document::Obj(document) => obj::edit(document, loaded, edits, options),
-        Document::Gltf(document) => gltf::edit(document, loaded, edits, to, options),
-        Document::Ply(document) => ply::edit(document, loaded, edits, options),
-        Document::Stl(document) => stl::edit(document, loaded, edits, options),
-        Document::None => Err(WriteError::no_document()),
-    }
 }
 
 fn write_parts(
@@ -119,12 +109,11 @@ fn placed(
     check_copies(loaded, &edits, &uses, format)?;
     let mut edited = |number: usize, is_last_use: bool| {
         let part = &loaded.parts[number];
-        let mesh = match &mut edits {
-            Cow::Owned(edits) if is_last_use => {
-                edited_mesh(&part.mesh, std::mem::take(&mut edits[number]), by_face)
-            }
-            edits => edited_mesh(&part.mesh, edits[number].clone(), by_face),
+        let edit = match &mut edits {
+            Cow::Owned(edits) if is_last_use => std::mem::take(&mut edits[number]),
+            edits => edits[number].clone(),
         };
+        let mesh = edited_mesh(&part.mesh, edit, by_face);
         Part { name: part.name.clone(), mesh, non_finite_faces: Vec::new() }
     };
     if loaded.nodes.is_empty() {
@@ -161,10 +150,10 @@ fn edited_mesh(mesh: &Mesh, edit: PartEdit, by_face: bool) -> Mesh {
         Some(normals) if by_face => Some(Column::per_corner(normals, mesh.faces().owners())),
         _ => edit.normals,
     };
-    let mesh = match normals {
-        Some(normals) => mesh.clone().with_normals(Some(normals)),
-        None => mesh.clone(),
-    };
+    let mut mesh = mesh.clone();
+    if let Some(normals) = normals {
+        mesh = mesh.with_normals(Some(normals));
+    }
     if edit.faces.is_empty() { mesh } else { mesh.with_faces(&edit.faces) }
 }
 
@@ -210,6 +199,9 @@ fn size_of_copy(mesh: &Mesh, edit: &PartEdit) -> u64 {
     let columns = mesh.columns();
     let corners = mesh.faces().corner_count();
     let normals = edit.normals.as_ref().or(columns.normals.as_ref());
+    let size_of_labels = |labels: &FaceLabels| {
+        labels.of_face.len() * 4 + labels.names.iter().map(|name| 24 + 2 * name.len()).sum::<usize>()
+    };
     let labels = [&columns.materials, &columns.objects].into_iter().flatten();
     let loose = columns.points.len() + columns.lines.iter().map(|line| 6 + line.len()).sum::<usize>();
     let bytes = mesh.vertex_count() * (24 + LINE + 24 * columns.morph_targets.len())
@@ -228,8 +220,4 @@ fn size_of_copy(mesh: &Mesh, edit: &PartEdit) -> u64 {
 
 fn size_of_column<T>(column: Option<&Column<T>>, corners: usize, line: usize) -> usize {
     column.map_or(0, |column| column.values.len() * (size_of::<T>() + line) + 4 * corners)
-}
-
-fn size_of_labels(labels: &FaceLabels) -> usize {
-    labels.of_face.len() * 4 + labels.names.iter().map(|name| 24 + 2 * name.len()).sum::<usize>()
 }

@@ -123,16 +123,13 @@ impl Tree<'_> {
         for i in self.nodes[a].items.clone() {
             for j in self.nodes[b].items.clone() {
                 let (i, j) = (self.items[i], self.items[j]);
-                if self.sets.find(i) != self.sets.find(j) && self.are_near(i, j) {
+                let is_near =
+                    |points: &Vec<DVec3>| (points[i as usize] - points[j as usize]).length() < self.epsilon;
+                if self.sets.find(i) != self.sets.find(j) && self.shapes.iter().all(is_near) {
                     self.sets.union(i, j);
                 }
             }
         }
-    }
-
-    fn are_near(&self, i: u32, j: u32) -> bool {
-        let near = |points: &Vec<DVec3>| (points[i as usize] - points[j as usize]).length() < self.epsilon;
-        self.shapes.iter().all(near)
     }
 }
 

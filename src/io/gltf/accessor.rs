@@ -1,9 +1,9 @@
 //! Accessors to numbers. Every offset and count is checked against the bytes that are there.
 
 use super::buffers::Buffers;
-use super::fields::{Fields, only_compressed, out_of_range};
+use super::fields::{only_compressed, out_of_range};
 use super::json::Value;
-use super::records::{Component, Format, Records, Sparse};
+use super::records::{Accessor, Component, Format, Records, Sparse};
 use crate::io::{Note, Place, Problem, ReadError};
 use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
@@ -62,20 +62,20 @@ impl<'a> Source<'a> {
                 (self.slice(view, extent, record.object)?, stride as usize)
             }
         };
-        let exceptions = |sparse| self.exceptions(sparse, record.count, size, fields);
+        let exceptions = |sparse| self.exceptions(record, sparse, size);
         let sparse = record.sparse.map(exceptions).transpose()?;
         Ok(Elements { bytes, stride, count, format, sparse })
     }
 
-    /// The exceptions of a sparse accessor of `count` elements.
+    /// The exceptions of a sparse accessor with elements of so many bytes.
     fn exceptions(
         &self,
+        accessor: &Accessor,
         sparse: Sparse,
-        count: u64,
         size: u64,
-        accessor: Fields<'_>,
     ) -> Result<Exceptions<'a>, ReadError> {
-        let refuse = |found: String| Err(out_of_range(accessor.member("sparse"), found));
+        let (count, fields) = (accessor.count, self.records.fields(accessor.object));
+        let refuse = |found: String| Err(out_of_range(fields.member("sparse"), found));
         if sparse.count == 0 || sparse.count > count {
             return refuse(format!("{} sparse values for {count} elements", sparse.count));
         }

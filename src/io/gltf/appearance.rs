@@ -15,6 +15,7 @@ use gltf::json::material::Material;
 use gltf::json::validation::Checked;
 use serde::de::DeserializeOwned;
 use std::f64::consts::PI;
+use std::fmt::Write as _;
 
 const LIGHTS: &str = "KHR_lights_punctual";
 
@@ -132,7 +133,17 @@ fn camera_at(node: &Placed<'_>) -> Result<Option<FileCamera>, ReadError> {
     let camera = Fields::new(json, camera)?;
     let name = camera.name()?;
     let read = projection(&camera).and_then(|(projection, [near, far])| {
-        check_rotation(node)?;
+        if let Some((at, member)) = node.frame.without_rotation {
+            let (what, advice) = match member {
+                "matrix" => {
+                    ("a matrix without an inverse", "use `rotation`, `translation` and `scale` instead")
+                }
+                _ => ("a rotation of zeros", "use a quaternion of length 1, such as 0, 0, 0, 1"),
+            };
+            let found = format!("{what} gives a camera at or below this node no orientation");
+            let place = Place::Json(format!("/nodes/{at}/{member}"));
+            return Err(ReadError::new(Problem::Range, place, found, advice));
+        }
         let position = node.frame.world.w_axis.truncate();
         Ok(FileCamera {
             name: name.clone(),
@@ -154,22 +165,20 @@ fn camera_at(node: &Placed<'_>) -> Result<Option<FileCamera>, ReadError> {
 /// The projection of a camera, and its near and far distances, the latter infinite if there is none.
 fn projection(camera: &Fields<'_>) -> Result<(FileProjection, [f64; 2]), ReadError> {
     let kind = camera.required_string("type")?;
-    let (lens, projection, is_near, near_range) = match &*kind {
+    let (lens, projection, is_near, near_range): (_, _, fn(f64) -> bool, _) = match &*kind {
         "perspective" => {
             let lens = camera.required_child("perspective")?;
             let is_angle = |angle| angle > 0.0 && angle < PI;
             let angle = needed(&lens, "yfov", is_angle, "an angle above 0 and below π, in radians")?;
             optional(&lens, "aspectRatio", |aspect| aspect > 0.0, "a number above 0, or none")?;
-            let is_near: fn(f64) -> bool = |near| near > 0.0;
-            (lens, FileProjection::Perspective(angle), is_near, "a distance above 0")
+            (lens, FileProjection::Perspective(angle), |near| near > 0.0, "a distance above 0")
         }
         "orthographic" => {
             let lens = camera.required_child("orthographic")?;
             let wanted = "half of the visible size, a length above 0";
             let whole = |name| Ok(2.0 * needed(&lens, name, |half| half > 0.0, wanted)?);
-            let (width, height) = (whole("xmag")?, whole("ymag")?);
-            let is_near: fn(f64) -> bool = |near| near >= 0.0;
-            (lens, FileProjection::Orthographic { width, height }, is_near, "a distance of 0 or more")
+            let projection = FileProjection::Orthographic { width: whole("xmag")?, height: whole("ymag")? };
+            (lens, projection, |near| near >= 0.0, "a distance of 0 or more")
         }
         kind => {
             let found = format!("unknown camera type `{kind}`");
@@ -210,14 +219,40 @@ fn optional(
     }
 }
 
-fn check_rotation(node: &Placed<'_>) -> Result<(), ReadError> {
-    let Some((at, member)) = node.frame.without_rotation else { return Ok(()) };
-    let (what, advice) = match member {
-        "matrix" => ("a matrix without an inverse", "use `rotation`, `translation` and `scale` instead"),
-        _ => ("a rotation of zeros", "use a quaternion of length 1, such as 0, 0, 0, 1"),
+/// The members of a glTF material behind its name, each with a comma in front.
+///
+/// The diffuse colour is the base colour of a dielectric, number for number. A highlight of exponent n belongs to
+/// a surface of α = √(2/(n + 2)) (Walter et al., "Microfacet models for refraction", 2007, eq. 30 with
+/// n ≈ 2/α² − 2), and glTF's roughness is √α.
+pub fn material_members(material: &FileMaterial) -> String {
+    let unit = |value: f64| value.clamp(0.0, 1.0);
+    let (base, metallic, roughness) = match material.reflection {
+        FileReflection::Phong { diffuse, exponent, .. } => {
+            (diffuse, 0.0, exponent.map(|n| (2.0 / (n.max(0.0) + 2.0)).sqrt().sqrt()))
+        }
+        FileReflection::MetallicRoughness { base_colour, metallic, roughness, .. } => {
+            (Some(base_colour), metallic, Some(roughness))
+        }
     };
-    let found = format!("{what} gives a camera at or below this node no orientation");
-    Err(ReadError::new(Problem::Range, Place::Json(format!("/nodes/{at}/{member}")), found, advice))
+    let mut json = String::new();
+    if base.is_none() && roughness.is_none() && material.opacity.is_none() {
+        return json;
+    }
+    json.push_str(",\"pbrMetallicRoughness\":{");
+    if base.is_some() || material.opacity.is_some() {
+        let [r, g, b] = base.unwrap_or([1.0; 3]).map(unit);
+        let opacity = unit(material.opacity.unwrap_or(1.0));
+        let _ = write!(json, "\"baseColorFactor\":[{r},{g},{b},{opacity}],");
+    }
+    let _ = write!(json, "\"metallicFactor\":{metallic}");
+    if let Some(roughness) = roughness {
+        let _ = write!(json, ",\"roughnessFactor\":{}", roughness as f32);
+    }
+    json.push('}');
+    if material.opacity.is_some_and(|opacity| opacity < 1.0) {
+        json.push_str(",\"alphaMode\":\"BLEND\"");
+    }
+    json
 }
 
 #[cfg(test)]
@@ -345,5 +380,36 @@ mod tests {
         assert!(error.starts_with("/nodes/0/rotation: ") && error.contains("0, 0, 0, 1"), "{error}");
         let error = at_camera(perspective, r#", "x": 0, "camera": "x""#).unwrap_err();
         assert!(error.starts_with("/nodes/0/camera: the file has no camera \"x\""), "{error}");
+    }
+
+    fn members_of(diffuse: Option<[f64; 3]>, exponent: Option<f64>, opacity: Option<f64>) -> String {
+        let reflection = FileReflection::Phong { ambient: None, diffuse, specular: None, exponent };
+        material_members(&FileMaterial { name: "x".into(), reflection, opacity, textures: 1 })
+    }
+
+    #[test]
+    fn a_material_is_reported_in_the_terms_of_gltf() {
+        assert_eq!(members_of(None, None, None), "");
+        // An exponent of 30 means α = 1/4 and a roughness of 1/2.
+        assert_eq!(
+            members_of(Some([0.5, 0.0, 2.0]), Some(30.0), None),
+            ",\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.5,0,1,1],\"metallicFactor\":0,\"roughnessFactor\":0.5}"
+        );
+        assert_eq!(
+            members_of(None, None, Some(0.25)),
+            ",\"pbrMetallicRoughness\":{\"baseColorFactor\":[1,1,1,0.25],\"metallicFactor\":0},\"alphaMode\":\"BLEND\""
+        );
+        assert!(members_of(None, Some(0.0), None).contains("\"roughnessFactor\":1}"));
+        let reflection = FileReflection::MetallicRoughness {
+            base_colour: [0.1, 0.2, 0.3],
+            metallic: 1.0,
+            roughness: 0.5,
+            unlit: false,
+        };
+        let gold = FileMaterial { name: "gold".into(), reflection, opacity: None, textures: 0 };
+        assert_eq!(
+            material_members(&gold),
+            ",\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.1,0.2,0.3,1],\"metallicFactor\":1,\"roughnessFactor\":0.5}"
+        );
     }
 }

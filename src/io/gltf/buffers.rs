@@ -27,6 +27,22 @@ pub enum Storage {
     Absent,
 }
 
+impl Storage {
+    /// The bytes, of a BIN chunk from the `file`; `None` if only a compressed copy exists.
+    fn bytes<'a>(&'a self, file: &'a [u8]) -> Option<&'a [u8]> {
+        match self {
+            Storage::Bin(range) => Some(&file[range.clone()]),
+            Storage::Embedded(bytes) | Storage::File { bytes, .. } => Some(bytes),
+            Storage::Absent => None,
+        }
+    }
+
+    /// The name and path of a file.
+    pub fn file(&self) -> Option<(&str, &Path)> {
+        if let Storage::File { name, path, .. } = self { Some((name, path)) } else { None }
+    }
+}
+
 /// A buffer: its declared length, never more than what is there.
 #[derive(Clone, Debug)]
 pub struct Buffer {
@@ -44,13 +60,8 @@ pub struct Buffers {
 impl Buffers {
     /// The bytes of a buffer, cut to its declared length; `None` if only a compressed copy exists.
     pub fn bytes(&self, buffer: usize) -> Option<&[u8]> {
-        let buffer = &self.list[buffer];
-        let bytes: &[u8] = match &buffer.storage {
-            Storage::Bin(range) => &self.file[range.clone()],
-            Storage::Embedded(bytes) | Storage::File { bytes, .. } => bytes,
-            Storage::Absent => return None,
-        };
-        Some(&bytes[..buffer.length as usize])
+        let Buffer { storage, length } = &self.list[buffer];
+        storage.bytes(&self.file).map(|bytes| &bytes[..*length as usize])
     }
 
     /// Sum of all lengths, which bounds what decoding may allocate.
@@ -80,27 +91,20 @@ pub fn load(
                 Storage::Absent
             }
             _ if number == 0 && !file.is_empty() => {
-                return Err(refused(
-                    fields.place(),
-                    "the file has no BIN chunk for the first buffer",
-                    TRUNCATED,
-                ));
+                let found = "the file has no BIN chunk for the first buffer";
+                return Err(refused(fields.place(), found, TRUNCATED));
             }
             _ => {
                 let advice = "put the data next to the document and name it in `uri`";
                 return Err(refused(fields.member("uri"), "the buffer has no data", advice));
             }
         };
-        let available = match &storage {
-            Storage::Bin(range) => range.len() as u64,
-            Storage::Embedded(bytes) | Storage::File { bytes, .. } => bytes.len() as u64,
-            Storage::Absent => 0,
-        };
-        if length > available && !matches!(storage, Storage::Absent) {
+        let available = storage.bytes(&file).map(|bytes| bytes.len() as u64);
+        if let Some(available) = available.filter(|&available| length > available) {
             let found = format!("the buffer length is {length} bytes, but only {available} are there");
             return Err(ReadError::new(Problem::Truncated, fields.member("byteLength"), found, TRUNCATED));
         }
-        list.push(Buffer { storage, length: length.min(available) });
+        list.push(Buffer { storage, length: if available.is_some() { length } else { 0 } });
     }
     Ok(Buffers { file, list })
 }

@@ -10,10 +10,7 @@ use crate::mesh::{Column, Columns, Faces, Mesh, MeshBuilder, MeshError, NONE, St
 use glam::{DVec2, DVec3};
 
 /// A column of the vertices of triangles, and where each block begins in it.
-struct BlockColumn<T> {
-    column: Option<Column<T>>,
-    first: Vec<Option<u32>>,
-}
+type BlockColumn<T> = (Option<Column<T>>, Vec<Option<u32>>);
 
 impl<'a> Assembler<'a> {
     /// Decodes the vertices of all blocks and builds the mesh. Also returns the faces that are dropped from it.
@@ -28,15 +25,13 @@ impl<'a> Assembler<'a> {
             self.source.spend(24 * u64::from(block.count), || self.place())?;
             positions.extend(self.vectors(self.accessors(block).position())?);
         }
-        let normals = self.column(layout, &corners, "NORMAL", |accessor| self.vectors(accessor))?;
-        layout.blocks.iter_mut().zip(normals.first).for_each(|(block, first)| block.first_normal = first);
-        columns.normals = normals.column;
+        let (normals, first) = self.column(layout, &corners, "NORMAL", |accessor| self.vectors(accessor))?;
+        layout.blocks.iter_mut().zip(first).for_each(|(block, first)| block.first_normal = first);
+        columns.normals = normals;
         // glTF counts v from the top of the image, meshes count from the bottom.
         let uv = |[u, v]: [f32; 2]| DVec2::new(u.into(), 1.0 - f64::from(v));
-        let uvs = self.column(layout, &corners, "TEXCOORD_0", |accessor| {
-            Ok(self.shown::<2>(accessor)?.into_iter().map(uv))
-        })?;
-        columns.uvs = uvs.column;
+        let uvs = |accessor| Ok(self.shown::<2>(accessor)?.into_iter().map(uv));
+        columns.uvs = self.column(layout, &corners, "TEXCOORD_0", uvs)?.0;
         columns.colors = self.colors(layout)?;
         columns.morph_targets = self.morph_targets(layout, positions.len())?;
         let note = non_finite_note(&positions, self.non_finite);
@@ -96,10 +91,10 @@ impl<'a> Assembler<'a> {
             values.extend(read(accessor)?);
         }
         if values.is_empty() {
-            return Ok(BlockColumn { column: None, first });
+            return Ok((None, first));
         }
         if first.iter().all(Option::is_some) {
-            return Ok(BlockColumn { column: Some(Column::per_vertex(values)), first });
+            return Ok((Some(Column::per_vertex(values)), first));
         }
         self.source.spend(4 * corners.len() as u64, || self.place())?;
         let mut index = Vec::with_capacity(corners.len());
@@ -108,7 +103,7 @@ impl<'a> Assembler<'a> {
             let range = 3 * piece.first_face as usize..3 * (piece.first_face + piece.faces) as usize;
             index.extend(corners[range].iter().map(|v| first.map_or(NONE, |first| first + v - first_vertex)));
         }
-        Ok(BlockColumn { column: Some(Column::per_corner(values, index)), first })
+        Ok((Some(Column::per_corner(values, index)), first))
     }
 
     fn colors(&self, layout: &Layout) -> Result<Option<Vec<[f32; 4]>>, ReadError> {

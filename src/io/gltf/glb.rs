@@ -63,12 +63,8 @@ impl Glb {
             let rest = length - start;
             if size > rest {
                 let found = format!("chunk length is {size} bytes, but only {rest} bytes remain");
-                return error(
-                    Problem::Truncated,
-                    at,
-                    found,
-                    "a length is wrong; copy or export the file again",
-                );
+                let advice = "a length is wrong; copy or export the file again";
+                return error(Problem::Truncated, at, found, advice);
             }
             chunks.push((kind, start..start + size));
             at = start + size;

@@ -132,7 +132,8 @@ impl Json {
 
     /// The member of an object with a name; the last one if there are several, as browsers do.
     pub fn member(&self, object: Value, name: &str) -> Option<Value> {
-        self.members(object).filter(|&(key, _)| self.is_string(key, name)).map(|(_, value)| value).last()
+        let has_name = |key| self.string(key).is_some_and(|string| string == name);
+        self.members(object).filter(|&(key, _)| has_name(key)).map(|(_, value)| value).last()
     }
 
     /// The elements of a member that is an array; none if it is not.
@@ -180,10 +181,6 @@ impl Json {
 
     fn node(&self, value: Value) -> &Node {
         &self.nodes[value.0 as usize]
-    }
-
-    fn is_string(&self, value: Value, text: &str) -> bool {
-        self.string(value).is_some_and(|string| string == text)
     }
 }
 

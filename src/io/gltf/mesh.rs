@@ -8,6 +8,7 @@ use super::records::{Component, Format, Primitive, VertexAccessors};
 use crate::io::text::counted;
 use crate::io::{NonFinite, Part, Place, Problem, ReadError};
 use crate::mesh::{Columns, FaceLabels, NONE};
+use gltf::json::mesh as mode;
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 use std::collections::hash_map::Entry;
@@ -128,9 +129,9 @@ impl<'a> Assembler<'a> {
                 return Err(out_of_range(place(), found));
             }
         }
-        let is_stored = |&(_, accessor): &(String, usize)| records.accessors[accessor].view.is_some();
+        let is_stored = |&accessor: &usize| records.accessors[accessor].view.is_some();
         let compressed = records.fields(primitive.object).extension(DRACO);
-        if compressed.is_some() && !primitive.vertices.sets[0].iter().all(is_stored) {
+        if compressed.is_some() && !primitive.vertices.sets[0].values().all(is_stored) {
             let found = "the vertices are stored only compressed by KHR_draco_mesh_compression";
             return Err(only_compressed(primitive.place(), found));
         }
@@ -188,17 +189,6 @@ fn fits(semantic: &str, format: Format) -> bool {
     format.columns == 1 && widths.contains(&format.width) && is_allowed
 }
 
-/// glTF's codes for what a primitive draws.
-pub mod mode {
-    pub const POINTS: u64 = 0;
-    pub const LINES: u64 = 1;
-    pub const LINE_LOOP: u64 = 2;
-    pub const LINE_STRIP: u64 = 3;
-    pub const TRIANGLES: u64 = 4;
-    pub const TRIANGLE_STRIP: u64 = 5;
-    pub const TRIANGLE_FAN: u64 = 6;
-}
-
 /// What a primitive draws, as vertex numbers of its own accessors.
 pub enum Drawn {
     Points(Vec<u32>),
@@ -212,8 +202,12 @@ pub fn draw(source: &Source<'_>, primitive: &Primitive, count: usize) -> Result<
     let mut order = match primitive.indices {
         Some(accessor) => {
             let elements = source.elements(accessor)?;
-            check_format(elements.format, accessor)?;
-            let expansion = if primitive.mode == mode::TRIANGLES { 1 } else { 8 };
+            let Format { component, width, .. } = elements.format;
+            if width != 1 || !matches!(component, Component::U8 | Component::U16 | Component::U32) {
+                let found = "the indices are not unsigned integers";
+                return Err(out_of_range(numbered("accessors", accessor), found));
+            }
+            let expansion = if primitive.mode == u64::from(mode::TRIANGLES) { 1 } else { 8 };
             source.spend(4 * expansion * elements.count as u64, || primitive.place())?;
             let indices = elements.integers();
             check_range(&indices, elements.format, count, accessor)?;
@@ -224,12 +218,12 @@ pub fn draw(source: &Source<'_>, primitive: &Primitive, count: usize) -> Result<
             (0..count as u32).collect()
         }
     };
-    let drawn = match primitive.mode {
-        mode::POINTS => Drawn::Points(order),
-        mode::LINES => Drawn::Lines(order.chunks_exact(2).map(<[u32]>::to_vec).collect()),
-        mode::LINE_LOOP => Drawn::Lines(polyline(order.iter().chain(order.first()))),
-        mode::LINE_STRIP => Drawn::Lines(polyline(order.iter())),
-        mode::TRIANGLES => {
+    Ok(match u32::try_from(primitive.mode) {
+        Ok(mode::POINTS) => Drawn::Points(order),
+        Ok(mode::LINES) => Drawn::Lines(order.chunks_exact(2).map(<[u32]>::to_vec).collect()),
+        Ok(mode::LINE_LOOP) => Drawn::Lines(polyline(order.iter().chain(order.first()))),
+        Ok(mode::LINE_STRIP) => Drawn::Lines(polyline(order.iter())),
+        Ok(mode::TRIANGLES) => {
             let rest = order.len() % 3;
             if rest > 0 {
                 let corners = counted(rest, "corner", "corners");
@@ -239,14 +233,13 @@ pub fn draw(source: &Source<'_>, primitive: &Primitive, count: usize) -> Result<
             }
             Drawn::Triangles(order)
         }
-        mode::TRIANGLE_STRIP => Drawn::Triangles(strip(&order)),
-        mode::TRIANGLE_FAN => Drawn::Triangles(fan(&order)),
-        other => {
-            let found = format!("mode {other} is out of range (0 to 6)");
+        Ok(mode::TRIANGLE_STRIP) => Drawn::Triangles(strip(&order)),
+        Ok(mode::TRIANGLE_FAN) => Drawn::Triangles(fan(&order)),
+        _ => {
+            let found = format!("mode {} is out of range (0 to 6)", primitive.mode);
             return Err(out_of_range(primitive.place(), found));
         }
-    };
-    Ok(drawn)
+    })
 }
 
 fn polyline<'a>(order: impl Iterator<Item = &'a u32>) -> Vec<Vec<u32>> {
@@ -264,14 +257,6 @@ fn strip(order: &[u32]) -> Vec<u32> {
 fn fan(order: &[u32]) -> Vec<u32> {
     let Some((&centre, rim)) = order.split_first() else { return Vec::new() };
     rim.windows(2).flat_map(|edge| [edge[0], edge[1], centre]).collect()
-}
-
-fn check_format(format: Format, accessor: usize) -> Result<(), ReadError> {
-    let unsigned = matches!(format.component, Component::U8 | Component::U16 | Component::U32);
-    if unsigned && format.width == 1 {
-        return Ok(());
-    }
-    Err(out_of_range(numbered("accessors", accessor), "the indices are not unsigned integers"))
 }
 
 fn check_range(indices: &[u32], format: Format, count: usize, accessor: usize) -> Result<(), ReadError> {

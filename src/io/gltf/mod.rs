@@ -37,10 +37,8 @@ mod appearance;
 mod read;
 // New binary data, and the JSON that describes them.
 mod data;
-// Triangles and vertices of a new file.
-mod vertices;
-// Materials of other formats.
-mod material;
+// Triangles of a new file.
+mod triangles;
 // Objects as nodes.
 mod objects;
 // A new file from meshes.

@@ -1,22 +1,24 @@
 //! A new glTF file from meshes.
 
+use super::appearance::material_members;
 use super::buffers::address;
 use super::data::{Blob, Bounds, Bytes, Target, accessor_json, normal_format, steps, view_json};
 use super::extensions::QUANTIZATION;
+use super::glb;
 use super::json::quoted;
-use super::mesh::mode;
 use super::objects::pieces;
 use super::records::{Component, Format as ElementFormat};
-use super::vertices::Shape;
-use super::{glb, material};
-use crate::io::mesh_checks::{displacement_note, unsupported_notes};
+use super::triangles::groups;
+use crate::io::mesh_checks::{beyond_f32, displacement_note, unsupported_notes};
+use crate::io::split_mesh::SplitMesh;
 use crate::io::text::counted;
 use crate::io::{
     FileMaterial, Format, NormalFormat, Note, OutputContent, OutputFile, Part, WriteError, WriteOptions,
     Written,
 };
-use crate::mesh::{Column, FaceLabels, Mesh, NONE, VertexSplit};
+use crate::mesh::{Column, FaceLabels, Mesh, NONE};
 use glam::DVec3;
+use gltf::json::mesh as mode;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
@@ -111,76 +113,13 @@ impl<'a> File<'a> {
         if mesh.vertex_count() == 0 {
             return Ok(());
         }
-        let shape = Shape::new(mesh, &mut self.written);
-        let attributes = self.attributes(mesh, &shape)?;
-        let mut primitives = self.solids(mesh, shape, &attributes);
-        self.loose(mesh, &attributes, &mut primitives);
-        let name =
-            if part.name.is_empty() { String::new() } else { format!(",\"name\":{}", quoted(&part.name)) };
-        self.nodes.push(format!("{{\"mesh\":{}{name}}}", self.meshes.len()));
-        self.meshes.push(format!("{{\"primitives\":[{}]{name}}}", primitives.join(",")));
-        Ok(())
-    }
-
-    /// Stores the vertex attributes, which all primitives of the part share.
-    fn attributes(&mut self, mesh: &Mesh, shape: &Shape<'_>) -> Result<Attributes, WriteError> {
-        let columns = mesh.columns();
-        let vertices = shape.vertex_count(mesh);
-        self.written.vertices += vertices as u64;
-        let (positions, bounds) = positions(mesh, shape.split.as_ref(), &mut self.written.notes)?;
-        let float = |width| ElementFormat::vector(Component::F32, false, width);
-        let mut loose = format!("\"POSITION\":{}", self.vertices(positions, float(3), Some(&bounds)));
-        if let Some(colors) = &columns.colors {
-            let clamped = |color: &[f32; 4]| color.map(|c| if c > 0.0 { c.min(1.0) } else { 0.0 });
-            let colors: Vec<_> = (0..vertices).map(|v| clamped(&colors[shape.source(v)])).collect();
-            let accessor = self.vertices(colors, float(4), None);
-            let _ = write!(loose, ",\"COLOR_0\":{accessor}");
-        }
-        let mut flat = loose.clone();
-        if let Some(uvs) = &columns.uvs {
-            // glTF counts v from the top of the image, meshes count from the bottom.
-            let finite = |x: f64| if (x as f32).is_finite() { x as f32 } else { 0.0 };
-            let values = shape.values(mesh, uvs, [0.0; 2], |uv| [finite(uv.x), finite(1.0 - uv.y)]);
-            let accessor = self.vertices(values, float(2), None);
-            let _ = write!(flat, ",\"TEXCOORD_0\":{accessor}");
-        }
-        let mut full = flat.clone();
-        if let Some(normals) = &columns.normals {
-            let _ = write!(full, ",\"NORMAL\":{}", self.normals(mesh, shape, normals));
-        }
-        Ok(Attributes { loose, flat, full })
-    }
-
-    /// Stores the normal of every vertex, +z where there is none.
-    fn normals(&mut self, mesh: &Mesh, shape: &Shape<'_>, normals: &Column<DVec3>) -> usize {
-        let format = normal_format(None, self.normal_format);
-        self.is_quantized |= format.normalized;
-        // Elements begin at multiples of four bytes.
-        let padded = |[x, y, z]: [i32; 3]| [x, y, z, 0];
-        match format.component {
-            Component::I16 => {
-                let coded = |n: &DVec3| padded(steps(*n, i16::MAX.into())).map(|step| step as i16);
-                let values = shape.values(mesh, normals, coded(&DVec3::Z), coded);
-                self.vertices(values, format, None)
-            }
-            Component::I8 => {
-                let coded = |n: &DVec3| padded(steps(*n, i8::MAX.into())).map(|step| step as i8);
-                let values = shape.values(mesh, normals, coded(&DVec3::Z), coded);
-                self.vertices(values, format, None)
-            }
-            _ => {
-                let values = shape.values(mesh, normals, [0.0, 0.0, 1.0], |n| n.as_vec3().to_array());
-                self.vertices(values, format, None)
-            }
-        }
-    }
-
-    /// The triangles: a primitive for each material, and separate ones for faces without normals.
-    fn solids(&mut self, mesh: &'a Mesh, shape: Shape<'a>, attributes: &Attributes) -> Vec<String> {
+        let groups = groups(mesh, &mut self.written.notes);
+        let split = SplitMesh::new(mesh, false);
+        let attributes = self.attributes(&split)?;
         let mut primitives = Vec::new();
-        let vertices = shape.vertex_count(mesh);
-        let groups = shape.groups(mesh);
-        let mut vertex_of = shape.vertex_of;
+        let vertices = split.vertex_count();
+        let mut vertex_of = split.vertex_of;
+        // A primitive for each material, and separate ones for faces without normals.
         for (group, corners) in groups {
             let indices = match corners {
                 None => std::mem::take(&mut vertex_of),
@@ -195,14 +134,70 @@ impl<'a> File<'a> {
             json.push('}');
             primitives.push(json);
         }
-        primitives
+        self.loose(mesh, &attributes, &mut primitives);
+        let name =
+            if part.name.is_empty() { String::new() } else { format!(",\"name\":{}", quoted(&part.name)) };
+        self.nodes.push(format!("{{\"mesh\":{}{name}}}", self.meshes.len()));
+        self.meshes.push(format!("{{\"primitives\":[{}]{name}}}", primitives.join(",")));
+        Ok(())
+    }
+
+    /// Stores the vertex attributes, which all primitives of the part share.
+    fn attributes(&mut self, split: &SplitMesh<'_>) -> Result<Attributes, WriteError> {
+        let columns = split.mesh.columns();
+        let vertices = split.vertex_count();
+        self.written.vertices += vertices as u64;
+        let (positions, bounds) = positions(split, &mut self.written.notes)?;
+        let float = |width| ElementFormat::vector(Component::F32, false, width);
+        let mut loose = format!("\"POSITION\":{}", self.vertices(positions, float(3), Some(&bounds)));
+        if let Some(colors) = &columns.colors {
+            let clamped = |color: &[f32; 4]| color.map(|c| if c > 0.0 { c.min(1.0) } else { 0.0 });
+            let colors: Vec<_> = (0..vertices).map(|v| clamped(&colors[split.source(v)])).collect();
+            let accessor = self.vertices(colors, float(4), None);
+            let _ = write!(loose, ",\"COLOR_0\":{accessor}");
+        }
+        let mut flat = loose.clone();
+        if let Some(uvs) = &columns.uvs {
+            // glTF counts v from the top of the image, meshes count from the bottom.
+            let finite = |x: f64| if (x as f32).is_finite() { x as f32 } else { 0.0 };
+            let values = values(split, uvs, [0.0; 2], |uv| [finite(uv.x), finite(1.0 - uv.y)]);
+            let accessor = self.vertices(values, float(2), None);
+            let _ = write!(flat, ",\"TEXCOORD_0\":{accessor}");
+        }
+        let mut full = flat.clone();
+        if let Some(normals) = &columns.normals {
+            let _ = write!(full, ",\"NORMAL\":{}", self.normals(split, normals));
+        }
+        Ok(Attributes { loose, flat, full })
+    }
+
+    /// Stores the normal of every vertex, +z where there is none.
+    fn normals(&mut self, split: &SplitMesh<'_>, normals: &Column<DVec3>) -> usize {
+        let format = normal_format(None, self.normal_format);
+        self.is_quantized |= format.normalized;
+        // Elements begin at multiples of four bytes.
+        let padded = |[x, y, z]: [i32; 3]| [x, y, z, 0];
+        match format.component {
+            Component::I16 => {
+                let coded = |n: &DVec3| padded(steps(*n, i16::MAX.into())).map(|step| step as i16);
+                self.vertices(values(split, normals, coded(&DVec3::Z), coded), format, None)
+            }
+            Component::I8 => {
+                let coded = |n: &DVec3| padded(steps(*n, i8::MAX.into())).map(|step| step as i8);
+                self.vertices(values(split, normals, coded(&DVec3::Z), coded), format, None)
+            }
+            _ => {
+                let coded = |n: &DVec3| n.as_vec3().to_array();
+                self.vertices(values(split, normals, coded(&DVec3::Z), coded), format, None)
+            }
+        }
     }
 
     /// Points and lines; a mesh with nothing but vertices is drawn as points.
     fn loose(&mut self, mesh: &'a Mesh, attributes: &Attributes, primitives: &mut Vec<String>) {
         let columns = mesh.columns();
         let vertices = mesh.vertex_count();
-        let mut primitive = |file: &mut Self, mode: u64, indices: Cow<'a, [u32]>| {
+        let mut primitive = |file: &mut Self, mode: u32, indices: Cow<'a, [u32]>| {
             let indices = file.indices(indices, vertices);
             let list = &attributes.loose;
             primitives.push(format!("{{\"attributes\":{{{list}}},\"indices\":{indices},\"mode\":{mode}}}"));
@@ -229,7 +224,7 @@ impl<'a> File<'a> {
         *self.material_numbers.entry(name).or_insert_with(|| {
             let known = self.known.get(name);
             self.textures += known.map_or(0, |material| material.textures);
-            let members = known.map(|known| material::members(known)).unwrap_or_default();
+            let members = known.map(|known| material_members(known)).unwrap_or_default();
             self.materials.push(format!("{{\"name\":{}{members}}}", quoted(name)));
             self.materials.len() - 1
         })
@@ -287,14 +282,21 @@ struct Attributes {
     full: String,
 }
 
+/// The value of every written vertex, `default` where it has none.
+fn values<T: Sync, U: Copy + Send + Sync>(
+    split: &SplitMesh<'_>,
+    column: &Column<T>,
+    default: U,
+    convert: impl Fn(&T) -> U + Send + Sync,
+) -> Vec<U> {
+    let vertices = (0..split.vertex_count()).into_par_iter();
+    vertices.map(|vertex| split.value(column, vertex).map_or(default, &convert)).collect()
+}
+
 /// Positions as `f32`, and their bounds.
-fn positions(
-    mesh: &Mesh,
-    split: Option<&VertexSplit>,
-    notes: &mut Vec<Note>,
-) -> Result<(Vec<[f32; 3]>, Bounds), WriteError> {
-    let round = |p: &DVec3| [p.x as f32, p.y as f32, p.z as f32];
-    let rounded: Vec<[f32; 3]> = mesh.positions().par_iter().map(round).collect();
+fn positions(split: &SplitMesh<'_>, notes: &mut Vec<Note>) -> Result<(Vec<[f32; 3]>, Bounds), WriteError> {
+    let mesh = split.mesh;
+    let rounded: Vec<[f32; 3]> = mesh.positions().par_iter().map(|p| p.as_vec3().to_array()).collect();
     let none = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
     let join = |(low, high): ([f32; 3], [f32; 3]), (l, h): ([f32; 3], [f32; 3])| {
         let axes = [0, 1, 2];
@@ -304,19 +306,12 @@ fn positions(
     let plain = |p: &[f32; 3]| p.map(|x| x + 0.0);
     let (low, high) = rounded.par_iter().map(plain).map(|p| (p, p)).reduce(|| none, join);
     if low.iter().chain(&high).any(|bound| bound.is_infinite()) {
-        let vertex = rounded.iter().position(|p| p.iter().any(|x| x.is_infinite())).unwrap_or(0);
-        let DVec3 { x, y, z } = mesh.positions()[vertex];
-        let text = format!(
-            "vertex {vertex} at ({x:e}, {y:e}, {z:e}) is out of the range of 32-bit floats; scale the model, or write PLY or OBJ"
-        );
-        return Err(WriteError::Unsupported(text));
+        return Err(beyond_f32(mesh));
     }
     notes.extend(displacement_note(mesh));
     let double = |bound: [f32; 3]| bound.map(f64::from).to_vec();
     let bounds = Bounds { low: double(low), high: double(high) };
-    let rounded = match split {
-        Some(split) => split.source.iter().map(|&v| rounded[v as usize]).collect(),
-        None => rounded,
-    };
-    Ok((rounded, bounds))
+    let is_split = split.vertex_count() > rounded.len();
+    let all = || (0..split.vertex_count()).map(|vertex| rounded[split.source(vertex)]).collect();
+    Ok((if is_split { all() } else { rounded }, bounds))
 }

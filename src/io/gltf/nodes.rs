@@ -28,7 +28,17 @@ pub fn read(json: &Json, meshes: usize, notes: &mut Vec<Note>) -> Result<Vec<Fil
         placed.push(FileNode { number: node.number, name, part, world_from_part });
         Ok(())
     })?;
-    warn(&placed, &unrotated, moved_skin, notes);
+    let places = unrotated.iter().map(|&node| Place::Json(format!("/nodes/{node}/rotation")));
+    let text = "a rotation of zeros was read as no rotation";
+    notes.extend(Note::for_all(Severity::Warning, unrotated.len() as u64, places, text));
+    let singular = placed.iter().filter(|node| node.world_from_part.determinant() == 0.0);
+    let places = singular.clone().map(|node| numbered("nodes", node.number));
+    let text = "the transform of a node flattens its mesh, so normals are undefined there";
+    notes.extend(Note::for_all(Severity::Warning, singular.count() as u64, places, text));
+    if let Some(node) = moved_skin {
+        let text = "a skinned mesh ignores the transform of its node and is read in its bind pose";
+        notes.push(Note { place: numbered("nodes", node), ..Note::remark(text) });
+    }
     Ok(placed)
 }
 
@@ -234,20 +244,6 @@ fn rotation_of(matrix: DMat4) -> Option<DQuat> {
     let volume = x.cross(y).dot(z);
     let rotation = DMat3::from_cols(if volume < 0.0 { -x } else { x }, y, z);
     (volume != 0.0).then(|| DQuat::from_mat3(&rotation).normalize())
-}
-
-fn warn(placed: &[FileNode], unrotated: &[usize], moved_skin: Option<usize>, notes: &mut Vec<Note>) {
-    let places = unrotated.iter().map(|&node| Place::Json(format!("/nodes/{node}/rotation")));
-    let text = "a rotation of zeros was read as no rotation";
-    notes.extend(Note::for_all(Severity::Warning, unrotated.len() as u64, places, text));
-    let singular = placed.iter().filter(|node| node.world_from_part.determinant() == 0.0);
-    let places = singular.clone().map(|node| numbered("nodes", node.number));
-    let text = "the transform of a node flattens its mesh, so normals are undefined there";
-    notes.extend(Note::for_all(Severity::Warning, singular.count() as u64, places, text));
-    if let Some(node) = moved_skin {
-        let text = "a skinned mesh ignores the transform of its node and is read in its bind pose";
-        notes.push(Note { place: numbered("nodes", node), ..Note::remark(text) });
-    }
 }
 
 #[cfg(test)]

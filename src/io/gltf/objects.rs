@@ -33,7 +33,7 @@ pub fn by_object(part: &Part) -> Option<(Vec<Part>, usize)> {
     if let Some(mesh) = cutter.loose() {
         pieces.push(Part { name: part.name.clone(), mesh, non_finite_faces: Vec::new() });
     }
-    let unused = cutter.vertices.never_used();
+    let unused = cutter.vertices.known.iter().filter(|(_, piece)| *piece == 0).count();
     Some((pieces, unused))
 }
 
@@ -83,10 +83,6 @@ impl Numbers {
     fn values<T: Clone>(&self, values: &[T]) -> Vec<T> {
         self.list.iter().map(|&old| values[old as usize].clone()).collect()
     }
-
-    fn never_used(&self) -> usize {
-        self.known.iter().filter(|(_, piece)| *piece == 0).count()
-    }
 }
 
 impl<'a> Cutter<'a> {
@@ -121,7 +117,11 @@ impl<'a> Cutter<'a> {
                 of_face: numbers.iter().map(|&face| groups.of_face[face as usize]).collect(),
                 before_first: numbers.partition_point(|&face| (face as usize) < groups.before_first),
             }),
-            materials: old.materials.as_ref().map(|labels| cut_labels(labels, numbers, &mut self.materials)),
+            materials: old.materials.as_ref().map(|labels| {
+                let of_face = numbers.iter().map(|&face| labels.of_face[face as usize]);
+                let of_face = self.materials.of_all(of_face);
+                FaceLabels { of_face, names: self.materials.values(&labels.names) }
+            }),
             ..Columns::default()
         };
         self.finish(faces, columns)
@@ -154,11 +154,6 @@ fn cut<T: Clone>(mesh: &Mesh, column: &Column<T>, corners: &[usize], numbers: &m
     let slot = |&corner: &usize| column.slot(corner, mesh.faces().corners()[corner]).unwrap_or(NONE);
     let index = numbers.of_all(corners.iter().map(slot));
     Column::per_corner(numbers.values(&column.values), index)
-}
-
-fn cut_labels(labels: &FaceLabels, faces: &[u32], numbers: &mut Numbers) -> FaceLabels {
-    let of_face = numbers.of_all(faces.iter().map(|&face| labels.of_face[face as usize]));
-    FaceLabels { of_face, names: numbers.values(&labels.names) }
 }
 
 /// The parts to write: those given, or where one has several objects, these.

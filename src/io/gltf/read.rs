@@ -9,7 +9,6 @@ use super::json::Json;
 use super::mesh::Assembler;
 use super::records::Records;
 use super::{extensions, nodes};
-use crate::io::mesh_checks::check_size;
 use crate::io::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions};
 use std::cell::{Cell, RefCell};
 use std::path::Path;
@@ -18,24 +17,12 @@ use std::path::Path;
 const PRIMITIVES_OF_ANY_SIZE: u64 = 1 << 16;
 const SMALLEST_PRIMITIVE: u64 = 256;
 
-fn check_primitive_count(records: &Records, bytes: u64) -> Result<(), ReadError> {
-    let count: u64 = records.meshes.iter().map(|mesh| mesh.primitives.len().max(1) as u64).sum();
-    let limit = PRIMITIVES_OF_ANY_SIZE.max(bytes / SMALLEST_PRIMITIVE);
-    if count <= limit {
-        return Ok(());
-    }
-    let place = Place::Json("/meshes".into());
-    let found = format!("{count} primitives in {bytes} bytes (limit {limit})");
-    Err(ReadError::new(Problem::Limit, place, found, "merge primitives, or split the file"))
-}
-
 /// Reads a glTF document in either spelling. `base` is the folder of the file, where its buffers are searched for.
 ///
 /// # Errors
 /// With a JSON pointer or a byte offset: damaged or compressed data, unknown required extensions, missing buffers.
 pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
     let mut notes = Vec::new();
-    check_size(&bytes, options)?;
     let (glb, json, file) = if is_glb(&bytes) {
         let glb = Glb::parse(&bytes, &mut notes)?;
         let span = glb.json();
@@ -55,12 +42,19 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
     let bin = glb.as_ref().and_then(Glb::bin);
     let buffers = load(json, &records.buffers, file, bin, base, options)?;
     let images = check_images(json, base, options, &mut notes)?;
-    check_primitive_count(&records, input + buffers.total())?;
+    let bytes = input + buffers.total();
+    let count: u64 = records.meshes.iter().map(|mesh| mesh.primitives.len().max(1) as u64).sum();
+    let limit = PRIMITIVES_OF_ANY_SIZE.max(bytes / SMALLEST_PRIMITIVE);
+    if count > limit {
+        let place = Place::Json("/meshes".into());
+        let found = format!("{count} primitives in {bytes} bytes (limit {limit})");
+        return Err(ReadError::new(Problem::Limit, place, found, "merge primitives, or split the file"));
+    }
     let nodes = nodes::read(json, records.meshes.len(), &mut notes)?;
 
     // A value takes at most six times its stored bytes when decoded; twelve times allows for shared ones.
     let implied_limit = options.limits.implied_elements;
-    let memory = Cell::new(12 * (input + buffers.total()) + 24 * implied_limit);
+    let memory = Cell::new(12 * bytes + 24 * implied_limit);
     let notes = RefCell::new(notes);
     let source = Source { records: &records, buffers: &buffers, implied_limit, memory, notes };
     let mut assembler = Assembler::new(source, options.non_finite);

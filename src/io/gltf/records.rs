@@ -3,6 +3,7 @@
 use super::fields::{Fields, checked_index};
 use super::json::{Json, Value};
 use crate::io::{Note, Place, Problem, ReadError};
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 pub use gltf::json::accessor::ComponentType as Component;
@@ -104,10 +105,10 @@ impl Primitive {
 }
 
 /// The vertex accessors of a primitive, which shares its vertices with those that have equal ones. Set 0 are the attributes,
-/// set n + 1 those of morph target n: pairs of semantic and accessor, sorted by semantic.
+/// set n + 1 those of morph target n: the accessor of each semantic.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct VertexAccessors {
-    pub sets: Vec<Vec<(String, usize)>>,
+    pub sets: Vec<BTreeMap<String, usize>>,
 }
 
 impl VertexAccessors {
@@ -116,7 +117,7 @@ impl VertexAccessors {
     }
 
     pub fn of_set(&self, set: usize, semantic: &str) -> Option<usize> {
-        self.sets.get(set)?.iter().find(|(name, _)| name == semantic).map(|&(_, accessor)| accessor)
+        self.sets.get(set)?.get(semantic).copied()
     }
 
     /// The accessor of positions, which all primitives have whose vertices are read.
@@ -156,9 +157,8 @@ impl Records {
         let (buffers, materials) = (root.list("buffers")?, root.list("materials")?);
         let views = records(&root, "bufferViews", |_, fields| view(fields, buffers.len()))?;
         let accessors = records(&root, "accessors", |_, fields| accessor(fields, views.len()))?;
-        let meshes = records(&root, "meshes", |number, fields| {
-            mesh(number, fields, accessors.len(), materials.len())
-        })?;
+        let counts = Counts { accessors: accessors.len(), materials: materials.len() };
+        let meshes = records(&root, "meshes", |number, fields| mesh(number, fields, counts))?;
         Ok(Records { buffers, views, accessors, meshes, materials, json })
     }
 
@@ -252,24 +252,21 @@ fn sparse(accessor: &Fields<'_>, views: usize) -> Result<Option<Sparse>, ReadErr
     Ok(Some(Sparse { count, index_view, index_offset, index_component, value_view, value_offset }))
 }
 
-fn mesh(
-    mesh: usize,
-    fields: Fields<'_>,
+/// The lengths of the lists that primitives refer to.
+#[derive(Clone, Copy)]
+struct Counts {
     accessors: usize,
     materials: usize,
-) -> Result<MeshRecord, ReadError> {
-    let primitive =
-        |(number, object)| primitive((mesh, number), Fields::new(fields.json, object)?, accessors, materials);
+}
+
+fn mesh(mesh: usize, fields: Fields<'_>, counts: Counts) -> Result<MeshRecord, ReadError> {
+    let primitive = |(number, object)| primitive((mesh, number), Fields::new(fields.json, object)?, counts);
     let primitives = fields.items("primitives")?.enumerate().map(primitive).collect::<Result<_, _>>()?;
     Ok(MeshRecord { object: fields.object, name: fields.name()?, primitives })
 }
 
-fn primitive(
-    number: (usize, usize),
-    fields: Fields<'_>,
-    accessors: usize,
-    materials: usize,
-) -> Result<Primitive, ReadError> {
+fn primitive(number: (usize, usize), fields: Fields<'_>, counts: Counts) -> Result<Primitive, ReadError> {
+    let Counts { accessors, materials } = counts;
     let mut sites = vec![fields.required_child("attributes")?.object];
     sites.extend(fields.list("targets")?);
     let sets = sites.iter().map(|&site| vertex_set(Fields { object: site, ..fields }, accessors));
@@ -284,22 +281,13 @@ fn primitive(
     })
 }
 
-fn vertex_set(fields: Fields<'_>, accessors: usize) -> Result<Vec<(String, usize)>, ReadError> {
+/// Of duplicates the last counts, as everywhere.
+fn vertex_set(fields: Fields<'_>, accessors: usize) -> Result<BTreeMap<String, usize>, ReadError> {
     let json = fields.json;
-    let mut set: Vec<(String, usize)> = Vec::new();
-    for (key, value) in json.members(fields.object) {
+    let member = |(key, value)| {
         let index = json.integer(value).unwrap_or(u64::MAX);
         let index = checked_index(index, accessors, "accessor", || fields.place())?;
-        set.push((json.string(key).unwrap_or_default().into_owned(), index));
-    }
-    // Sorted, equal sets are equal lists. Of duplicates the last counts, as everywhere.
-    set.sort_by(|a, b| a.0.cmp(&b.0));
-    set.dedup_by(|later, earlier| {
-        let same = later.0 == earlier.0;
-        if same {
-            earlier.1 = later.1;
-        }
-        same
-    });
-    Ok(set)
+        Ok((json.string(key).unwrap_or_default().into_owned(), index))
+    };
+    json.members(fields.object).map(member).collect()
 }

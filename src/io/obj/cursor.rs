@@ -75,13 +75,6 @@ impl<'a> Cursor<'a> {
         (line_end > 0).then_some(at + 1 + blanks + line_end)
     }
 
-    /// Whether nothing more of the statement follows, given that blanks are skipped.
-    #[inline]
-    fn at_statement_end(&self) -> bool {
-        let byte = self.peek();
-        is_line_end(byte) || byte == b'#'
-    }
-
     #[inline]
     pub fn at_token_end(&self) -> bool {
         let byte = self.peek();
@@ -101,7 +94,8 @@ impl<'a> Cursor<'a> {
     #[inline]
     pub fn next_argument(&mut self) -> Option<usize> {
         self.skip_blanks();
-        (!self.at_statement_end()).then_some(self.at)
+        let byte = self.peek();
+        (!is_line_end(byte) && byte != b'#').then_some(self.at)
     }
 
     pub fn token(&mut self) -> &'a [u8] {

@@ -71,10 +71,14 @@ impl ObjLines {
         let (mut lines, mut line, mut at) = (Self::default(), 1, range.start);
         // Between a carriage return and its line feed nothing begins.
         let lines_until = |at: usize, end: usize| line_and_column(&text[at..end], end - at).0 - 1;
+        let has_three_corners = |statement: &Statement| {
+            let mut cursor = Cursor::new(text, statement.arguments);
+            (0..3).all(|_| cursor.next_argument().is_some() && cursor.corner().is_some())
+        };
         for statement in statements_in(text, range.clone()) {
             let runs = match statement.keyword {
                 Keyword::Vertex => &mut lines.vertices,
-                Keyword::Face if has_three_corners(text, &statement) => &mut lines.faces,
+                Keyword::Face if has_three_corners(&statement) => &mut lines.faces,
                 _ => continue,
             };
             line += lines_until(at, statement.start);
@@ -93,11 +97,6 @@ impl ObjLines {
     pub fn of_vertex(&self, vertex: u32) -> Option<u64> {
         self.vertices.get(vertex)
     }
-}
-
-fn has_three_corners(text: &[u8], statement: &Statement) -> bool {
-    let mut cursor = Cursor::new(text, statement.arguments);
-    (0..3).all(|_| cursor.next_argument().is_some() && cursor.corner().is_some())
 }
 
 /// The lines of items that are numbered in file order.

@@ -7,15 +7,12 @@
 
 use super::cursor::Cursor;
 use super::document::ObjDocument;
-use super::new_file::check_emit;
-use super::normal_numbers::NormalNumbers;
+use super::new_file::{NormalNumbers, check_emit};
 use super::statements::{Keyword, Statement, statements};
 use crate::io::text::{Copier, counted, line_end_length, push_integer};
 use crate::io::{Loaded, Note, PartEdit, WriteError, WriteOptions, Written};
-use crate::mesh::{ColumnIndex, Mesh, Storage};
-use std::iter::Peekable;
+use crate::mesh::{FaceEdit, Mesh, Storage};
 use std::ops::Range;
-use std::slice;
 
 /// The document with the edit applied. Fails if free-form surfaces refer to normals by number, or for normals of faces.
 pub(in crate::io) fn edit(
@@ -52,12 +49,8 @@ fn changes_nothing(mesh: &Mesh, edit: &PartEdit) -> bool {
         return false;
     }
     let Some(new) = &edit.normals else { return true };
-    let Some(stored) = &mesh.columns().normals else { return false };
-    let (ColumnIndex::PerCorner(new_index), ColumnIndex::PerCorner(index)) = (&new.index, &stored.index)
-    else {
-        return false;
-    };
-    edit.kept == stored.values.len() && new_index == index
+    let stored = mesh.columns().normals.as_ref();
+    stored.is_some_and(|stored| edit.kept == stored.values.len() && new.index == stored.index)
 }
 
 fn edited(
@@ -76,11 +69,10 @@ fn edited(
         mesh,
         numbers: numbers.as_ref(),
         copy: Copier::new(text, 4),
+        faces: &edit.faces,
         tokens: Vec::new(),
         face: 0,
         normal: 0,
-        dropped: edit.faces.dropped.iter().peekable(),
-        reversed: edit.faces.reversed.iter().peekable(),
     };
     let mut to_insert = numbers.as_ref();
     for statement in statements(text) {
@@ -91,7 +83,12 @@ fn edited(
             numbers.push_lines(line_end(text), &mut editor.copy.out);
         }
         match statement.keyword {
-            Keyword::Normal => editor.normal_line(statement),
+            Keyword::Normal => {
+                if numbers.as_ref().is_some_and(|numbers| !numbers.keeps(editor.normal)) {
+                    editor.copy.skip(statement.start..statement.end);
+                }
+                editor.normal += 1;
+            }
             Keyword::Face => editor.face_line(statement),
             _ => {}
         }
@@ -118,24 +115,22 @@ struct Editor<'a> {
     /// `None` if normals do not change.
     numbers: Option<&'a NormalNumbers<'a>>,
     copy: Copier<'a>,
+    faces: &'a FaceEdit,
+    /// The corners of the face line.
     tokens: Vec<Token>,
+    /// How many faces and normals came before.
     face: usize,
     normal: usize,
-    /// The dropped and the reversed faces that are not passed yet.
-    dropped: Peekable<slice::Iter<'a, u32>>,
-    reversed: Peekable<slice::Iter<'a, u32>>,
 }
 
 impl Editor<'_> {
-    fn normal_line(&mut self, statement: Statement) {
-        if self.numbers.is_some_and(|numbers| !numbers.keeps(self.normal)) {
-            self.copy.skip(statement.start..statement.end);
-        }
-        self.normal += 1;
-    }
-
     fn face_line(&mut self, statement: Statement) {
-        self.find_tokens(statement.arguments);
+        self.tokens.clear();
+        let mut cursor = Cursor::new(self.copy.text, statement.arguments);
+        while let Some(start) = cursor.next_argument() {
+            let token = cursor.token();
+            self.tokens.push(Token { span: start..cursor.at, head: start + head_length(token) });
+        }
         if self.tokens.len() < 3 {
             // The reader skipped this one. It may refer to normals that are no longer there.
             if self.numbers.is_some() {
@@ -145,22 +140,11 @@ impl Editor<'_> {
         }
         let face = self.face;
         self.face += 1;
-        let is_next = |next: &&u32| **next as usize == face;
-        // A face may be in both lists.
-        let reversed = self.reversed.next_if(is_next).is_some();
-        if self.dropped.next_if(is_next).is_some() {
+        let reversed = self.faces.reverses(face as u32);
+        if !self.faces.keeps(face as u32) {
             self.copy.skip(statement.start..statement.end);
         } else if reversed || self.numbers.is_some() {
             self.rewrite(Some(self.mesh.faces().range(face).start), reversed);
-        }
-    }
-
-    fn find_tokens(&mut self, arguments: usize) {
-        self.tokens.clear();
-        let mut cursor = Cursor::new(self.copy.text, arguments);
-        while let Some(start) = cursor.next_argument() {
-            let token = cursor.token();
-            self.tokens.push(Token { span: start..cursor.at, head: start + head_length(token) });
         }
     }
 

@@ -12,14 +12,13 @@ use crate::io::{NonFinite, Note, Problem, ReadError};
 use crate::mesh::{Column, Columns, FaceLabels, Faces, Mesh, MeshBuilder, MeshError, NONE, SmoothingGroups};
 use glam::DVec2;
 use rustc_hash::{FxHashMap, FxHashSet};
-use std::ops::Range;
 
 pub(super) struct Merged {
     pub mesh: Mesh,
     pub non_finite_faces: Vec<u32>,
     pub notes: Vec<Note>,
-    /// The bytes of the names of material libraries in the text.
-    pub libraries: Vec<Range<usize>>,
+    /// The arguments of `mtllib` statements.
+    pub libraries: Vec<String>,
 }
 
 pub(super) fn merge(mut content: Content, text: &[u8], non_finite: NonFinite) -> Result<Merged, ReadError> {
@@ -50,8 +49,7 @@ pub(super) fn merge(mut content: Content, text: &[u8], non_finite: NonFinite) ->
     let builder = MeshBuilder { positions, storage, faces, columns };
     let (mesh, non_finite_faces) =
         build_mesh(builder, non_finite).map_err(|error| mesh_error(text, &error))?;
-    let libraries = labels.all.into_iter().filter(|label| label.keyword == Keyword::Library);
-    let libraries = libraries.map(|label| label.name).collect();
+    let libraries = labels.of(Keyword::Library).map(|label| name_text(labels.name(label))).collect();
     Ok(Merged { mesh, non_finite_faces, notes: file_notes, libraries })
 }
 
@@ -68,21 +66,12 @@ fn check_vertices(content: &Content, text: &[u8]) -> Result<(), ReadError> {
 
 /// References to missing attributes and to texture coordinates that are not finite become absent. Such normals stay.
 fn remove_bad_attributes(content: &mut Content, text: &[u8]) {
+    let (uvs, normals) = (content.uvs.len(), content.normals.len());
     for (index, count, target, kind) in [
-        (
-            &mut content.corner_uvs.values,
-            content.uvs.len(),
-            Keyword::TextureCoordinate,
-            notes::UV_OUT_OF_RANGE,
-        ),
-        (
-            &mut content.corner_normals.values,
-            content.normals.len(),
-            Keyword::Normal,
-            notes::NORMAL_OUT_OF_RANGE,
-        ),
+        (&mut content.corner_uvs, uvs, Keyword::TextureCoordinate, notes::UV_OUT_OF_RANGE),
+        (&mut content.corner_normals, normals, Keyword::Normal, notes::NORMAL_OUT_OF_RANGE),
     ] {
-        let bad = remove(index, |slot| slot as usize >= count);
+        let bad = remove(&mut index.values, |slot| slot as usize >= count);
         if bad > 0 {
             let places = bad_references(text, count, target, 1 + Note::MOST_PLACES);
             content.notes.add_all(kind, bad, places.iter().map(|bad| bad.offset));

@@ -25,12 +25,10 @@ mod mtl;
 mod document;
 // Bytes to an OBJ document and its mesh.
 mod read;
-// Writing.
-mod edit;
 // A new OBJ from any meshes.
 mod new_file;
-// The numbers of normals in an OBJ that is edited or new.
-mod normal_numbers;
+// Writing an OBJ back into its own text.
+mod edit;
 
 pub use document::{ObjDocument, ObjLines};
 pub(super) use edit::edit;

@@ -5,12 +5,10 @@ use crate::io::appearance::as_written;
 use crate::io::companion_files::{self, Refusal, output_name};
 use crate::io::text::shown;
 use crate::io::{FileMaterial, FileReflection, Note, OutputContent, OutputFile, Place, ReadOptions};
-use crate::mesh::FaceLabels;
 use rustc_hash::FxHashSet;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::{Cursor, Read};
-use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// The most libraries and textures that are searched for. Real files have a handful.
@@ -30,14 +28,8 @@ pub(super) struct Materials {
     pub notes: Vec<Note>,
 }
 
-/// Finds the libraries that `mtllib` statements name, and the textures that these name.
-pub(super) fn find(
-    text: &[u8],
-    statements: &[Range<usize>],
-    used: Option<&FaceLabels>,
-    base: &Path,
-    options: &ReadOptions,
-) -> Materials {
+/// Finds the libraries that `mtllib` statements name, and the textures that these name. `used` are the materials of faces.
+pub(super) fn find(statements: &[String], used: &[String], base: &Path, options: &ReadOptions) -> Materials {
     let mut search = Search {
         base,
         options,
@@ -49,11 +41,8 @@ pub(super) fn find(
         materials: Vec::new(),
     };
     let mut seen = FxHashSet::default();
-    for statement in statements {
-        let names = name_text(&text[statement.clone()]);
-        if seen.insert(names.clone()) {
-            search.libraries(&names);
-        }
+    for names in statements.iter().filter(|names| seen.insert(*names)) {
+        search.libraries(names);
     }
     let notes = search.notes(used);
     let files = search.files.into_iter();
@@ -62,13 +51,10 @@ pub(super) fn find(
 }
 
 /// The note on the libraries of a stream, which has no folder to search for them.
-pub(super) fn out_of_reach(text: &[u8], statements: &[Range<usize>]) -> Materials {
-    let note = |first: &Range<usize>| {
-        let name = name_text(&text[first.clone()]);
-        let found = format!(
-            "`{}` was not read, because a stream has no folder (--root names one)",
-            shown(name.as_bytes())
-        );
+pub(super) fn out_of_reach(statements: &[String]) -> Materials {
+    let note = |first: &String| {
+        let found =
+            format!("{} was not read, because a stream has no folder (--root names one)", quoted(first));
         Note { more: statements.len() as u64 - 1, ..Note::warning(Place::File, found) }
     };
     Materials { notes: statements.first().map(note).into_iter().collect(), ..Materials::default() }
@@ -151,7 +137,7 @@ impl Search<'_> {
         Some(path)
     }
 
-    fn notes(&self, used: Option<&FaceLabels>) -> Vec<Note> {
+    fn notes(&self, used: &[String]) -> Vec<Note> {
         let missing = self.missing.iter();
         let missing =
             missing.map(|(refusal, names)| (names, format!("{refusal}; the output still refers to it")));
@@ -166,8 +152,7 @@ impl Search<'_> {
         }
         // If a library is missing, the definition may be in it.
         if self.missing.is_empty() && !self.defined.is_empty() {
-            let mut names = used.into_iter().flat_map(|labels| &labels.names);
-            let undefined = names.find(|name| !self.defined.contains(*name));
+            let undefined = used.iter().find(|name| !self.defined.contains(*name));
             let text =
                 |name| Note::remark(format!("material {} is used, but no library defines it", quoted(name)));
             notes.extend(undefined.map(text));
@@ -349,9 +334,8 @@ mod tests {
         fs::write(folder.join("m/t.png"), "").unwrap();
         fs::write(folder.join("u.png"), "").unwrap();
         fs::write(folder.join("v.png"), "").unwrap();
-        let text = b"m/a.mtl ../../b.mtl /etc/hostname";
-        let statement = 0..text.len();
-        let found = find(text, std::slice::from_ref(&statement), None, &folder, &ReadOptions::default());
+        let statement = "m/a.mtl ../../b.mtl /etc/hostname".to_owned();
+        let found = find(&[statement], &[], &folder, &ReadOptions::default());
         let names: Vec<&str> = found.files.iter().map(|file| &*file.name).collect();
         assert_eq!(names, ["m/a.mtl", "m/t.png", "u.png"]);
         let said: Vec<String> = found.notes.iter().map(ToString::to_string).collect();

@@ -1,10 +1,12 @@
-//! A new OBJ from any meshes.
+//! A new OBJ from any meshes, and the numbers of normals in an OBJ that is edited or new.
 
-use super::normal_numbers::NormalNumbers;
 use crate::io::mesh_checks::unsupported_notes;
 use crate::io::text::{push_integer, push_row};
 use crate::io::{Emit, Format, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
-use crate::mesh::{FaceLabels, Mesh, NONE, Storage};
+use crate::mesh::{Column, FaceLabels, Mesh, NONE, Storage};
+use glam::DVec3;
+use rustc_hash::FxHashMap;
+use std::ops::Range;
 use std::slice;
 
 /// An OBJ of all parts, each an object of its own, with `vn` shared where a mesh shares them. Fails for normals of faces.
@@ -84,7 +86,7 @@ impl Writer {
         }
         self.vertices += mesh.vertex_count() as u64;
         self.uvs += columns.uvs.as_ref().map_or(0, |uvs| uvs.values.len() as u64);
-        self.normals += normals.map_or(0, |normals| normals.new_lines());
+        self.normals += normals.map_or(0, |normals| normals.new.len() as u64);
     }
 
     fn positions(&mut self, mesh: &Mesh) {
@@ -178,6 +180,97 @@ impl Writer {
             self.index(b" ", u64::from(vertex) + 1, self.vertices);
         }
         self.out.push(b'\n');
+    }
+}
+
+/// Which `vn` lines stay, which are new, and the number of each value: the index of its line in the output, from 1.
+///
+/// The file's own normals keep their lines while corners refer to them. New ones are one block among them, equal ones once.
+pub(super) struct NormalNumbers<'a> {
+    mesh: &'a Mesh,
+    normals: &'a Column<DVec3>,
+    /// The number of each value of the column, 0 where it needs no line.
+    numbers: Vec<u32>,
+    kept: usize,
+    /// The precision in which new normals are written.
+    storage: Storage,
+    /// The values that are written as new normals.
+    new: Vec<u32>,
+}
+
+impl<'a> NormalNumbers<'a> {
+    /// `before` of the file's own normals come before the new ones, which are written in this precision.
+    pub fn new(
+        mesh: &'a Mesh,
+        edit: &PartEdit,
+        normals: &'a Column<DVec3>,
+        before: usize,
+        storage: Storage,
+    ) -> Self {
+        let count = normals.values.len();
+        let kept = edit.kept.min(count);
+        let numbers = vec![0; count];
+        let mut numbering = Self { mesh, normals, numbers, kept, storage, new: Vec::new() };
+        let is_used = numbering.used(edit);
+        let before = before.min(kept);
+        let next = numbering.number_kept(0..before, &is_used, 1);
+        let next = numbering.number_new(&is_used, next);
+        numbering.number_kept(before..kept, &is_used, next);
+        numbering
+    }
+
+    fn slot(&self, corner: usize) -> Option<usize> {
+        self.normals.slot(corner, self.mesh.faces().corners()[corner]).map(|slot| slot as usize)
+    }
+
+    fn used(&self, edit: &PartEdit) -> Vec<bool> {
+        let mut is_used = vec![false; self.normals.values.len()];
+        let faces = self.mesh.faces().ranges().enumerate();
+        for (_, range) in faces.filter(|&(face, _)| edit.faces.keeps(face as u32)) {
+            range.filter_map(|corner| self.slot(corner)).for_each(|slot| is_used[slot] = true);
+        }
+        is_used
+    }
+
+    fn number_kept(&mut self, slots: Range<usize>, is_used: &[bool], mut next: u32) -> u32 {
+        for slot in slots.filter(|&slot| is_used[slot]) {
+            self.numbers[slot] = next;
+            next += 1;
+        }
+        next
+    }
+
+    /// Values that are written alike share a line.
+    fn number_new(&mut self, is_used: &[bool], first: u32) -> u32 {
+        let mut known: FxHashMap<[u64; 3], u32> = FxHashMap::default();
+        for slot in (self.kept..is_used.len()).filter(|&slot| is_used[slot]) {
+            let normal = self.normals.values[slot];
+            let written = match self.storage {
+                Storage::F32 => normal.as_vec3().as_dvec3(),
+                Storage::F64 => normal,
+            };
+            self.numbers[slot] = *known.entry(written.to_array().map(f64::to_bits)).or_insert_with(|| {
+                self.new.push(slot as u32);
+                first + self.new.len() as u32 - 1
+            });
+        }
+        first + self.new.len() as u32
+    }
+
+    /// Whether the line of the file's `normal`-th normal, counted from 0, stays.
+    pub fn keeps(&self, normal: usize) -> bool {
+        normal < self.kept && self.numbers[normal] != 0
+    }
+
+    pub fn of_corner(&self, corner: usize) -> Option<u32> {
+        self.slot(corner).map(|slot| self.numbers[slot])
+    }
+
+    pub fn push_lines(&self, line_end: &[u8], out: &mut Vec<u8>) {
+        for &slot in &self.new {
+            push_row(out, "vn", self.storage, &self.normals.values[slot as usize].to_array());
+            out.extend_from_slice(line_end);
+        }
     }
 }
 

@@ -6,7 +6,6 @@ use super::merge::merge;
 use super::piece::Content;
 use super::statements::{Keyword, pieces, statements};
 use super::{mtl, piece};
-use crate::io::mesh_checks::check_size;
 use crate::io::text::{line_and_column, line_place, shown};
 use crate::io::{Document, Format, Loaded, Part, Place, Problem, ReadError, ReadOptions};
 use rayon::prelude::*;
@@ -25,7 +24,6 @@ const BATCH: usize = 8;
 /// [`ReadOptions::non_finite`] allows them). Without: UTF-16 and UTF-32, and bytes that are not OBJ.
 pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
     check_encoding(&bytes)?;
-    check_size(&bytes, options)?;
     let place = |error: ReadError| {
         let Place::Byte(offset) = error.place else { return error };
         let (line, column) = line_and_column(&bytes, offset as usize);
@@ -44,10 +42,10 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
     let (mut notes, mesh) = (merged.notes, merged.mesh);
     let mut libraries = match base.or(options.root.as_deref()) {
         Some(base) => {
-            let used = mesh.columns().materials.as_ref();
-            mtl::find(&bytes, &merged.libraries, used, base, options)
+            let used = mesh.columns().materials.as_ref().map_or(&[][..], |labels| &labels.names);
+            mtl::find(&merged.libraries, used, base, options)
         }
-        None => mtl::out_of_reach(&bytes, &merged.libraries),
+        None => mtl::out_of_reach(&merged.libraries),
     };
     notes.append(&mut libraries.notes);
     let name = match &mesh.columns().objects {
@@ -84,14 +82,7 @@ fn check_encoding(bytes: &[u8]) -> Result<(), ReadError> {
         [0xff, 0xfe, 0, 0, ..] | [0, 0, 0xfe, 0xff, ..] => "UTF-32",
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => "UTF-16",
         // Without a mark: ASCII in UTF-16 has a zero in every other byte.
-        [a, b, c, d, ..]
-            if matches!(
-                [*a == 0, *b == 0, *c == 0, *d == 0],
-                [true, false, true, false] | [false, true, false, true]
-            ) =>
-        {
-            "UTF-16"
-        }
+        [0, 1..=255, 0, 1..=255, ..] | [1..=255, 0, 1..=255, 0, ..] => "UTF-16",
         _ => return Ok(()),
     };
     let found = format!("the file is {name} text");
@@ -104,12 +95,7 @@ fn check_is_blank(text: &[u8]) -> Result<(), ReadError> {
     let Some(unknown) = unknown else { return Ok(()) };
     let mut cursor = Cursor::new(text, unknown.start);
     cursor.skip_blanks();
-    let word = shown(cursor.token());
-    let found = format!("not an OBJ file; it starts with `{word}`");
-    Err(ReadError::new(
-        Problem::Syntax,
-        line_place(text, unknown.start),
-        found,
-        "name the format with --format",
-    ))
+    let found = format!("not an OBJ file; it starts with `{}`", shown(cursor.token()));
+    let (place, advice) = (line_place(text, unknown.start), "name the format with --format");
+    Err(ReadError::new(Problem::Syntax, place, found, advice))
 }

@@ -3,13 +3,11 @@
 use super::header::{Element, Header, Kind};
 use super::scalar::Scalar;
 use crate::io::{Place, Problem, ReadError};
-use crate::mesh::{Column, ColumnIndex, Mesh};
-use glam::DVec3;
 
 /// A PLY file as it was read.
 #[derive(Clone, Debug)]
 pub struct PlyDocument {
-    pub(super) bytes: Vec<u8>,
+    pub(in crate::io) bytes: Vec<u8>,
     pub(super) header: Header,
     pub(super) roles: Roles,
     /// Whether ascii rows share lines.
@@ -25,10 +23,6 @@ pub(super) struct Packed {
 }
 
 impl PlyDocument {
-    pub(in crate::io) fn source(&self) -> &[u8] {
-        &self.bytes
-    }
-
     /// The elements and properties that are not part of the mesh.
     pub(in crate::io) fn outside_meshes(&self) -> Vec<String> {
         let mut left = Vec::new();
@@ -47,14 +41,6 @@ impl PlyDocument {
             }
         }
         left
-    }
-
-    /// The stored normals of faces; `None` if vertices have some.
-    pub(super) fn face_normals<'a>(&self, mesh: &'a Mesh) -> Option<&'a [DVec3]> {
-        match &mesh.columns().normals {
-            Some(Column { values, index: ColumnIndex::PerCorner(_) }) => Some(values),
-            _ => None,
-        }
     }
 }
 
@@ -105,13 +91,9 @@ impl Roles {
     pub fn of(header: &Header) -> Result<Roles, ReadError> {
         let named = |name: &str| header.elements.iter().position(|element| element.name == name);
         let Some(vertex) = named("vertex") else {
+            let found = "the header has no element `vertex`";
             let advice = "name the element with the vertices `vertex`";
-            return Err(ReadError::new(
-                Problem::Syntax,
-                Place::File,
-                "the header has no element `vertex`",
-                advice,
-            ));
+            return Err(ReadError::new(Problem::Syntax, Place::File, found, advice));
         };
         let faces = named("face").map(|element| (element, false));
         let faces = faces.or_else(|| named("tristrips").map(|element| (element, true)));
@@ -126,9 +108,8 @@ impl Roles {
         let vertex = &self.vertex;
         if vertex.element == element {
             let triples = [Some(vertex.position), vertex.normal, vertex.color].into_iter().flatten();
-            return Some(
-                triples.flatten().chain(vertex.uv.into_iter().flatten()).chain(vertex.opacity).collect(),
-            );
+            let others = vertex.uv.into_iter().flatten().chain(vertex.opacity);
+            return Some(triples.flatten().chain(others).collect());
         }
         if let Some(face) = self.face.as_ref().filter(|face| face.element == element) {
             let normals = face.normal.into_iter().flatten();

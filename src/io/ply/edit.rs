@@ -3,7 +3,7 @@
 use super::document::{FaceRole, PlyDocument};
 use super::header::{Element, Kind, Property};
 use super::normal_properties::NormalProperties;
-use super::rows::{Row, Rows, damaged, read_corners};
+use super::rows::{Row, Rows, damaged};
 use super::scalar::{Encoding, Scalar};
 use crate::io::text::Changes;
 use crate::io::{Emit, Loaded, Note, PartEdit, Place, Problem, ReadError, WriteError, WriteOptions, Written};
@@ -21,10 +21,7 @@ pub(in crate::io) fn edit(
     edits: &[PartEdit],
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
-    let (Some(part), unchanged) = (loaded.parts.first(), PartEdit::default()) else {
-        return Err(WriteError::Unsupported("a PLY file has exactly one mesh".to_owned()));
-    };
-    let (mesh, edit) = (&part.mesh, edits.first().unwrap_or(&unchanged));
+    let (mesh, edit) = (&loaded.parts[0].mesh, &edits[0]);
     let by_face = options.emit == Emit::Face;
     // Points have no normals to change.
     let has_faces = mesh.face_count() > 0;
@@ -35,13 +32,14 @@ pub(in crate::io) fn edit(
         return Ok(Written { bytes: document.bytes.clone(), vertices, ..Written::default() });
     }
     let (faces, order) = edit.faces.corner_order(mesh.faces());
-    let keys = vertex_normals.map_or(Vec::new(), |normals| match &normals.index {
-        ColumnIndex::PerCorner(index) => order.iter().map(|&corner| index[corner as usize]).collect(),
-        ColumnIndex::PerVertex => Vec::new(),
-    });
-    let all_keys = [&keys[..]];
-    let split =
-        split_vertices(mesh.vertex_count(), faces.corners(), if keys.is_empty() { &[] } else { &all_keys });
+    let keys: Option<Vec<u32>> = match vertex_normals.map(|normals| &normals.index) {
+        Some(ColumnIndex::PerCorner(index)) => {
+            Some(order.iter().map(|&corner| index[corner as usize]).collect())
+        }
+        _ => None,
+    };
+    let split_keys: Vec<&[u32]> = keys.iter().map(Vec::as_slice).collect();
+    let split = split_vertices(mesh.vertex_count(), faces.corners(), &split_keys);
     let editor = Editor {
         document,
         mesh,
@@ -65,7 +63,7 @@ struct Editor<'a> {
     edit: &'a PartEdit,
     vertex_normals: Option<&'a Column<DVec3>>,
     /// The normal of each corner that is kept, if they are given by corner.
-    keys: Vec<u32>,
+    keys: Option<Vec<u32>>,
     face_normals: Option<&'a [DVec3]>,
     /// The faces that are kept, by old vertices.
     faces: Faces,
@@ -78,7 +76,7 @@ struct Editor<'a> {
 impl Editor<'_> {
     fn run(mut self) -> Result<Written, ReadError> {
         let document = self.document;
-        let roles = &document.roles;
+        let (roles, by_face) = (&document.roles, self.face_normals.is_some());
         let mut rows = Rows::new(&document.bytes, &document.header, document.shared_lines);
         for (at, element) in document.header.elements.iter().enumerate() {
             let start = rows.at;
@@ -88,7 +86,7 @@ impl Editor<'_> {
                     self.write_vertices(&mut rows, element)?;
                 }
                 Some(face) if !face.are_strips => self.write_faces(&mut rows, element, face)?,
-                Some(strips) if self.faces_change() => {
+                Some(strips) if self.adds_vertices() || !self.edit.faces.is_empty() || by_face => {
                     rows.each(element, |_, _, _| Ok(()))?;
                     self.replace_strips(element, strips)?;
                 }
@@ -161,12 +159,10 @@ impl Editor<'_> {
     /// The normal that a vertex, old or new, gets; `None` keeps the stored one.
     fn normal(&self, vertex: usize) -> Option<DVec3> {
         let normals = self.vertex_normals?;
-        let slot = match normals.index {
-            ColumnIndex::PerVertex => self.split.source[vertex],
-            ColumnIndex::PerCorner(_) => match self.split.sample[vertex] {
-                NONE => NONE,
-                corner => self.keys[corner as usize],
-            },
+        let slot = match (&self.keys, self.split.sample[vertex]) {
+            (None, _) => self.split.source[vertex],
+            (_, NONE) => NONE,
+            (Some(keys), corner) => keys[corner as usize],
         };
         if slot == NONE {
             return self.unused_normal(vertex);
@@ -188,17 +184,15 @@ impl Editor<'_> {
         (!is_unit).then_some(DVec3::Z)
     }
 
-    /// Whether the faces are no longer those of the strips.
-    fn faces_change(&self) -> bool {
-        let splits = self.split.added(self.mesh.vertex_count()) > 0;
-        splits || !self.edit.faces.is_empty() || self.face_normals.is_some()
+    fn adds_vertices(&self) -> bool {
+        self.split.added(self.mesh.vertex_count()) > 0
     }
 
     /// The type of vertex indices: that of the file if it can hold the added vertices, else `int`, else `uint`.
     fn index_type(&mut self, list: &Property, item: Scalar) -> Scalar {
         let largest = (self.split.source.len().saturating_sub(1)) as f64;
         let holds = |scalar: &Scalar| scalar.largest() >= largest;
-        if self.split.added(self.mesh.vertex_count()) == 0 || holds(&item) {
+        if !self.adds_vertices() || holds(&item) {
             return item;
         }
         let new = if holds(&Scalar::I32) { Scalar::I32 } else { Scalar::U32 };
@@ -216,21 +210,22 @@ impl Editor<'_> {
         let Kind::List { count, item } = list.kind else { return Ok(()) };
         let index_type = self.index_type(list, item);
         // The normals of reversed faces are reversed too.
-        let fields = if self.face_normals.is_some()
-            || role.normal.is_some() && !self.edit.faces.reversed.is_empty()
-        {
-            let behind = element.properties.len() - 1;
-            let packed = self.document.packed.faces;
+        let reverses = role.normal.is_some() && !self.edit.faces.reversed.is_empty();
+        let fields = (self.face_normals.is_some() || reverses).then(|| {
+            let (packed, behind) = (self.document.packed.faces, element.properties.len() - 1);
             let (header, notes) = (&mut self.header, &mut self.notes);
-            Some(NormalProperties::plan(self.document, element, role.normal, packed, behind, header, notes)?)
-        } else {
-            None
+            NormalProperties::plan(self.document, element, role.normal, packed, behind, header, notes)
+        });
+        let fields = fields.transpose()?;
+        // Normals of faces, if vertices have none.
+        let stored = match &self.mesh.columns().normals {
+            Some(Column { values, index: ColumnIndex::PerCorner(_) }) => Some(values),
+            _ => None,
         };
-        let stored = self.document.face_normals(self.mesh);
         let (mut faces_read, mut faces_kept, mut rows_kept) = (0_usize, 0, 0);
         let (mut corners, mut changes) = (Vec::new(), Changes::default());
         rows.each(element, |_, row, rows| {
-            read_corners(rows, row, role.list, list.kind, &mut corners)?;
+            rows.corners(&row.fields[role.list], list.kind, &mut corners)?;
             changes.clear();
             // Rows with fewer than three corners are not faces of the mesh.
             let face = (corners.len() >= 3).then_some(faces_read);

@@ -106,13 +106,8 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Header, ReadError> {
         _ => None,
     };
     let Some(line_end) = line_end else {
-        let advice = "name the format with --format";
-        return Err(ReadError::new(
-            Problem::Syntax,
-            Place::File,
-            "not a PLY file: the first line is not `ply`",
-            advice,
-        ));
+        let found = "not a PLY file: the first line is not `ply`";
+        return Err(ReadError::new(Problem::Syntax, Place::File, found, "name the format with --format"));
     };
     let (mut encoding, mut elements) = (None, Vec::<Element>::new());
     let (mut at, mut number) = (0, 0);
@@ -130,9 +125,8 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Header, ReadError> {
             b"element" => elements.push(element(&line)?),
             b"property" => {
                 let Some(element) = elements.last_mut() else {
-                    return Err(
-                        line.fault("this property comes before the first element", "correct the header")
-                    );
+                    let found = "this property comes before the first element";
+                    return Err(line.fault(found, "correct the header"));
                 };
                 element.properties.push(property(&line)?);
             }

@@ -2,8 +2,9 @@
 
 use super::scalar::{Encoding, Scalar};
 use crate::io::mesh_checks::{needs_f64, unsupported_notes};
+use crate::io::split_mesh::SplitMesh;
 use crate::io::{Emit, Format, Note, Part, Place, WriteError, WriteOptions, Written};
-use crate::mesh::{Column, ColumnIndex, Mesh, NONE, VertexSplit, split_vertices};
+use crate::mesh::{Mesh, NONE};
 use glam::{DVec2, DVec3, DVec4};
 
 /// A binary little-endian PLY of all parts in one, with polygons unchanged and lines as edges.
@@ -13,8 +14,8 @@ use glam::{DVec2, DVec3, DVec4};
 pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Written, WriteError> {
     let layout = Layout::of(parts, options);
     let by_face = options.emit == Emit::Face;
-    let split: Vec<Split<'_>> = parts.iter().map(|part| Split::of(&part.mesh, by_face)).collect();
-    let vertices: usize = split.iter().map(|part| part.split.source.len()).sum();
+    let split: Vec<SplitMesh<'_>> = parts.iter().map(|part| SplitMesh::new(&part.mesh, by_face)).collect();
+    let vertices: usize = split.iter().map(SplitMesh::vertex_count).sum();
     if vertices >= NONE as usize {
         let text = format!("{vertices} vertices, more than the indices of PLY can count");
         return Err(WriteError::TooLarge(text));
@@ -26,14 +27,14 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
     let mut base = 0;
     for part in &split {
         writer.faces(part, base);
-        base += part.split.source.len() as u32;
+        base += part.vertex_count() as u32;
     }
     let mut base = 0;
     for part in &split {
         for pair in part.mesh.columns().lines.iter().flat_map(|line| line.windows(2)) {
             writer.indices(pair.iter().map(|vertex| base + vertex));
         }
-        base += part.split.source.len() as u32;
+        base += part.vertex_count() as u32;
     }
     let old: usize = parts.iter().map(|part| part.mesh.vertex_count()).sum();
     let notes = notes(parts, writer.without_normal);
@@ -95,12 +96,8 @@ impl Layout {
     }
 
     fn header(&self, parts: &[Part], vertices: usize) -> String {
-        let mut text = concat!(
-            "ply\nformat binary_little_endian 1.0\ncomment made by crease ",
-            env!("CARGO_PKG_VERSION"),
-            "\n"
-        )
-        .to_owned();
+        let version = env!("CARGO_PKG_VERSION");
+        let mut text = format!("ply\nformat binary_little_endian 1.0\ncomment made by crease {version}\n");
         let mut element = |name: &str, count: usize, properties: &[(&str, Names)]| {
             text.push_str(&format!("element {name} {count}\n"));
             for (kind, names) in properties {
@@ -126,41 +123,6 @@ impl Layout {
     }
 }
 
-/// A part and its vertices, split.
-struct Split<'a> {
-    mesh: &'a Mesh,
-    split: VertexSplit,
-}
-
-impl<'a> Split<'a> {
-    fn of(mesh: &'a Mesh, by_face: bool) -> Self {
-        let columns = mesh.columns();
-        let normals = columns.normals.as_ref().filter(|_| !by_face).map(|column| &column.index);
-        let uvs = columns.uvs.as_ref().map(|column| &column.index);
-        let keys: Vec<&[u32]> = [normals, uvs]
-            .into_iter()
-            .filter_map(|index| match index? {
-                ColumnIndex::PerCorner(index) => Some(&index[..]),
-                ColumnIndex::PerVertex => None,
-            })
-            .collect();
-        Self { mesh, split: split_vertices(mesh.vertex_count(), mesh.faces().corners(), &keys) }
-    }
-
-    /// The value that a vertex has of a column.
-    fn value<T: Copy>(&self, column: Option<&Column<T>>, vertex: usize) -> Option<T> {
-        let column = column?;
-        let slot = match &column.index {
-            ColumnIndex::PerVertex => self.split.source[vertex],
-            ColumnIndex::PerCorner(index) => {
-                let corner = Some(self.split.sample[vertex]).filter(|&corner| corner != NONE)?;
-                Some(index[corner as usize]).filter(|&slot| slot != NONE)?
-            }
-        };
-        Some(column.values[slot as usize])
-    }
-}
-
 struct Writer {
     out: Vec<u8>,
     layout: Layout,
@@ -179,26 +141,26 @@ impl Writer {
         }
     }
 
-    fn normal_or_z(&mut self, normal: Option<DVec3>, is_used: bool) -> DVec3 {
-        self.without_normal += usize::from(normal.is_none() && is_used);
-        normal.unwrap_or(DVec3::Z)
+    fn normal_or_z(&mut self, normal: Option<&DVec3>, is_used: impl FnOnce() -> bool) -> DVec3 {
+        self.without_normal += usize::from(normal.is_none() && is_used());
+        normal.copied().unwrap_or(DVec3::Z)
     }
 
-    fn vertices(&mut self, part: &Split<'_>) {
+    fn vertices(&mut self, part: &SplitMesh<'_>) {
         let columns = part.mesh.columns();
-        for (vertex, &source) in part.split.source.iter().enumerate() {
-            let source = source as usize;
+        for vertex in 0..part.vertex_count() {
+            let source = part.source(vertex);
             for property in 0..self.layout.vertex.len() {
                 let (content, scalar, names) = self.layout.vertex[property];
                 let values = match content {
                     Content::Position => part.mesh.positions()[source].extend(0.0),
                     Content::Normal => {
-                        let is_used = part.split.sample[vertex] != NONE;
-                        self.normal_or_z(part.value(columns.normals.as_ref(), vertex), is_used).extend(0.0)
+                        let normal = columns.normals.as_ref().and_then(|column| part.value(column, vertex));
+                        self.normal_or_z(normal, || part.is_used(vertex)).extend(0.0)
                     }
                     Content::Uv => {
-                        let uv = part.value(columns.uvs.as_ref(), vertex).unwrap_or(DVec2::ZERO);
-                        uv.extend(0.0).extend(0.0)
+                        let uv = columns.uvs.as_ref().and_then(|column| part.value(column, vertex));
+                        uv.unwrap_or(&DVec2::ZERO).extend(0.0).extend(0.0)
                     }
                     Content::Color => {
                         let color = columns.colors.as_ref().map_or([1.0; 4], |colors| colors[source]);
@@ -210,16 +172,16 @@ impl Writer {
         }
     }
 
-    fn faces(&mut self, part: &Split<'_>, base: u32) {
+    fn faces(&mut self, part: &SplitMesh<'_>, base: u32) {
         let normals = part.mesh.columns().normals.as_ref();
         for range in part.mesh.faces().ranges() {
             self.numbers(self.layout.count, &[range.len() as f64]);
-            self.indices(part.split.corners[range.clone()].iter().map(|vertex| base + vertex));
+            self.indices(part.vertex_of[range.clone()].iter().map(|vertex| base + vertex));
             if let Some(scalar) = self.layout.face_normals {
                 let corner = range.start;
                 let normal =
                     normals.and_then(|column| column.get(corner, part.mesh.faces().corners()[corner]));
-                let normal = self.normal_or_z(normal.copied(), true);
+                let normal = self.normal_or_z(normal, || true);
                 self.numbers(scalar, &normal.to_array());
             }
         }

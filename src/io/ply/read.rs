@@ -3,10 +3,10 @@
 use super::document::{FaceRole, Packed, PlyDocument, Roles, VertexRole};
 use super::header;
 use super::header::{Element, Header, Kind};
-use super::rows::{OVERLONG, Row, Rows, place, places, read_corners, vertex_index};
+use super::rows::{OVERLONG, Row, Rows, places, vertex_index};
 use super::scalar::{Encoding, Scalar};
 use crate::io::error::{NoteKind, RepeatedNotes};
-use crate::io::mesh_checks::{build_part, check_size, non_finite_note};
+use crate::io::mesh_checks::{build_part, non_finite_note};
 use crate::io::text::{counted, in_text, restore_singles};
 use crate::io::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions, Severity};
 use crate::mesh::{Column, Faces, MeshBuilder, MeshError, NONE, Storage};
@@ -25,10 +25,9 @@ const NOT_FINITE: NoteKind =
 /// With the line or the byte: an invalid header, a body that ends too early, words that are not numbers, vertex indices out of
 /// range, positions that are not finite (unless [`ReadOptions::non_finite`] allows them).
 pub fn read(bytes: Vec<u8>, _base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
-    check_size(&bytes, options)?;
     let header = header::parse(&bytes)?;
     let roles = Roles::of(&header)?;
-    let place = |offset: usize| place(&bytes, header.encoding, offset);
+    let place = |offset: usize| places(&bytes, header.encoding, &[offset]).remove(0);
     let mut rows = Rows::new(&bytes, &header, false);
     let mut reading = Reading::of(&mut rows, &header, &roles);
     if reading.as_ref().is_err_and(|error| error.problem == Problem::Truncated) && rows.notes.has(OVERLONG) {
@@ -111,7 +110,7 @@ impl Reading {
             let vector = |[x, y, z]: [usize; 3]| Ok(DVec3::new(value(x)?, value(y)?, value(z)?));
             let position = vector(role.position)?;
             if !position.is_finite() && non_finite.is_none() {
-                *non_finite = row.first_field();
+                *non_finite = row.fields.first().map(|field| field.start);
             }
             mesh.positions.push(position);
             if let (Some(normal), Some(normals)) = (role.normal, &mut normals) {
@@ -122,7 +121,8 @@ impl Reading {
                 uvs.push(notes.valid_or_zero(NOT_FINITE, row.span.start, uv.is_finite(), uv));
             }
             if let (Some(color), Some(colors)) = (role.color, &mut colors) {
-                let channel = |at: usize| Ok((value(at)? / kinds[at].full_scale()) as f32);
+                let full = |scalar: Scalar| if scalar.is_integer() { scalar.largest() } else { 1.0 };
+                let channel = |at: usize| Ok((value(at)? / full(kinds[at])) as f32);
                 let [r, g, b] = color.map(channel);
                 let color = [r?, g?, b?, role.opacity.map_or(Ok(1.0), channel)?];
                 let is_finite = color.iter().all(|value| value.is_finite());
@@ -163,14 +163,14 @@ impl Reading {
         let mesh = &mut self.mesh;
         mesh.faces = Faces::with_capacity(3 * rows.plausible_count(element));
         rows.each(element, |_, row, rows| {
-            read_corners(rows, row, role.list, kind, &mut corners)?;
+            rows.corners(&row.fields[role.list], kind, &mut corners)?;
             if corners.len() < 3 {
                 self.notes.add(SHORT_FACE, row.fields[role.list].start);
                 return Ok(());
             }
             if corners.iter().any(|&corner| u64::from(corner) >= vertex_count) && self.out_of_range.is_none()
             {
-                self.out_of_range = row.first_field();
+                self.out_of_range = row.fields.first().map(|field| field.start);
             }
             mesh.faces.push(&corners);
             if let Some(normal) = role.normal {
@@ -239,6 +239,8 @@ struct CornerUvs {
     values: Vec<DVec2>,
     /// One a corner, [`NONE`] where a face has no uv.
     index: Vec<u32>,
+    /// The list of one face: where each number is, and the number.
+    list: Vec<(usize, f64)>,
 }
 
 impl CornerUvs {
@@ -252,23 +254,18 @@ impl CornerUvs {
         corners: usize,
         notes: &mut RepeatedNotes,
     ) -> Result<(), ReadError> {
-        let first = self.values.len();
-        let mut pending = None;
+        self.list.clear();
         for item in rows.items(&row.fields[at], kind) {
-            let value = rows.scalar(&item, kind.scalar())?;
-            match pending.take() {
-                None => pending = Some(value),
-                Some(u) => {
-                    let uv = DVec2::new(u, value);
-                    self.values.push(notes.valid_or_zero(NOT_FINITE, item.start, uv.is_finite(), uv));
-                }
-            }
+            self.list.push((item.start, rows.scalar(&item, kind.scalar())?));
         }
-        if self.values.len() - first == corners && pending.is_none() {
-            self.index.extend(first as u32..(first + corners) as u32);
-        } else {
-            self.values.truncate(first);
+        if self.list.len() != 2 * corners {
             self.index.extend(std::iter::repeat_n(NONE, corners));
+            return Ok(());
+        }
+        for &[(_, u), (at, v)] in self.list.as_chunks().0 {
+            let uv = DVec2::new(u, v);
+            self.index.push(self.values.len() as u32);
+            self.values.push(notes.valid_or_zero(NOT_FINITE, at, uv.is_finite(), uv));
         }
         Ok(())
     }
@@ -293,7 +290,7 @@ fn notes(reading: &Reading, rows: &Rows<'_>, header: &Header) -> Vec<Note> {
     if !rest.trim_ascii().is_empty() {
         let bytes_left = counted(rest.len(), "byte", "bytes");
         let text = format!("{bytes_left} after the last row ignored");
-        notes.push(Note::warning(place(rows.bytes, header.encoding, rows.at), text));
+        notes.push(Note::warning(places(&[rows.at]).remove(0), text));
     }
     let mut names = BTreeSet::new();
     let repeated: Vec<&Element> =

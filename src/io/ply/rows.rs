@@ -4,7 +4,7 @@ use super::header::{Element, Header, Kind};
 use super::scalar::{Encoding, Scalar};
 use crate::io::error::{NoteKind, RepeatedNotes};
 use crate::io::mesh_checks::DAMAGED;
-use crate::io::text::{at_byte, counted, line_end_length, line_place, line_places, next_word, shown};
+use crate::io::text::{at_byte, counted, line_end_length, line_places, next_word, shown};
 use crate::io::{Place, Problem, ReadError};
 use crate::mesh::NONE;
 use std::ops::Range;
@@ -22,15 +22,7 @@ fn truncated(offset: usize, found: impl Into<String>) -> ReadError {
     at_byte(Problem::Truncated, offset, found, "the file is cut off, or a count in its header is wrong")
 }
 
-/// Where an offset is: a line in ascii, a byte in binary.
-pub(super) fn place(bytes: &[u8], encoding: Encoding, offset: usize) -> Place {
-    match encoding {
-        Encoding::Ascii => line_place(bytes, offset),
-        _ => Place::Byte(offset as u64),
-    }
-}
-
-/// As [`place`], for ascending offsets.
+/// Where ascending offsets are: on lines in ascii, at bytes in binary.
 pub(super) fn places(bytes: &[u8], encoding: Encoding, offsets: &[usize]) -> Vec<Place> {
     match encoding {
         Encoding::Ascii => line_places(bytes, offsets),
@@ -45,13 +37,6 @@ pub(super) struct Row {
     pub span: Range<usize>,
     /// The bytes of each property; of a list, its count included.
     pub fields: Vec<Range<usize>>,
-}
-
-impl Row {
-    /// Where its first property is.
-    pub fn first_field(&self) -> Option<usize> {
-        self.fields.first().map(|field| field.start)
-    }
 }
 
 /// Goes through the body.
@@ -218,6 +203,16 @@ impl<'a> Rows<'a> {
         })
     }
 
+    /// The vertices of the face in a list of a row.
+    pub fn corners(&self, list: &Range<usize>, kind: Kind, corners: &mut Vec<u32>) -> Result<(), ReadError> {
+        corners.clear();
+        let scalar = kind.scalar();
+        for item in self.items(list, kind) {
+            corners.push(vertex_index(self.scalar(&item, scalar)?, item.start)?);
+        }
+        Ok(())
+    }
+
     /// The places of the items of a list.
     pub fn items(&self, field: &Range<usize>, kind: Kind) -> Items<'a> {
         let mut items = Items { bytes: self.bytes, rest: field.clone(), size: 0 };
@@ -258,22 +253,6 @@ impl Iterator for Items<'_> {
         self.rest.start = word.end;
         Some(word)
     }
-}
-
-/// The vertices of the face in a row.
-pub(super) fn read_corners(
-    rows: &Rows<'_>,
-    row: &Row,
-    list: usize,
-    kind: Kind,
-    corners: &mut Vec<u32>,
-) -> Result<(), ReadError> {
-    corners.clear();
-    let scalar = kind.scalar();
-    for item in rows.items(&row.fields[list], kind) {
-        corners.push(vertex_index(rows.scalar(&item, scalar)?, item.start)?);
-    }
-    Ok(())
 }
 
 /// A number as that of a vertex.

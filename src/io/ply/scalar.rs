@@ -89,11 +89,6 @@ impl Scalar {
         }
     }
 
-    /// The stored value of 1 in a colour.
-    pub fn full_scale(self) -> f64 {
-        if self.is_integer() { self.largest() } else { 1.0 }
-    }
-
     /// The number in `bytes`: exactly its binary bytes, or an ascii word. `None` if the word is not a number.
     #[inline]
     pub fn read(self, bytes: &[u8], encoding: Encoding) -> Option<f64> {

@@ -30,6 +30,7 @@ pub(super) struct FacetText {
     pub lead: &'static str,
     /// The numbers of each vertex, as a range of [`SolidText::vertices`].
     pub vertices: Range<usize>,
+    value: Option<DVec3>,
 }
 
 /// A solid in the text, and the numbers that it holds.
@@ -40,7 +41,6 @@ pub(super) struct SolidText {
     /// The three numbers of each vertex.
     pub vertices: Vec<Range<usize>>,
     positions: Vec<DVec3>,
-    normals: Vec<Option<DVec3>>,
 }
 
 pub(super) fn read(text: &[u8], options: &ReadOptions) -> Result<(Vec<Part>, Vec<Note>), ReadError> {
@@ -65,17 +65,17 @@ pub(super) fn solids(text: &[u8]) -> Vec<SolidText> {
 }
 
 fn part(text: &[u8], solid: SolidText, storage: Storage, options: &ReadOptions) -> Result<Part, ReadError> {
-    let SolidText { name, facets, vertices, positions, normals } = solid;
+    let SolidText { name, facets, vertices, positions } = solid;
     let mut faces = Faces::with_capacity(positions.len());
-    let (mut values, mut index) = (Vec::with_capacity(normals.len()), Vec::with_capacity(positions.len()));
+    let (mut values, mut index) = (Vec::with_capacity(facets.len()), Vec::with_capacity(positions.len()));
     let mut corners = Vec::new();
-    for (facet, normal) in facets.iter().zip(&normals) {
+    for facet in &facets {
         corners.clear();
         corners.extend(facet.vertices.clone().map(|vertex| vertex as u32));
         faces.push(&corners);
-        let slot = if normal.is_some() { values.len() as u32 } else { NONE };
+        let slot = if facet.value.is_some() { values.len() as u32 } else { NONE };
         index.extend(corners.iter().map(|_| slot));
-        values.extend(normal);
+        values.extend(facet.value);
     }
     let normals = (!values.is_empty()).then(|| Column::per_corner(values, index));
     let columns = Columns { normals, ..Columns::default() };
@@ -228,9 +228,8 @@ impl<'a> Parser<'a> {
                 return Err(damaged(end.start, found, "correct the facet"));
             }
         }
-        let solid = self.solid();
-        solid.facets.push(FacetText { span: word.start..end.end, normal, lead, vertices });
-        solid.normals.push(value);
+        let facet = FacetText { span: word.start..end.end, normal, lead, vertices, value };
+        self.solid().facets.push(facet);
         Ok(())
     }
 

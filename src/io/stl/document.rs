@@ -5,7 +5,7 @@ use crate::io::text::{Words, counted};
 /// An STL file as it was read.
 #[derive(Clone, Debug)]
 pub struct StlDocument {
-    pub(super) bytes: Vec<u8>,
+    pub(in crate::io) bytes: Vec<u8>,
     pub(super) layout: Layout,
 }
 
@@ -21,10 +21,6 @@ pub(super) const FIRST: usize = 84;
 pub(super) const FACET: usize = 50;
 
 impl StlDocument {
-    pub(in crate::io) fn source(&self) -> &[u8] {
-        &self.bytes
-    }
-
     /// The attribute bytes behind facets, in which some programs keep colours.
     pub(in crate::io) fn outside_meshes(&self) -> Vec<String> {
         let Layout::Binary { facets } = self.layout else { return Vec::new() };
@@ -42,7 +38,7 @@ pub(super) fn declared_facets(bytes: &[u8]) -> Option<u32> {
 }
 
 /// Whether a file is exactly as long as its number of facets demands.
-fn has_exact_length(bytes: &[u8]) -> bool {
+pub(super) fn has_exact_length(bytes: &[u8]) -> bool {
     declared_facets(bytes)
         .is_some_and(|count| bytes.len() as u64 == FIRST as u64 + u64::from(count) * FACET as u64)
 }
@@ -58,10 +54,6 @@ const HEAD: usize = 1024;
 
 fn mentions(text: &[u8], word: &[u8]) -> bool {
     text.windows(word.len()).any(|window| window.eq_ignore_ascii_case(word))
-}
-
-pub(super) fn is_binary(bytes: &[u8]) -> bool {
-    has_exact_length(bytes) || !is_ascii(bytes) && bytes.len() >= FIRST
 }
 
 /// Whether a file starts like an ascii STL and has no control characters where a binary one has numbers.

@@ -1,12 +1,12 @@
 //! Writing an STL back into its own bytes.
 
-use super::ascii::{FacetText, SolidText, solids};
+use super::ascii::{FacetText, solids};
 use super::document::{FACET, FIRST, HEADER, Layout, StlDocument};
 use super::new_file::{stored, vertex_normals_note};
 use super::read::VECTOR;
-use crate::io::text::{Copier, line_end_length, push_f32};
+use crate::io::text::{Copier, line_end_length, push_f32, push_row};
 use crate::io::{Loaded, PartEdit, WriteError, WriteOptions, Written};
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, Storage};
 use std::ops::Range;
 
 /// The document with the edit applied. Facets whose corners keep the normal of the file keep it; all else keeps its bytes.
@@ -16,13 +16,10 @@ pub(in crate::io) fn edit(
     edits: &[PartEdit],
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
-    let unchanged = PartEdit::default();
-    let edits = || edits.iter().chain(std::iter::repeat(&unchanged));
-    let meshes = || loaded.parts.iter().map(|part| &part.mesh).zip(edits());
-    let bytes = match (document.layout, meshes().next()) {
-        (Layout::Ascii, _) => edit_ascii(&document.bytes, meshes()),
-        (Layout::Binary { .. }, Some((mesh, edit))) => edit_binary(&document.bytes, mesh, edit),
-        (Layout::Binary { .. }, None) => document.bytes.clone(),
+    let meshes = || loaded.parts.iter().map(|part| &part.mesh).zip(edits);
+    let bytes = match document.layout {
+        Layout::Ascii => edit_ascii(&document.bytes, meshes()),
+        Layout::Binary { .. } => edit_binary(&document.bytes, &loaded.parts[0].mesh, &edits[0]),
     };
     let kept: usize = meshes().map(|(mesh, edit)| mesh.face_count() - edit.faces.dropped.len()).sum();
     let has_normals = meshes().any(|(_, edit)| edit.normals.is_some() || edit.face_normals.is_some());
@@ -64,43 +61,28 @@ fn edit_ascii<'a>(text: &[u8], edits: impl Iterator<Item = (&'a Mesh, &'a PartEd
     let mut copy = Copier::new(text, 8);
     for (solid, (mesh, edit)) in solids(text).iter().zip(edits) {
         for (face, facet) in solid.facets.iter().enumerate() {
-            if edit.faces.keeps(face as u32) {
-                let reverses = edit.faces.reverses(face as u32);
-                edit_facet(&mut copy, solid, facet, new_normal(mesh, edit, face), reverses);
-            } else {
+            if !edit.faces.keeps(face as u32) {
                 copy.skip(facet_lines(&copy, facet));
+                continue;
+            }
+            if let Some([x, y, z]) = new_normal(mesh, edit, face) {
+                copy.skip(facet.normal.clone());
+                copy.out.extend_from_slice(facet.lead.as_bytes());
+                push_f32(&mut copy.out, x);
+                push_row(&mut copy.out, "", Storage::F32, &[y.into(), z.into()]);
+            }
+            if edit.faces.reverses(face as u32) {
+                // The first corner stays the first.
+                let spans = &solid.vertices[facet.vertices.clone()];
+                for (here, there) in spans[1..].iter().zip(spans[1..].iter().rev()) {
+                    copy.skip(here.clone());
+                    copy.out.extend_from_slice(&copy.text[there.clone()]);
+                }
             }
         }
     }
     copy.copy_to(text.len());
     copy.out
-}
-
-fn edit_facet(
-    copy: &mut Copier<'_>,
-    solid: &SolidText,
-    facet: &FacetText,
-    normal: Option<[f32; 3]>,
-    reverses: bool,
-) {
-    if let Some(normal) = normal {
-        copy.skip(facet.normal.clone());
-        copy.out.extend_from_slice(facet.lead.as_bytes());
-        for (k, value) in normal.into_iter().enumerate() {
-            if k > 0 {
-                copy.out.push(b' ');
-            }
-            push_f32(&mut copy.out, value);
-        }
-    }
-    if reverses {
-        // The first corner stays the first.
-        let spans = &solid.vertices[facet.vertices.clone()];
-        for (here, there) in spans[1..].iter().zip(spans[1..].iter().rev()) {
-            copy.skip(here.clone());
-            copy.out.extend_from_slice(&copy.text[there.clone()]);
-        }
-    }
 }
 
 /// The bytes to remove with a facet: its lines, if nothing else is on them.

@@ -1,7 +1,7 @@
 //! A new binary STL from any meshes.
 
 use super::document::{FACET, FIRST, HEADER};
-use crate::io::mesh_checks::{displacement_note, needs_f64, unsupported_notes};
+use crate::io::mesh_checks::{beyond_f32, displacement_note, needs_f64, unsupported_notes};
 use crate::io::{Emit, Format, Note, Part, Place, WriteError, WriteOptions, Written};
 use crate::mesh::{Mesh, triangulate};
 use glam::DVec3;
@@ -14,13 +14,8 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
     let mut without_normal = 0;
     for part in parts {
         let mesh = &part.mesh;
-        let is_far = |p: &DVec3| p.abs().max_element() > f64::from(f32::MAX);
-        if let Some(vertex) = mesh.positions().iter().position(is_far) {
-            let DVec3 { x, y, z } = mesh.positions()[vertex];
-            let text = format!(
-                "vertex {vertex} at ({x:e}, {y:e}, {z:e}) is out of the range of 32-bit floats; scale the model, or write PLY or OBJ"
-            );
-            return Err(WriteError::Unsupported(text));
+        if mesh.positions().iter().any(|p| !p.as_vec3().is_finite()) {
+            return Err(beyond_f32(mesh));
         }
         // One a face: a polygon has as many triangles as it takes to look at all of its corners.
         let normals: Vec<Option<DVec3>> =

@@ -1,8 +1,10 @@
 //! Bytes to an STL document and its meshes; binary STL: an 80-byte header, the number of facets, 50 bytes a facet.
 
 use super::ascii;
-use super::document::{FACET, FIRST, HEADER, Layout, StlDocument, declared_facets, is_ascii, is_binary};
-use crate::io::mesh_checks::{build_part, check_size, non_finite_note};
+use super::document::{
+    FACET, FIRST, HEADER, Layout, StlDocument, declared_facets, has_exact_length, is_ascii,
+};
+use crate::io::mesh_checks::{build_part, non_finite_note};
 use crate::io::text::counted;
 use crate::io::{Document, Format, Loaded, Note, Part, Place, Problem, ReadError, ReadOptions};
 use crate::mesh::{Column, Columns, Faces, MeshBuilder, MeshError, Storage};
@@ -99,11 +101,11 @@ fn read_binary(
 /// With the line or the byte: a file that ends too early, facets without three vertices, words that are not numbers, positions
 /// that are not finite (unless [`ReadOptions::non_finite`] allows them), and bytes that are not STL.
 pub fn read(bytes: Vec<u8>, _base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
-    check_size(&bytes, options)?;
-    let (layout, (parts, notes)) = if is_binary(&bytes) {
+    let is_ascii = is_ascii(&bytes);
+    let (layout, (parts, notes)) = if has_exact_length(&bytes) || !is_ascii && bytes.len() >= FIRST {
         let facets = facet_count(&bytes)?;
         (Layout::Binary { facets }, read_binary(&bytes, facets, options)?)
-    } else if is_ascii(&bytes) {
+    } else if is_ascii {
         (Layout::Ascii, ascii::read(&bytes, options)?)
     } else {
         let found = match bytes.len() {

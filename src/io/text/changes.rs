@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 /// A copy of a text, made from front to back.
-pub(in crate::io) struct Copier<'a> {
+pub struct Copier<'a> {
     pub text: &'a [u8],
     pub out: Vec<u8>,
     /// The text before this offset is copied or skipped.
@@ -30,7 +30,7 @@ impl<'a> Copier<'a> {
 
 /// Replacements of pieces of a text, in any order.
 #[derive(Default)]
-pub(in crate::io) struct Changes {
+pub struct Changes {
     /// Each piece in the order of their offsets, and its replacement as a piece of `new`.
     pieces: Vec<(Range<usize>, Range<usize>)>,
     new: Vec<u8>,

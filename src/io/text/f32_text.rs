@@ -17,7 +17,7 @@ const DIGITS: i32 = 6;
 /// The shortest decimal of an `f32` is a different `f64`, up to half a spacing away, which rotates the normal of a sliver by many
 /// degrees. The coordinates were `f32` if each has the shortest spelling of one, and enough of them end in a digit finer than
 /// single precision or have fewer decimals the larger they are. Numbers with a fixed count of decimals stay unchanged.
-pub(in crate::io) fn restore_singles(parts: &mut [&mut [DVec3]]) -> Storage {
+pub fn restore_singles(parts: &mut [&mut [DVec3]]) -> Storage {
     let all = parts.par_iter().flat_map(|part| part.par_iter());
     let spellings = all.try_fold(Spellings::default, Spellings::with);
     let spellings = spellings.try_reduce(Spellings::default, |a, b| Some(a.and(&b)));

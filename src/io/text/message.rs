@@ -5,23 +5,18 @@ use memchr::memchr_iter;
 use std::borrow::Cow;
 
 /// An error at a byte offset of a text. [`in_text`] finds its line, once it is reported.
-pub(in crate::io) fn at_byte(
-    problem: Problem,
-    offset: usize,
-    found: impl Into<String>,
-    advice: &str,
-) -> ReadError {
+pub fn at_byte(problem: Problem, offset: usize, found: impl Into<String>, advice: &str) -> ReadError {
     ReadError::new(problem, Place::Byte(offset as u64), found, advice)
 }
 
 /// An error with its line instead of its byte offset.
-pub(in crate::io) fn in_text(error: ReadError, text: &[u8]) -> ReadError {
+pub fn in_text(error: ReadError, text: &[u8]) -> ReadError {
     let Place::Byte(offset) = error.place else { return error };
     ReadError { place: line_place(text, offset as usize), ..error }
 }
 
 /// The number of the physical line that an offset is on, counted from 1, and the column in bytes, likewise.
-pub(in crate::io) fn line_and_column(text: &[u8], offset: usize) -> (u64, usize) {
+pub fn line_and_column(text: &[u8], offset: usize) -> (u64, usize) {
     let before = &text[..offset.min(text.len())];
     let feeds = memchr_iter(b'\n', before).count();
     let lone_returns = memchr_iter(b'\r', before).filter(|&at| text.get(at + 1) != Some(&b'\n')).count();
@@ -29,12 +24,12 @@ pub(in crate::io) fn line_and_column(text: &[u8], offset: usize) -> (u64, usize)
     ((feeds + lone_returns + 1) as u64, before.len() - start + 1)
 }
 
-pub(in crate::io) fn line_place(text: &[u8], offset: usize) -> Place {
+pub fn line_place(text: &[u8], offset: usize) -> Place {
     Place::Line(line_and_column(text, offset).0)
 }
 
 /// The lines of ascending offsets, in one pass over the text.
-pub(in crate::io) fn line_places(text: &[u8], offsets: &[usize]) -> Vec<Place> {
+pub fn line_places(text: &[u8], offsets: &[usize]) -> Vec<Place> {
     let mut lines = 1;
     let mut start = 0;
     let line = |&offset: &usize| {
@@ -48,7 +43,7 @@ pub(in crate::io) fn line_places(text: &[u8], offsets: &[usize]) -> Vec<Place> {
 }
 
 /// A count with its noun in the singular or plural.
-pub(in crate::io) fn counted(count: impl TryInto<u64>, one: &str, many: &str) -> String {
+pub fn counted(count: impl TryInto<u64>, one: &str, many: &str) -> String {
     match count.try_into().unwrap_or(u64::MAX) {
         1 => format!("1 {one}"),
         count => format!("{count} {many}"),
@@ -56,7 +51,7 @@ pub(in crate::io) fn counted(count: impl TryInto<u64>, one: &str, many: &str) ->
 }
 
 /// A piece of the text for a message: short and printable.
-pub(in crate::io) fn shown(bytes: &[u8]) -> String {
+pub fn shown(bytes: &[u8]) -> String {
     const LONGEST: usize = 40;
     let text: String = bytes[..bytes.len().min(LONGEST)].escape_ascii().to_string().replace("\\\\", "\\");
     if bytes.len() > LONGEST { format!("{text}…") } else { text }

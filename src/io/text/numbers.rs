@@ -7,7 +7,7 @@
 use crate::mesh::Storage;
 
 /// The powers of ten that an `f64` holds exactly.
-pub(in crate::io) const EXACT_POWERS: [f64; 23] = [
+pub const EXACT_POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18,
     1e19, 1e20, 1e21, 1e22,
 ];
@@ -64,7 +64,7 @@ fn digits(text: &[u8], mut at: usize, mantissa: &mut u64) -> usize {
 
 /// The number at the front of a text and its length; `None` if there is none, or if only [`float`] can read it.
 #[inline]
-pub(in crate::io) fn float_prefix(text: &[u8]) -> Option<(f64, usize)> {
+pub fn float_prefix(text: &[u8]) -> Option<(f64, usize)> {
     let first = *text.first()?;
     let negative = first == b'-';
     let start = usize::from(negative || first == b'+');
@@ -92,7 +92,7 @@ pub(in crate::io) fn float_prefix(text: &[u8]) -> Option<(f64, usize)> {
 }
 
 /// The number that a whole token spells, C's `nan(…)`, `-nan(ind)`, `1.#INF` and `-1.#IND` included; `None` if it is none.
-pub(in crate::io) fn float(token: &[u8]) -> Option<f64> {
+pub fn float(token: &[u8]) -> Option<f64> {
     if let Some((value, length)) = float_prefix(token)
         && length == token.len()
     {
@@ -125,7 +125,7 @@ pub(in crate::io) fn float(token: &[u8]) -> Option<f64> {
 
 /// The integer at the front of a text, with or without a sign, and its length. Beyond `i64` it is the nearest of that.
 #[inline]
-pub(in crate::io) fn integer_prefix(text: &[u8]) -> Option<(i64, usize)> {
+pub fn integer_prefix(text: &[u8]) -> Option<(i64, usize)> {
     let first = *text.first()?;
     let negative = first == b'-';
     let start = usize::from(negative || first == b'+');
@@ -144,17 +144,17 @@ fn saturated(digits: &[u8]) -> i64 {
 }
 
 /// Appends the shortest decimal that reads back as the same `f32`. The number must be finite.
-pub(in crate::io) fn push_f32(out: &mut Vec<u8>, value: f32) {
+pub fn push_f32(out: &mut Vec<u8>, value: f32) {
     push_trimmed(out, zmij::Buffer::new().format_finite(value));
 }
 
 /// Appends the shortest decimal that reads back as the same `f64`. The number must be finite.
-pub(in crate::io) fn push_f64(out: &mut Vec<u8>, value: f64) {
+pub fn push_f64(out: &mut Vec<u8>, value: f64) {
     push_trimmed(out, zmij::Buffer::new().format_finite(value));
 }
 
 /// Appends a keyword and numbers, with the digits that this precision needs.
-pub(in crate::io) fn push_row(out: &mut Vec<u8>, keyword: &str, storage: Storage, values: &[f64]) {
+pub fn push_row(out: &mut Vec<u8>, keyword: &str, storage: Storage, values: &[f64]) {
     out.extend_from_slice(keyword.as_bytes());
     for &value in values {
         out.push(b' ');
@@ -170,7 +170,7 @@ fn push_trimmed(out: &mut Vec<u8>, text: &str) {
     out.extend_from_slice(text.strip_suffix(".0").unwrap_or(text).as_bytes());
 }
 
-pub(in crate::io) fn push_integer(out: &mut Vec<u8>, mut value: u64) {
+pub fn push_integer(out: &mut Vec<u8>, mut value: u64) {
     const LONGEST: usize = 20;
     let mut digits = [0; LONGEST];
     let mut start = LONGEST;

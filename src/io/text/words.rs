@@ -3,12 +3,12 @@
 use std::ops::Range;
 
 /// Whether a byte is a blank or part of a line end.
-pub(in crate::io) fn is_blank(byte: u8) -> bool {
+pub fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t'..=b'\r')
 }
 
 /// The first word at or after `at`, on whatever line.
-pub(in crate::io) fn next_word(text: &[u8], at: usize) -> Option<Range<usize>> {
+pub fn next_word(text: &[u8], at: usize) -> Option<Range<usize>> {
     let rest = &text[at..];
     let start = at + rest.iter().position(|byte| !is_blank(*byte))?;
     let length = text[start..].iter().position(|byte| is_blank(*byte));
@@ -16,7 +16,7 @@ pub(in crate::io) fn next_word(text: &[u8], at: usize) -> Option<Range<usize>> {
 }
 
 /// The length of the line end that a text starts with: LF, CR LF or CR; 0 without one.
-pub(in crate::io) fn line_end_length(text: &[u8]) -> usize {
+pub fn line_end_length(text: &[u8]) -> usize {
     match text {
         [b'\r', b'\n', ..] => 2,
         [b'\r' | b'\n', ..] => 1,
@@ -25,12 +25,12 @@ pub(in crate::io) fn line_end_length(text: &[u8]) -> usize {
 }
 
 /// The text without the byte order mark that some editors put in front of UTF-8.
-pub(in crate::io) fn without_byte_order_mark(text: &[u8]) -> &[u8] {
+pub fn without_byte_order_mark(text: &[u8]) -> &[u8] {
     text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text)
 }
 
 /// The words of a text with comments, which go from `#` to the end of the line.
-pub(in crate::io) struct Words<'a> {
+pub struct Words<'a> {
     text: &'a [u8],
     /// Where the search for the next word starts.
     pub at: usize,

@@ -8,12 +8,12 @@
 //! space, with a bound on the rounding of the maps. So no mesh is copied, and mirroring maps need no special case: inside
 //! stays inside.
 //!
-//! A cavity of this kind contains air, like a [room](super::rooms): shells in it in the same mesh are deeper by one than
+//! A cavity of this kind contains air, like a [room](super::shells): shells in it in the same mesh are deeper by one than
 //! their own mesh says.
 
 use super::nesting::{Place, Probe, Walls, probes};
 use super::policy::Orientations;
-use super::rooms::{Role, Shell, roles};
+use super::shells::{Role, Shell, roles};
 use crate::mesh::box_tree::{Bounds, BoxTree};
 use crate::mesh::polygon_mesh::Mesh;
 use crate::mesh::topology::Topology;
@@ -86,9 +86,8 @@ impl Solid {
     }
 
     fn walls<'a>(&self, mesh: &'a Mesh) -> Walls<'a> {
-        let faces: Vec<&[u32]> = (0..self.shells.len()).map(|shell| self.faces(shell)).collect();
-        let all: Vec<u32> = (0..faces.len() as u32).collect();
-        Walls::new(mesh, self.orientations.components.against(), &faces, &all)
+        let shells = (0..self.shells.len()).map(|shell| (shell as u32, self.faces(shell)));
+        Walls::new(mesh, &self.orientations.components.against, shells)
     }
 }
 

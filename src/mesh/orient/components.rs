@@ -15,9 +15,9 @@ pub(super) struct Components {
     /// Where each component starts in `faces`, with the total at the end.
     starts: Vec<u32>,
     /// Of each face: whether it runs against the lowest face of its component.
-    against: Vec<bool>,
+    pub(super) against: Vec<bool>,
     /// Of each component: whether its faces can all be made to agree.
-    orientable: Vec<bool>,
+    pub(super) orientable: Vec<bool>,
 }
 
 impl Components {
@@ -75,16 +75,6 @@ impl Components {
     /// The faces of a component, ascending.
     pub(super) fn faces(&self, component: usize) -> &[u32] {
         &self.faces[self.starts[component] as usize..self.starts[component + 1] as usize]
-    }
-
-    /// Of each face of the mesh: whether it runs against the lowest face of its component.
-    pub(super) fn against(&self) -> &[bool] {
-        &self.against
-    }
-
-    /// Whether the faces of a component can all be made to agree.
-    pub(super) fn is_orientable(&self, component: usize) -> bool {
-        self.orientable[component]
     }
 
     /// The faces of a component that run against its lowest one, or the others.

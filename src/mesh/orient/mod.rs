@@ -2,12 +2,10 @@
 
 // Connected components, and which faces of each run against the others.
 mod components;
-// The sign of a closed surface's volume.
-mod volume;
 // How deep closed surfaces lie inside each other, by rays from points of them.
 mod nesting;
-// Closed surfaces that face inwards: rooms and cavities.
-mod rooms;
+// Closed surfaces: the sign of their volume, and those that face inwards as rooms and cavities.
+mod shells;
 // The outer side of a surface with a boundary.
 mod visibility;
 // The policies.

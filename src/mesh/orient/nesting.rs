@@ -42,30 +42,29 @@ pub(super) fn nests(
     let bounds: Vec<Bounds> = shells.par_iter().map(|faces| face_bounds(mesh, faces)).collect();
     let boxes = BoxTree::build(shells.len(), |shell| bounds[shell as usize]);
     let numbers = || (0..shells.len() as u32).into_par_iter();
-    let is_inner = |shell: u32| {
-        let own = bounds[shell as usize];
-        finds(
-            &boxes,
-            |node| node.contains(own),
-            |other| other != shell && bounds[other as usize].contains(own),
-        )
+    // Whether another shell's box is a hit, or the search became too long.
+    type Test = fn(Bounds, Bounds) -> bool;
+    let finds = |shell: u32, enter: Test, is_hit: Test| {
+        let (own, mut hit) = (bounds[shell as usize], false);
+        let enough = boxes.visit(
+            &mut { BOX_BUDGET },
+            |node| enter(node, own),
+            |other| {
+                hit = other != shell && is_hit(bounds[other as usize], own);
+                !hit
+            },
+        );
+        hit || !enough
     };
-    let inner: Vec<bool> = numbers().map(is_inner).collect();
+    let inner: Vec<bool> = numbers().map(|shell| finds(shell, Bounds::contains, Bounds::contains)).collect();
     let rays: usize = (0..shells.len()).filter(|&s| inner[s]).map(|s| 2 * shells[s].len().min(12)).sum();
     if rays == 0 {
         return vec![Some(Nest::default()); shells.len()];
     }
     // Only shells that have a box in their own need to be searched for crossings.
-    let is_outer = |&shell: &u32| {
-        let own = bounds[shell as usize];
-        finds(
-            &boxes,
-            |node| node.overlaps(own),
-            |other| other != shell && own.contains(bounds[other as usize]),
-        )
-    };
+    let is_outer = |&shell: &u32| finds(shell, Bounds::overlaps, |other, own| own.contains(other));
     let outer: Vec<u32> = numbers().filter(is_outer).collect();
-    let walls = Walls::new(mesh, against, shells, &outer);
+    let walls = Walls::new(mesh, against, outer.iter().map(|&shell| (shell, shells[shell as usize])));
     let budget = Walls::budget([&walls], rays);
     let nest = |shell: usize| {
         if !inner[shell] {
@@ -89,16 +88,6 @@ pub(super) fn face_bounds(mesh: &Mesh, faces: &[u32]) -> Bounds {
     Bounds::of(corners.map(|&vertex| mesh.position(vertex)))
 }
 
-/// Whether a tree has an item that `hits`, or the search became too long.
-fn finds(tree: &BoxTree, enter: impl Fn(Bounds) -> bool, hits: impl Fn(u32) -> bool) -> bool {
-    let mut hit = false;
-    let enough = tree.visit(&mut { BOX_BUDGET }, enter, |item| {
-        hit = hits(item);
-        !hit
-    });
-    hit || !enough
-}
-
 /// The triangles of some shells, in a tree.
 pub(super) struct Walls<'a> {
     mesh: &'a Mesh,
@@ -117,11 +106,15 @@ pub(super) enum Place {
 }
 
 impl<'a> Walls<'a> {
-    /// The walls of the `outer` shells.
-    pub(super) fn new(mesh: &'a Mesh, against: &[bool], shells: &[&[u32]], outer: &[u32]) -> Self {
+    /// The walls of shells, given by number and faces.
+    pub(super) fn new<'s>(
+        mesh: &'a Mesh,
+        against: &[bool],
+        shells: impl Iterator<Item = (u32, &'s [u32])>,
+    ) -> Self {
         let mut triangles: Vec<(u32, [u32; 3])> = Vec::new();
-        for &shell in outer {
-            for &face in shells[shell as usize] {
+        for (shell, faces) in shells {
+            for &face in faces {
                 let against = against[face as usize];
                 let agreeing = |[a, b, c]: [u32; 3]| (shell, if against { [a, c, b] } else { [a, b, c] });
                 triangles.extend(mesh.faces().fan(face).map(agreeing));

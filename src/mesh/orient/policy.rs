@@ -1,7 +1,7 @@
 //! The orientation policies: which faces to reverse so that neighbours agree and surfaces face outwards.
 
 use super::components::Components;
-use super::rooms::{Role, Shell, roles, shells};
+use super::shells::{Role, Shell, roles, shells};
 use super::visibility::votes;
 use crate::mesh::face_normals::vector_area;
 use crate::mesh::polygon_mesh::Mesh;
@@ -148,7 +148,7 @@ impl Orientations {
         let components = Components::find(mesh, topology);
         let (closed, open) = (0..components.len())
             .into_par_iter()
-            .filter(|&component| components.is_orientable(component))
+            .filter(|&component| components.orientable[component])
             .partition(|&component| components.is_closed(component, mesh, topology));
         Self { components, closed, open }
     }

@@ -59,7 +59,7 @@ pub(super) fn votes(mesh: &Mesh, components: &Components, open: &[usize]) -> Vec
     let poll = Poll { obstacles, directions: directions(), budget: (STEPS.0 / rays).max(STEPS.1) };
     let reported: Vec<(usize, Vote)> = largest
         .into_par_iter()
-        .map(|i| (i, poll.vote(components.faces(open[i]), components.against(), points)))
+        .map(|i| (i, poll.vote(components.faces(open[i]), &components.against, points)))
         .collect();
     reported.into_iter().for_each(|(i, vote)| votes[i] = vote);
     votes

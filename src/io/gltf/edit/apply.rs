@@ -2,7 +2,8 @@
 
 use super::group::Group;
 use super::member::Member;
-use super::store::{Changed, Store, notes};
+use super::rows::Tables;
+use super::store::{Changed, Remark, Store};
 use crate::io::companion_files::{leads_to, output_name};
 use crate::io::gltf::buffers::{Storage, address, encode_data, percent_encoded};
 use crate::io::gltf::document::GltfDocument;
@@ -14,7 +15,6 @@ use crate::io::gltf::splice::{Splices, changed_object};
 use crate::io::{
     Format, Loaded, Note, OutputContent, OutputFile, Part, PartEdit, Place, WriteError, WriteOptions, Written,
 };
-use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -35,7 +35,7 @@ pub fn edit(
 ) -> Result<Written, WriteError> {
     let mut store = Store::new(document);
     let source = document.accessors();
-    let mut tables = FxHashMap::default();
+    let mut tables = Tables::default();
     let mut groups: BTreeMap<(usize, bool), Vec<Member<'_>>> = BTreeMap::new();
     for member in Member::all(document, loaded, edits) {
         groups.entry((member.block.source, member.has_normals())).or_default().push(member);
@@ -49,29 +49,10 @@ pub fn edit(
             group.write_faces(&mut store)?;
         }
     }
-    let remarks = store.remarks;
+    let remarks = std::mem::take(&mut store.remarks).into_iter();
     if store.is_quantized {
         store.require(QUANTIZATION);
     }
-    let mut written = package(document, store, to, options)?;
-    let vertices: usize = loaded.parts.iter().map(|part: &Part| part.mesh.vertex_count()).sum();
-    written.vertices = vertices as u64 + added;
-    written.added_vertices = added;
-    written.notes.extend(notes(remarks));
-    let drops = edits.iter().any(|edit| !edit.faces.dropped.is_empty());
-    if (added > 0 || drops) && document.lists("extensionsUsed", "FB_geometry_metadata") {
-        let text = "FB_geometry_metadata still has the vertex and face counts of the input";
-        written.notes.push(Note::warning(Place::File, text));
-    }
-    Ok(written)
-}
-
-fn package(
-    document: &GltfDocument,
-    mut store: Store<'_>,
-    to: Format,
-    options: &WriteOptions,
-) -> Result<Written, WriteError> {
     let mut package = Package { document, options, written: Written::default() };
     if to != Format::Glb || document.glb.is_some() {
         package.settle_buffers(&mut store);
@@ -83,7 +64,18 @@ fn package(
         (None, _) => package.same_gltf(store),
     }
     package.copy_images();
-    Ok(package.written)
+    let mut written = package.written;
+    let vertices: usize = loaded.parts.iter().map(|part: &Part| part.mesh.vertex_count()).sum();
+    written.vertices = vertices as u64 + added;
+    written.added_vertices = added;
+    let note = |(remark, count): (Remark, usize)| Note::counted(count, remark.1, remark.2);
+    written.notes.extend(remarks.filter_map(note));
+    let drops = edits.iter().any(|edit| !edit.faces.dropped.is_empty());
+    if (added > 0 || drops) && document.lists("extensionsUsed", "FB_geometry_metadata") {
+        let text = "FB_geometry_metadata still has the vertex and face counts of the input";
+        written.notes.push(Note::warning(Place::File, text));
+    }
+    Ok(written)
 }
 
 struct Package<'a> {
@@ -110,7 +102,11 @@ impl Package<'_> {
                     let copy = OutputContent::CopyOf(path.clone());
                     let known = self.written.companions.iter().find(|other| other.content == copy);
                     let known = known.map(|other| other.name.clone());
-                    let name = known.unwrap_or_else(|| self.free_name(stem, &bare_name(path)));
+                    let name = known.unwrap_or_else(|| {
+                        // Without what would make it lead elsewhere.
+                        let bare = path.file_name().map(|name| name.to_string_lossy());
+                        self.free_name(stem, &bare.unwrap_or("buffer.bin".into()))
+                    });
                     store.splices.set(object, "uri", quoted(&percent_encoded(&name)));
                     name
                 }
@@ -143,17 +139,17 @@ impl Package<'_> {
     fn same_gltf(&mut self, store: Store<'_>) {
         let document = self.document;
         // A document that is one file stays one.
-        let external =
-            document.buffers.list.iter().any(|buffer| matches!(buffer.storage, Storage::File { .. }));
+        let external = document.buffers.list.iter().any(|buffer| buffer.storage.file().is_some());
         let stem = self.options.stem.as_ref().filter(|_| external);
         let name = stem.map(|stem| self.free_name(stem, "normals.bin"));
         let stale = stem.and_then(|stem| self.own_earlier(stem));
         let changed = store.finish(stale, |extra| Some(address(name.as_deref(), extra)));
         self.written.bytes = changed.json.into_bytes();
         if let (Some(name), Some(extra)) = (name, changed.extra) {
-            let replaced = changed.replaced.map(|buffer| &document.buffers.list[buffer].storage);
-            if let Some(Storage::File { path, .. }) = replaced {
-                self.written.companions.retain(|file| file.content != OutputContent::CopyOf(path.clone()));
+            let replaced = changed.replaced.and_then(|buffer| document.buffers.list[buffer].storage.file());
+            if let Some((_, path)) = replaced {
+                let copy = OutputContent::CopyOf(path.to_owned());
+                self.written.companions.retain(|file| file.content != copy);
             }
             self.written.companions.insert(0, OutputFile { name, content: OutputContent::Bytes(extra) });
         }
@@ -167,18 +163,16 @@ impl Package<'_> {
             let number = number.and_then(|name| name.strip_suffix(".bin"));
             number.is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()))
         };
-        let mut buffers = self.document.buffers.list.iter();
-        buffers.rposition(|buffer| matches!(&buffer.storage, Storage::File { name, .. } if is_own(name)))
+        let mut buffers = self.document.buffers.list.iter().map(|buffer| buffer.storage.file());
+        buffers.rposition(|file| file.is_some_and(|(name, _)| is_own(name)))
     }
 
     /// A name for a file next to the output, `<stem>.<name>` or with a number in it, that no other such file has.
     fn free_name(&self, stem: &str, name: &str) -> String {
         let is_taken = |name: &String| {
-            let of_input = self.document.buffers.list.iter().any(|buffer| match &buffer.storage {
-                Storage::File { name: other, .. } => output_name(Path::new(""), other).as_ref() == Some(name),
-                _ => false,
-            });
-            of_input || self.written.companions.iter().any(|file| file.name == *name)
+            let mut of_input = self.document.buffers.list.iter().filter_map(|buffer| buffer.storage.file());
+            of_input.any(|(other, _)| output_name(Path::new(""), other).as_ref() == Some(name))
+                || self.written.companions.iter().any(|file| file.name == *name)
         };
         let (front, extension) = name.rsplit_once('.').unwrap_or((name, "bin"));
         let front = if front.is_empty() { stem.to_owned() } else { format!("{stem}.{front}") };
@@ -274,11 +268,6 @@ impl Package<'_> {
             self.written.notes.extend(Note::counted(left.len(), ["image", "images"], text));
         }
     }
-}
-
-/// The last part of a path, without what would make it lead elsewhere.
-fn bare_name(path: &Path) -> String {
-    path.file_name().map_or_else(|| "buffer.bin".into(), |name| name.to_string_lossy().into_owned())
 }
 
 /// Points what has `buffer` and `byteOffset` at the merged buffer.

@@ -1,7 +1,7 @@
 //! New normals and tangents for the primitives that share one set of vertices.
 
 use super::member::{Member, drop_draco, rewrite_indices};
-use super::rows::{Rows, Stored};
+use super::rows::{CornerRows, Stored, Tables};
 use super::store::{NewData, Remark, Store};
 use crate::io::gltf::accessor::{Elements, Source};
 use crate::io::gltf::data::Target;
@@ -23,51 +23,41 @@ pub struct Group<'g, 'a> {
 }
 
 /// A tangent for every corner, and its number among the different ones.
-struct CornerTangents {
-    values: Vec<[f32; 4]>,
-    keys: Vec<u32>,
-}
+type CornerTangents = (Vec<[f32; 4]>, Vec<u32>);
 
 impl Group<'_, '_> {
     /// Writes what changes. Returns how many vertices were added.
-    pub fn write(
-        &self,
-        store: &mut Store<'_>,
-        tables: &mut FxHashMap<usize, Vec<u32>>,
-    ) -> Result<u64, WriteError> {
+    pub fn write(&self, store: &mut Store<'_>, tables: &mut Tables) -> Result<u64, WriteError> {
         let target_sets = self.vertices.target_sets();
         let morph = self.members.iter().all(|member| member.has_morph_normals(target_sets.len()));
         let stored =
             Stored::new(self.source, self.vertices, self.options.normal_format, morph).map_err(unreadable)?;
-        let rows = Rows::new(&stored, self.members, tables);
-        store.remark(Remark::WithoutNormal, rows.missing);
+        let rows = CornerRows::new(&stored, self.members, tables);
+        store.remark(Remark::WITHOUT_NORMAL, rows.missing);
 
         let count = self.members[0].block.count as usize;
         let locals: Vec<u32> = self.corners().map(|(member, corner)| member.vertex(corner)).collect();
         let mut split = split_vertices(count, &locals, &[&rows.of_corner]);
-        let table = rows.gather(&stored, samples(&split, &rows.of_corner));
-        if split.added(count) == 0 && table.is_stored(&stored) {
+        let mut new_rows = rows.gather(&split);
+        if split.added(count) == 0 && stored.is_stored(&new_rows) {
             self.write_faces(store)?;
             return Ok(0);
         }
         let has_normals = |set| self.vertices.of_set(set, "NORMAL").is_some();
         if !morph && target_sets.clone().any(has_normals) {
-            store.remark(Remark::StaleDeltas, self.members.len());
+            store.remark(Remark::STALE_DELTAS, self.members.len());
         }
-        let new_tangents = self.tangents(&stored, &rows, &locals)?;
-        let mut table = match &new_tangents {
-            Some(tangents) => {
-                split = split_vertices(count, &locals, &[&rows.of_corner, &tangents.keys]);
-                rows.gather(&stored, samples(&split, &rows.of_corner))
-            }
-            None => table,
-        };
-        table.repair_unused(&stored, samples(&split, &rows.of_corner));
+        let new_tangents = self.tangents(&rows, &locals)?;
+        if let Some((_, keys)) = &new_tangents {
+            split = split_vertices(count, &locals, &[&rows.of_corner, keys]);
+            new_rows = rows.gather(&split);
+        }
+        rows.repair_unused(&mut new_rows, &split);
 
         store.is_quantized |= stored.format.component != Component::F32;
-        self.put(store, 0, "NORMAL", stored.format, &table.normals(&stored), false);
-        for (target, set) in target_sets.enumerate().take(stored.deltas.len()) {
-            let deltas = table.deltas(&stored, target);
+        self.put(store, 0, "NORMAL", stored.format, &new_rows.normals(&stored), false);
+        for (target, set) in target_sets.enumerate().take(stored.targets) {
+            let deltas = new_rows.deltas(&stored, target);
             if has_normals(set) || deltas.iter().any(|&byte| byte != 0) {
                 self.put(store, set, "NORMAL", Format::vector(Component::F32, false, 3), &deltas, false);
             }
@@ -129,17 +119,12 @@ impl Group<'_, '_> {
         bytes: &[u8],
         same_bounds: bool,
     ) {
-        let data = NewData { format, bytes: Cow::Borrowed(bytes), target: Target::Vertices, same_bounds };
+        let data = NewData { format, bytes, target: Target::Vertices, same_bounds };
         store.put(self.vertices.of_set(set, semantic), semantic, &self.sites(set), &data);
     }
 
     /// Tangents to go with the new normals, if they are wanted and can be had.
-    fn tangents(
-        &self,
-        stored: &Stored<'_>,
-        rows: &Rows,
-        locals: &[u32],
-    ) -> Result<Option<CornerTangents>, WriteError> {
+    fn tangents(&self, rows: &CornerRows<'_>, locals: &[u32]) -> Result<Option<CornerTangents>, WriteError> {
         let wanted =
             self.options.tangents == TangentPolicy::Regenerate && self.vertices.get("TANGENT").is_some();
         let uv_sets: Option<Vec<usize>> =
@@ -151,19 +136,18 @@ impl Group<'_, '_> {
             let uvs: Vec<[f32; 2]> = uvs.collect();
             let range = values.len()..values.len() + member.corners.len();
             let finite = |uv: [f32; 2]| uv.map(|x| if x.is_finite() { x } else { 0.0 });
-            let vertices =
-                member.corners.iter().map(|&corner| member.mesh.faces().corners()[corner as usize]);
-            let positions =
-                vertices.map(|vertex| member.mesh.positions()[vertex as usize].as_vec3().to_array());
-            let normals =
-                rows.of_corner[range.clone()].iter().map(|&row| stored.decode(rows.row(row)).to_array());
-            let surface = Surface {
-                positions: positions.collect(),
-                normals: normals.collect(),
+            let corners = member.corners.iter();
+            let vertices = corners.map(|&corner| member.mesh.faces().corners()[corner as usize]);
+            let normals: Vec<Vec3> = range.clone().map(|corner| rows.normal(corner)).collect();
+            let mut surface = Surface {
+                positions: vertices.map(|v| member.mesh.position(v).as_vec3().to_array()).collect(),
                 uvs: locals[range].iter().map(|&vertex| finite(uvs[vertex as usize])).collect(),
-                tangents: Vec::new(),
+                tangents: normals.iter().map(|&normal| perpendicular(normal)).collect(),
+                normals,
             };
-            values.extend(surface.into_tangents());
+            // The error type has no values.
+            let _ = generate_tangents(&mut surface);
+            values.extend(surface.tangents);
         }
         let mut numbers: FxHashMap<[u32; 4], u32> = FxHashMap::default();
         let mut number = |tangent: &[f32; 4]| {
@@ -171,7 +155,7 @@ impl Group<'_, '_> {
             *numbers.entry(tangent.map(f32::to_bits)).or_insert(next)
         };
         let keys = values.iter().map(&mut number).collect();
-        Ok(Some(CornerTangents { values, keys }))
+        Ok(Some((values, keys)))
     }
 
     /// The texture coordinates of the material's normal map, which tangents are for.
@@ -196,19 +180,19 @@ impl Group<'_, '_> {
     ) -> Result<(), WriteError> {
         let Some(accessor) = self.vertices.get("TANGENT") else { return Ok(()) };
         let keep = self.options.tangents == TangentPolicy::Keep;
-        if let Some(new) = new {
+        if let Some((new, _)) = new {
             let old = self.source.elements(accessor).map_err(unreadable)?.floats::<4>(0.0);
             let old: Vec<[f32; 4]> = old.collect();
             let value = |(&sample, &source): (&u32, &u32)| match sample {
                 NONE => old[source as usize],
-                sample => new.values[sample as usize],
+                sample => new[sample as usize],
             };
             let values: Vec<[f32; 4]> = split.sample.iter().zip(&split.source).map(value).collect();
             let format = Format::vector(Component::F32, false, 4);
             self.put(store, 0, "TANGENT", format, bytemuck::cast_slice(&values), false);
         } else if !keep {
             self.sites(0).into_iter().for_each(|site| store.splices.remove(site, "TANGENT"));
-            store.remark(Remark::TangentsRemoved, self.members.len());
+            store.remark(Remark::TANGENTS_REMOVED, self.members.len());
         }
         if !keep {
             let sets = self.vertices.target_sets();
@@ -217,7 +201,7 @@ impl Group<'_, '_> {
             let sites = had.iter().flat_map(|&set| self.sites(set));
             sites.for_each(|site| store.splices.remove(site, "TANGENT"));
             if new.is_some() && !had.is_empty() {
-                store.remark(Remark::TangentDeltasRemoved, self.members.len());
+                store.remark(Remark::TANGENT_DELTAS_REMOVED, self.members.len());
             }
         }
         Ok(())
@@ -260,35 +244,20 @@ fn finite(elements: &Elements<'_>) -> Option<Vec<u8>> {
     Some(bytemuck::cast_slice(&repaired).to_vec())
 }
 
-/// The row and the old number of every vertex of a split.
-fn samples<'s>(split: &'s VertexSplit, of_corner: &'s [u32]) -> impl Iterator<Item = (u32, u32)> + use<'s> {
-    let row = |sample| if sample == NONE { NONE } else { of_corner[sample as usize] };
-    split.sample.iter().zip(&split.source).map(move |(&sample, &source)| (row(sample), source))
-}
-
 /// Reading checked every attribute, so that this only passes on what should not happen.
 fn unreadable(error: ReadError) -> WriteError {
     WriteError::Unsupported(error.to_string())
 }
 
-/// What tangents depend on, one entry a corner, three corners a triangle, and the tangents.
+/// What tangents depend on, one entry a corner, three corners a triangle, and the tangents by MikkTSpace (Mikkelsen,
+/// *Simulation of Wrinkled Surfaces Revisited*, 2008).
 struct Surface {
     positions: Vec<[f32; 3]>,
-    normals: Vec<[f32; 3]>,
+    normals: Vec<Vec3>,
     /// As stored, v counted from the top of the image.
     uvs: Vec<[f32; 2]>,
+    /// With the handedness in `w`. Where uv have no direction it is some unit vector perpendicular to the normal.
     tangents: Vec<[f32; 4]>,
-}
-
-impl Surface {
-    /// The tangent of every corner by MikkTSpace (Mikkelsen, *Simulation of Wrinkled Surfaces Revisited*, 2008), its
-    /// handedness in `w`. Where uv have no direction it is some unit vector perpendicular to the normal.
-    fn into_tangents(mut self) -> Vec<[f32; 4]> {
-        self.tangents = self.normals.iter().map(|&normal| perpendicular(normal)).collect();
-        // The error type has no values.
-        let _ = generate_tangents(&mut self);
-        self.tangents
-    }
 }
 
 /// The same bits on every platform.
@@ -318,7 +287,7 @@ impl Geometry<Portable> for Surface {
     }
 
     fn normal(&self, face: usize, vert: usize) -> [f32; 3] {
-        self.normals[3 * face + vert]
+        self.normals[3 * face + vert].to_array()
     }
 
     fn tex_coord(&self, face: usize, vert: usize) -> [f32; 2] {
@@ -335,8 +304,7 @@ impl Geometry<Portable> for Surface {
     }
 }
 
-fn perpendicular(normal: [f32; 3]) -> [f32; 4] {
-    let normal = Vec3::from_array(normal);
+fn perpendicular(normal: Vec3) -> [f32; 4] {
     let axis = if normal.x.abs() < 0.5 { Vec3::X } else { Vec3::Y };
     let [x, y, z] = axis.reject_from_normalized(normal).normalize_or(Vec3::X).to_array();
     [x, y, z, 1.0]
@@ -349,13 +317,14 @@ mod tests {
     fn square(uvs: [[f32; 2]; 4]) -> Vec<[f32; 4]> {
         let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
         let order = [0, 1, 2, 0, 2, 3];
-        let surface = Surface {
+        let mut surface = Surface {
             positions: order.map(|v: usize| points[v]).to_vec(),
-            normals: vec![[0.0, 0.0, 1.0]; 6],
+            normals: vec![Vec3::Z; 6],
             uvs: order.map(|v: usize| uvs[v]).to_vec(),
-            tangents: Vec::new(),
+            tangents: vec![perpendicular(Vec3::Z); 6],
         };
-        surface.into_tangents()
+        let _ = generate_tangents(&mut surface);
+        surface.tangents
     }
 
     #[test]

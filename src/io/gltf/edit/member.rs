@@ -4,12 +4,11 @@ use super::store::{NewData, Remark, Store};
 use crate::io::gltf::data::Target;
 use crate::io::gltf::document::{Block, GltfDocument, Piece};
 use crate::io::gltf::extensions::{DRACO, ORDERED, has_implicit_features};
-use crate::io::gltf::mesh::mode;
 use crate::io::gltf::records::{Component, Format, Primitive};
 use crate::io::{Loaded, PartEdit, WriteError};
 use crate::mesh::{Column, Mesh};
 use glam::DVec3;
-use std::borrow::Cow;
+use gltf::json::mesh::TRIANGLES;
 use std::ops::Range;
 
 /// The triangles of one primitive, as an edit leaves them.
@@ -82,6 +81,50 @@ impl<'a> Member<'a> {
         let element = slot.checked_sub(self.block.first_normal?)?;
         (element < self.block.count).then_some(element as usize)
     }
+
+    /// Refuses to break an extension that refers to vertices or triangles by number; `moved` if some indices are of other vertices.
+    fn check_order(&self, document: &GltfDocument, indices: &[u32], moved: bool) -> Result<(), WriteError> {
+        let primitive = document.records.fields(self.primitive.object);
+        let mesh = document.records.fields(document.records.meshes[self.part].object);
+        let refuse = |name: &str, what: &str| {
+            let text = format!(
+                "{}: the extension {name} refers to {what} by number, and these would change; remove the extension, or keep \
+                 the mesh unchanged (--crease off or --emit vertex splits no vertices; --degenerate keep without --flip and \
+                 --orient keeps all faces)",
+                primitive.place()
+            );
+            Err(WriteError::Unsupported(text))
+        };
+        for (name, has_triangles) in ORDERED {
+            if primitive.extension(name).is_none() && mesh.extension(name).is_none() {
+                continue;
+            }
+            if moved {
+                return refuse(name, "vertices");
+            }
+            if self.reshaped && has_triangles {
+                return refuse(name, "triangles");
+            }
+        }
+        if moved && has_implicit_features(&primitive) {
+            return refuse("EXT_mesh_features", "vertices");
+        }
+        if document.lists("extensionsUsed", "FB_ngon_encoding") && !self.same_polygons(indices) {
+            return refuse("FB_ngon_encoding", "the first corners of triangles");
+        }
+        Ok(())
+    }
+
+    /// Whether `FB_ngon_encoding` still makes the same polygons: neighbouring triangles with the same first corner are one.
+    fn same_polygons(&self, indices: &[u32]) -> bool {
+        let first_corners = || self.corners.chunks_exact(3).zip(indices.chunks_exact(3));
+        first_corners().zip(first_corners().skip(1)).all(|((old, new), (old_next, new_next))| {
+            // Triangles that were not neighbours before belong to different polygons whatever their corners.
+            let neighbours = old[0] / 3 + 1 == old_next[0] / 3;
+            let before = neighbours && self.vertex(old[0]) == self.vertex(old_next[0]);
+            before == (new[0] == new_next[0])
+        })
+    }
 }
 
 /// The corners of a primitive's faces that are kept, with flipped faces, and whether any face was dropped or flipped.
@@ -119,11 +162,11 @@ pub fn rewrite_indices(
     if !moved && !member.reshaped {
         return Ok(false);
     }
-    check_order(store.document, member, &indices, moved)?;
+    member.check_order(store.document, &indices, moved)?;
     if indices.is_empty() {
         // glTF has no empty primitives, and taking this one out would renumber others.
         indices = vec![0; 3];
-        store.remark(Remark::Emptied, 1);
+        store.remark(Remark::EMPTIED, 1);
     }
     let old = primitive.indices.and_then(|accessor| store.document.records.accessors[accessor].format);
     let old = old.map_or(Component::U16, |format| format.component);
@@ -138,15 +181,11 @@ pub fn rewrite_indices(
         Component::U16 => indices.iter().flat_map(|&index| (index as u16).to_le_bytes()).collect(),
         _ => bytemuck::cast_slice(&indices).to_vec(),
     };
-    let data = NewData {
-        format: Format::vector(component, false, 1),
-        bytes: Cow::Owned(bytes),
-        target: Target::Indices,
-        same_bounds: false,
-    };
+    let format = Format::vector(component, false, 1);
+    let data = NewData { format, bytes: &bytes, target: Target::Indices, same_bounds: false };
     store.put(primitive.indices, "indices", &[primitive.object], &data);
-    if primitive.mode != mode::TRIANGLES {
-        store.splices.set(primitive.object, "mode", mode::TRIANGLES);
+    if primitive.mode != u64::from(TRIANGLES) {
+        store.splices.set(primitive.object, "mode", TRIANGLES);
     }
     Ok(true)
 }
@@ -157,55 +196,6 @@ pub fn drop_draco(store: &mut Store<'_>, member: &Member<'_>) {
     let extensions = json.member(member.primitive.object, "extensions");
     if let Some(extensions) = extensions.filter(|&extensions| json.member(extensions, DRACO).is_some()) {
         store.splices.remove(extensions, DRACO);
-        store.remark(Remark::DracoRemoved, 1);
+        store.remark(Remark::DRACO_REMOVED, 1);
     }
-}
-
-/// Refuses to break an extension that refers to vertices or triangles by number; `moved` if some indices are of other vertices.
-fn check_order(
-    document: &GltfDocument,
-    member: &Member<'_>,
-    indices: &[u32],
-    moved: bool,
-) -> Result<(), WriteError> {
-    let primitive = document.records.fields(member.primitive.object);
-    let mesh = document.records.fields(document.records.meshes[member.part].object);
-    let refuse = |name: &str, what: &str| {
-        let text = format!(
-            "{}: the extension {name} refers to {what} by number, and these would change; remove the extension, or keep \
-             the mesh unchanged (--crease off or --emit vertex splits no vertices; --degenerate keep without --flip and \
-             --orient keeps all faces)",
-            primitive.place()
-        );
-        Err(WriteError::Unsupported(text))
-    };
-    for (name, has_triangles) in ORDERED {
-        if primitive.extension(name).is_none() && mesh.extension(name).is_none() {
-            continue;
-        }
-        if moved {
-            return refuse(name, "vertices");
-        }
-        if member.reshaped && has_triangles {
-            return refuse(name, "triangles");
-        }
-    }
-    if moved && has_implicit_features(&primitive) {
-        return refuse("EXT_mesh_features", "vertices");
-    }
-    if document.lists("extensionsUsed", "FB_ngon_encoding") && !same_polygons(member, indices) {
-        return refuse("FB_ngon_encoding", "the first corners of triangles");
-    }
-    Ok(())
-}
-
-/// Whether `FB_ngon_encoding` still makes the same polygons: neighbouring triangles with the same first corner are one.
-fn same_polygons(member: &Member<'_>, indices: &[u32]) -> bool {
-    let first_corners = || member.corners.chunks_exact(3).zip(indices.chunks_exact(3));
-    first_corners().zip(first_corners().skip(1)).all(|((old, new), (old_next, new_next))| {
-        // Triangles that were not neighbours before belong to different polygons whatever their corners.
-        let neighbours = old[0] / 3 + 1 == old_next[0] / 3;
-        let before = neighbours && member.vertex(old[0]) == member.vertex(old_next[0]);
-        before == (new[0] == new_next[0])
-    })
 }

@@ -3,17 +3,15 @@
 use crate::io::gltf::buffers::Storage;
 use crate::io::gltf::document::GltfDocument;
 use crate::io::gltf::json::{Json, Kind, Value};
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 
-/// How often each accessor and view is referred to.
+/// How often each accessor and view is referred to. A number anywhere in an extension may mean either.
 pub struct References {
-    accessors: Vec<u32>,
-    views: Vec<u32>,
-    /// Numbers anywhere in an extension, and so may mean an accessor or a view.
-    pinned: FxHashSet<u64>,
+    accessors: FxHashMap<u64, usize>,
+    views: FxHashMap<u64, usize>,
     /// Accessors whose bytes in the BIN chunk are no other accessor's.
-    unaliased: FxHashSet<usize>,
+    pub unaliased: FxHashSet<usize>,
 }
 
 /// Extensions full of numbers that mean materials and variants only.
@@ -23,52 +21,49 @@ impl References {
     pub fn new(document: &GltfDocument) -> References {
         let records = &document.records;
         let json = &records.json;
-        let mut accessors = vec![0; records.accessors.len()];
+        let integer = |object: Value, name: &str| json.integer(json.member(object, name)?);
+        let list = |name| json.items(json.root(), name);
+        let pinned = pinned(json);
+        let mut accessors = counts(&pinned);
         let mut count = |accessor: Option<u64>| {
-            let accessor = accessor.and_then(|accessor| accessors.get_mut(usize::try_from(accessor).ok()?));
-            accessor.into_iter().for_each(|count| *count += 1);
+            accessor.into_iter().for_each(|accessor| *accessors.entry(accessor).or_default() += 1);
         };
         for primitive in records.meshes.iter().flat_map(|mesh| &mesh.primitives) {
             let attributes = primitive.sites.iter().flat_map(|&site| json.members(site));
             attributes.for_each(|(_, value)| count(json.integer(value)));
             count(primitive.indices.map(|index| index as u64));
         }
-        let integer = |object: Value, name: &str| json.integer(json.member(object, name)?);
-        let list = |name| json.items(json.root(), name);
         for sampler in list("animations").flat_map(|animation| json.items(animation, "samplers")) {
             count(integer(sampler, "input"));
             count(integer(sampler, "output"));
         }
         list("skins").for_each(|skin| count(integer(skin, "inverseBindMatrices")));
 
-        let mut views = vec![0; records.views.len()];
+        let images: Vec<u64> = list("images").filter_map(|image| integer(image, "bufferView")).collect();
+        let other: Vec<u64> = pinned.into_iter().chain(images).collect();
+        let mut views = counts(&other);
         let sparse = records.accessors.iter().filter_map(|accessor| accessor.sparse);
         let of_sparse = sparse.flat_map(|sparse| [sparse.index_view, sparse.value_view]);
         let of_accessors = records.accessors.iter().filter_map(|accessor| accessor.view);
-        of_accessors.chain(of_sparse).for_each(|view| views[view] += 1);
-        let pinned = pinned(json);
-        let images = list("images").filter_map(|image| integer(image, "bufferView"));
-        let images: Vec<usize> = images.filter_map(|view| usize::try_from(view).ok()).collect();
-        images.iter().for_each(|&view| views.get_mut(view).into_iter().for_each(|count| *count += 1));
-        let other = pinned.iter().filter_map(|&view| usize::try_from(view).ok()).chain(images);
-        let unaliased = unaliased(document, other);
-        References { accessors, views, pinned, unaliased }
+        of_accessors.chain(of_sparse).for_each(|view| *views.entry(view as u64).or_default() += 1);
+        References { accessors, views, unaliased: unaliased(document, &other) }
     }
 
     /// Whether all references to an accessor are the `sites` that a change will go through.
     pub fn is_only_at(&self, accessor: usize, sites: usize) -> bool {
-        self.accessors[accessor] as usize == sites && !self.pinned.contains(&(accessor as u64))
+        self.accessors.get(&(accessor as u64)) == Some(&sites)
     }
 
     /// Whether one accessor alone uses a view.
     pub fn is_only_user(&self, view: usize) -> bool {
-        self.views[view] == 1 && !self.pinned.contains(&(view as u64))
+        self.views.get(&(view as u64)) == Some(&1)
     }
+}
 
-    /// Whether an accessor's bytes are in the BIN chunk and no other accessor's.
-    pub fn owns_bytes(&self, accessor: usize) -> bool {
-        self.unaliased.contains(&accessor)
-    }
+fn counts<'a>(numbers: impl IntoIterator<Item = &'a u64>) -> FxHashMap<u64, usize> {
+    let mut counts = FxHashMap::default();
+    numbers.into_iter().for_each(|&number| *counts.entry(number).or_default() += 1);
+    counts
 }
 
 /// All integers in extensions of what may refer to accessors or views.
@@ -122,7 +117,7 @@ const WHOLE: u64 = u64::MAX;
 const LARGEST_CLUSTER: usize = 64;
 
 /// The accessors whose bytes no other accessor shares, nor any of the `other` views.
-fn unaliased(document: &GltfDocument, other: impl Iterator<Item = usize>) -> FxHashSet<usize> {
+fn unaliased(document: &GltfDocument, other: &[u64]) -> FxHashSet<usize> {
     let records = &document.records;
     let in_bin = |view: usize| {
         let buffer = &document.buffers.list[records.views[view].buffer];
@@ -143,27 +138,22 @@ fn unaliased(document: &GltfDocument, other: impl Iterator<Item = usize>) -> FxH
         let sparse = accessor.sparse.iter().flat_map(|sparse| [sparse.index_view, sparse.value_view]);
         extents.extend(sparse.filter(|&view| in_bin(view)).map(|view| whole(document, view)));
     }
+    let other = other.iter().filter_map(|&view| usize::try_from(view).ok());
     let other = other.filter(|&view| view < records.views.len() && in_bin(view));
     extents.extend(other.map(|view| whole(document, view)));
     extents.sort_by_key(|extent| (extent.bytes.start, extent.bytes.end, extent.accessor));
 
     let mut owners = FxHashSet::default();
-    let mut start = 0;
-    while start < extents.len() {
-        let mut reach = extents[start].bytes.end;
-        let mut end = start + 1;
-        while end < extents.len() && extents[end].bytes.start < reach {
-            reach = reach.max(extents[end].bytes.end);
-            end += 1;
+    let mut reach = 0;
+    let overlaps = |before: &Extent, next: &Extent| {
+        reach = reach.max(before.bytes.end);
+        next.bytes.start < reach
+    };
+    for cluster in extents.chunk_by(overlaps).filter(|cluster| cluster.len() <= LARGEST_CLUSTER) {
+        for (number, extent) in cluster.iter().enumerate() {
+            let alone = !cluster.iter().enumerate().any(|(other, o)| other != number && o.meets(extent));
+            owners.extend(extent.accessor.filter(|_| alone));
         }
-        let cluster = &extents[start..end];
-        if cluster.len() <= LARGEST_CLUSTER {
-            for (number, extent) in cluster.iter().enumerate() {
-                let alone = !cluster.iter().enumerate().any(|(other, o)| other != number && o.meets(extent));
-                owners.extend(extent.accessor.filter(|_| alone));
-            }
-        }
-        start = end;
     }
     owners
 }

@@ -1,29 +1,65 @@
-//! The values that a vertex can have: a stored normal and the deltas of each morph target, as bytes.
+//! The values that a vertex can have: a normal and the normal deltas of each morph target, as a row of bytes.
 
 use super::member::Member;
 use crate::io::gltf::accessor::{Source, float};
 use crate::io::gltf::data::{LENGTH_TOLERANCE, normal_format, push_floats, push_normal};
 use crate::io::gltf::records::{Format, VertexAccessors};
 use crate::io::{NormalFormat, ReadError};
-use crate::mesh::{Column, NONE};
+use crate::mesh::{Column, NONE, VertexSplit};
 use glam::{DVec3, Vec3};
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 
-/// What a set of vertices has stored so far, and how it will be stored.
-pub struct Stored<'a> {
-    pub format: Format,
-    /// The stored normals, as bytes of `format`; `None` where there are none, or they were stored otherwise.
-    same: Option<Cow<'a, [u8]>>,
-    /// The stored normals as numbers, if there are any.
-    floats: Option<Vec<[f32; 3]>>,
-    /// The stored normal deltas of each morph target that gets new ones.
-    pub deltas: Vec<Option<Vec<[f32; 3]>>>,
+/// Rows of one size.
+pub struct Rows {
+    bytes: Vec<u8>,
+    size: usize,
 }
 
-impl<'a> Stored<'a> {
+impl Rows {
+    fn get(&self, number: usize) -> &[u8] {
+        &self.bytes[number * self.size..(number + 1) * self.size]
+    }
+
+    /// Normals, as bytes without gaps.
+    pub fn normals(&self, stored: &Stored) -> Cow<'_, [u8]> {
+        self.column(0, stored.format.size())
+    }
+
+    /// Normal deltas of a morph target.
+    pub fn deltas(&self, stored: &Stored, target: usize) -> Cow<'_, [u8]> {
+        self.column(stored.format.size() + DELTA * target, DELTA)
+    }
+
+    fn column(&self, start: usize, size: usize) -> Cow<'_, [u8]> {
+        if size == self.size {
+            return Cow::Borrowed(&self.bytes);
+        }
+        let mut column = Vec::with_capacity(self.bytes.len() / self.size * size);
+        let rows = self.bytes.chunks_exact(self.size);
+        rows.for_each(|row| column.extend_from_slice(&row[start..start + size]));
+        Cow::Owned(column)
+    }
+}
+
+/// Bytes of a normal delta.
+const DELTA: usize = 12;
+
+/// What a set of vertices has stored so far, in the form in which it will be stored.
+pub struct Stored {
+    pub format: Format,
+    /// How many morph targets have normal deltas.
+    pub targets: usize,
+    /// The row of each vertex: +Z where there are no normals, and zeros where a target has none.
+    rows: Rows,
+    /// Whether the normals are stored in this format already.
+    is_same: bool,
+}
+
+impl Stored {
+    /// `morph`: whether the morph targets get new normals.
     pub fn new(
-        source: &Source<'a>,
+        source: &Source<'_>,
         vertices: &VertexAccessors,
         wanted: NormalFormat,
         morph: bool,
@@ -31,49 +67,56 @@ impl<'a> Stored<'a> {
         let elements = |set| vertices.of_set(set, "NORMAL").map(|number| source.elements(number)).transpose();
         let base = elements(0)?;
         let format = normal_format(base.map(|base| base.format), wanted);
-        let same = base.filter(|base| base.format == format).map(|base| base.raw());
-        let targets = vertices.target_sets().filter(|_| morph);
-        let deltas = targets.map(|set| Ok(elements(set)?.map(|deltas| deltas.floats(0.0).collect())));
-        let deltas = deltas.collect::<Result<_, ReadError>>()?;
-        Ok(Self { format, same, floats: base.map(|base| base.floats(0.0).collect()), deltas })
-    }
-
-    fn size(&self) -> usize {
-        self.format.size() + 12 * self.deltas.len()
-    }
-
-    /// The stored row of a vertex; +Z if it has no normal.
-    fn push_stored(&self, vertex: usize, out: &mut Vec<u8>) {
-        match (self.stored_bytes(vertex), &self.floats) {
-            (Some(bytes), _) => out.extend_from_slice(bytes),
-            (None, Some(floats)) => {
-                push_normal(Vec3::from_array(floats[vertex]).as_dvec3(), self.format, out)
+        let is_same = base.is_some_and(|base| base.format == format);
+        let count = source.records.accessors[vertices.position()].count as usize;
+        let normals = match base {
+            Some(base) if is_same => base.raw(),
+            base => {
+                let mut bytes = Vec::with_capacity(count * format.size());
+                let mut floats = base.map(|base| base.floats(0.0));
+                for _ in 0..count {
+                    let stored = floats.as_mut().and_then(Iterator::next);
+                    let normal = stored.map_or(DVec3::Z, |float| Vec3::from_array(float).as_dvec3());
+                    push_normal(normal, format, &mut bytes);
+                }
+                Cow::Owned(bytes)
             }
-            (None, None) => push_normal(DVec3::Z, self.format, out),
-        }
-        for delta in &self.deltas {
-            push_raw(delta.as_ref().map_or([0.0; 3], |delta| delta[vertex]), out);
-        }
-    }
-
-    /// The row of a normal that an edit gives to a vertex. One of the file's own keeps its bits.
-    fn push_given(&self, member: &Member<'_>, normals: &Column<DVec3>, slot: u32, out: &mut Vec<u8>) {
-        let start = out.len();
-        let element = member.stored_element(slot);
-        match element.and_then(|element| self.stored_bytes(element)) {
-            Some(bytes) => out.extend_from_slice(bytes),
-            None => push_normal(normals.values[slot as usize], self.format, out),
-        }
-        let written = self.decode(&out[start..]);
-        for (target, delta) in self.deltas.iter().enumerate() {
-            match element {
-                // A target without normals leaves the base's normal alone, and so a kept one stays alone too.
-                Some(element) => push_raw(delta.as_ref().map_or([0.0; 3], |delta| delta[element]), out),
-                None => {
-                    let moved = member.edit.morph_normals[target][slot as usize];
-                    push_floats(moved - written.as_dvec3(), out);
+        };
+        let sets = vertices.target_sets().filter(|_| morph);
+        let deltas = sets.map(|set| Ok(elements(set)?.map(|deltas| deltas.floats(0.0).collect())));
+        let deltas: Vec<Option<Vec<[f32; 3]>>> = deltas.collect::<Result<_, ReadError>>()?;
+        let size = format.size() + DELTA * deltas.len();
+        let bytes = if deltas.is_empty() {
+            normals.into_owned()
+        } else {
+            let mut bytes = Vec::with_capacity(count * size);
+            for (vertex, normal) in normals.chunks_exact(format.size()).enumerate() {
+                bytes.extend_from_slice(normal);
+                for deltas in &deltas {
+                    let delta = deltas.as_ref().map_or([0.0; 3], |deltas| deltas[vertex]);
+                    bytes.extend_from_slice(bytemuck::bytes_of(&delta));
                 }
             }
+            bytes
+        };
+        Ok(Self { format, targets: deltas.len(), rows: Rows { bytes, size }, is_same })
+    }
+
+    /// Whether these rows of all vertices are what is stored already.
+    pub fn is_stored(&self, rows: &Rows) -> bool {
+        self.is_same && self.rows.bytes == rows.bytes
+    }
+
+    /// The row of a normal that an edit gives to a vertex. One of the file's own keeps its bits, and its deltas.
+    fn push_given(&self, member: &Member<'_>, normals: &Column<DVec3>, slot: u32, out: &mut Vec<u8>) {
+        if let Some(element) = member.stored_element(slot) {
+            return out.extend_from_slice(self.rows.get(element));
+        }
+        let start = out.len();
+        push_normal(normals.values[slot as usize], self.format, out);
+        let written = self.decode(&out[start..]).as_dvec3();
+        for moved in &member.edit.morph_normals[..self.targets] {
+            push_floats(moved[slot as usize] - written, out);
         }
     }
 
@@ -89,140 +132,85 @@ impl<'a> Stored<'a> {
         }
     }
 
-    fn stored_bytes(&self, vertex: usize) -> Option<&[u8]> {
-        let size = self.format.size();
-        self.same.as_ref().map(|bytes| &bytes[vertex * size..(vertex + 1) * size])
-    }
-
-    pub fn decode(&self, row: &[u8]) -> Vec3 {
+    fn decode(&self, row: &[u8]) -> Vec3 {
         let component = self.format.component;
         let number = |axis: usize| float(&row[component.size() * axis..], component, true);
         Vec3::new(number(0), number(1), number(2)).max(Vec3::NEG_ONE)
     }
 }
 
-fn push_raw(vector: [f32; 3], out: &mut Vec<u8>) {
-    out.extend_from_slice(bytemuck::bytes_of(&vector));
-}
+/// The row of each normal, by part. All are [`NONE`] between groups.
+pub type Tables = FxHashMap<usize, Vec<u32>>;
 
-/// The rows that the corners of a group of primitives ask for, equal ones once.
-pub struct Rows {
-    bytes: Vec<u8>,
-    size: usize,
-    /// The row of each corner, over all members.
+/// The rows that the corners of a group of primitives ask for.
+pub struct CornerRows<'a> {
+    stored: &'a Stored,
+    rows: Rows,
+    /// The row of each corner, over all members; corners with equal rows have the first of them.
     pub of_corner: Vec<u32>,
     /// Corners without a normal of their own, among others that have one.
     pub missing: usize,
 }
 
-impl Rows {
-    pub fn new(stored: &Stored<'_>, members: &[Member<'_>], tables: &mut FxHashMap<usize, Vec<u32>>) -> Rows {
-        let mut rows = Rows { bytes: Vec::new(), size: stored.size(), of_corner: Vec::new(), missing: 0 };
-        let mut count = 0;
+impl<'a> CornerRows<'a> {
+    pub fn new(stored: &'a Stored, members: &[Member<'_>], tables: &mut Tables) -> CornerRows<'a> {
+        let (mut bytes, mut of_corner) = (Vec::new(), Vec::new());
+        let (mut count, mut missing) = (0, 0);
         for member in members {
             let Some(normals) = &member.edit.normals else { continue };
-            // From normal numbers to rows; kept empty between groups.
             let table = tables.entry(member.part).or_insert_with(|| vec![NONE; normals.values.len()]);
             let mut seen = Vec::new();
             for &corner in &member.corners {
                 let slot = member.slot(normals, corner);
                 let known = slot.map(|slot| table[slot as usize]).filter(|&row| row != NONE);
-                if let Some(row) = known {
-                    rows.of_corner.push(row);
+                of_corner.push(known.unwrap_or(count));
+                if known.is_some() {
                     continue;
                 }
                 match slot {
                     Some(slot) => {
-                        stored.push_given(member, normals, slot, &mut rows.bytes);
+                        stored.push_given(member, normals, slot, &mut bytes);
                         table[slot as usize] = count;
                         seen.push(slot);
                     }
                     None => {
-                        let start = rows.bytes.len();
-                        stored.push_stored(member.vertex(corner) as usize, &mut rows.bytes);
-                        stored.repair(&mut rows.bytes[start..]);
-                        rows.missing += 1;
+                        let start = bytes.len();
+                        bytes.extend_from_slice(stored.rows.get(member.vertex(corner) as usize));
+                        stored.repair(&mut bytes[start..]);
+                        missing += 1;
                     }
                 }
-                rows.of_corner.push(count);
                 count += 1;
             }
             seen.iter().for_each(|&slot| table[slot as usize] = NONE);
         }
-        rows.merge_equal();
-        rows
-    }
-
-    /// Lets corners with equal rows refer to the first of them.
-    fn merge_equal(&mut self) {
         let mut first: FxHashMap<&[u8], u32> = FxHashMap::default();
-        let rows = self.bytes.chunks_exact(self.size).zip(0..);
-        let canonical: Vec<u32> = rows.map(|(row, number)| *first.entry(row).or_insert(number)).collect();
-        self.of_corner.iter_mut().for_each(|row| *row = canonical[*row as usize]);
+        let numbered = bytes.chunks_exact(stored.rows.size).zip(0..);
+        let first: Vec<u32> = numbered.map(|(row, number)| *first.entry(row).or_insert(number)).collect();
+        of_corner.iter_mut().for_each(|row| *row = first[*row as usize]);
+        CornerRows { stored, rows: Rows { bytes, size: stored.rows.size }, of_corner, missing }
     }
 
-    pub fn row(&self, number: u32) -> &[u8] {
-        let start = number as usize * self.size;
-        &self.bytes[start..start + self.size]
+    /// The normal of a corner.
+    pub fn normal(&self, corner: usize) -> Vec3 {
+        self.stored.decode(self.rows.get(self.of_corner[corner] as usize))
     }
 
-    /// The rows of vertices, one after the other: that of the given number, or as stored where it is [`NONE`].
-    pub fn gather(&self, stored: &Stored<'_>, vertices: impl Iterator<Item = (u32, u32)>) -> Table {
+    /// The rows of the vertices of a split: as stored where no corner uses the vertex.
+    pub fn gather(&self, split: &VertexSplit) -> Rows {
         let mut bytes = Vec::new();
-        for (row, old_vertex) in vertices {
-            if row == NONE {
-                stored.push_stored(old_vertex as usize, &mut bytes);
-            } else {
-                bytes.extend_from_slice(self.row(row));
-            }
+        for (&sample, &source) in split.sample.iter().zip(&split.source) {
+            bytes.extend_from_slice(match sample {
+                NONE => self.stored.rows.get(source as usize),
+                corner => self.rows.get(self.of_corner[corner as usize] as usize),
+            });
         }
-        Table { bytes, size: self.size }
-    }
-}
-
-/// One row a vertex.
-pub struct Table {
-    bytes: Vec<u8>,
-    size: usize,
-}
-
-impl Table {
-    /// Normals, as bytes without gaps.
-    pub fn normals(&self, stored: &Stored<'_>) -> Cow<'_, [u8]> {
-        self.column(0, stored.format.size())
+        Rows { bytes, size: self.rows.size }
     }
 
-    /// Normal deltas of a morph target.
-    pub fn deltas(&self, stored: &Stored<'_>, target: usize) -> Cow<'_, [u8]> {
-        self.column(stored.format.size() + 12 * target, 12)
-    }
-
-    /// Whether this is what is stored already.
-    pub fn is_stored(&self, stored: &Stored<'_>) -> bool {
-        let same = stored.same.as_ref().is_some_and(|bytes| *bytes == self.normals(stored));
-        let delta = |(target, delta): (usize, &Option<Vec<[f32; 3]>>)| {
-            let new = self.deltas(stored, target);
-            match delta {
-                Some(old) => bytemuck::cast_slice::<_, u8>(old) == &*new,
-                None => new.iter().all(|&byte| byte == 0),
-            }
-        };
-        same && stored.deltas.iter().enumerate().all(delta)
-    }
-
-    /// Repairs the normals of vertices that no corner uses, given the row that each vertex comes from.
-    pub fn repair_unused(&mut self, stored: &Stored<'_>, vertices: impl Iterator<Item = (u32, u32)>) {
-        let rows = self.bytes.chunks_exact_mut(self.size).zip(vertices);
-        rows.filter(|(_, (row, _))| *row == NONE).for_each(|(row, _)| stored.repair(row));
-    }
-
-    fn column(&self, start: usize, size: usize) -> Cow<'_, [u8]> {
-        if size == self.size {
-            return Cow::Borrowed(&self.bytes);
-        }
-        let mut column = Vec::with_capacity(self.bytes.len() / self.size * size);
-        let rows = self.bytes.chunks_exact(self.size);
-        rows.for_each(|row| column.extend_from_slice(&row[start..start + size]));
-        Cow::Owned(column)
+    /// Repairs the normals of those vertices of a split that no corner uses.
+    pub fn repair_unused(&self, rows: &mut Rows, split: &VertexSplit) {
+        let rows = rows.bytes.chunks_exact_mut(rows.size).zip(&split.sample);
+        rows.filter(|(_, sample)| **sample == NONE).for_each(|(row, _)| self.stored.repair(row));
     }
 }

@@ -1,7 +1,6 @@
 //! New data for accessors, in the least invasive place: over the old bytes, or appended.
 
 use super::refs::References;
-use crate::io::Note;
 use crate::io::gltf::accessor::number;
 use crate::io::gltf::buffers::Storage;
 use crate::io::gltf::data::{Bounds, Target, accessor_json, number_list, view_json};
@@ -11,13 +10,14 @@ use crate::io::gltf::json::{Value, quoted};
 use crate::io::gltf::records::Format;
 use crate::io::gltf::splice::{Changes, Splices, changed_object};
 use rustc_hash::FxHashSet;
-use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 pub struct Store<'a> {
     pub document: &'a GltfDocument,
     pub splices: Splices<'a>,
     pub is_quantized: bool,
-    pub remarks: [usize; 6],
+    /// How often each remark is due.
+    pub remarks: BTreeMap<Remark, usize>,
     refs: References,
     patches: Vec<Patch>,
     appended: Vec<u8>,
@@ -52,7 +52,7 @@ struct Placed {
 /// New elements of an accessor.
 pub struct NewData<'d> {
     pub format: Format,
-    pub bytes: Cow<'d, [u8]>,
+    pub bytes: &'d [u8],
     pub target: Target,
     /// The values are the old ones, only more of each, so that their bounds stay right.
     pub same_bounds: bool,
@@ -87,7 +87,7 @@ impl<'a> Store<'a> {
             document,
             splices: Splices::new(&document.records.json),
             is_quantized: false,
-            remarks: [0; 6],
+            remarks: BTreeMap::new(),
             refs: References::new(document),
             patches: Vec::new(),
             appended: Vec::new(),
@@ -138,7 +138,8 @@ impl<'a> Store<'a> {
             && record.sparse.is_none()
             && data.target == Target::Vertices;
         let view = record.view.map(|view| &records.views[view]);
-        let Some(view) = view.filter(|view| is_same && !view.extended && self.refs.owns_bytes(old)) else {
+        let Some(view) = view.filter(|view| is_same && !view.extended && self.refs.unaliased.contains(&old))
+        else {
             return false;
         };
         let size = data.format.size();
@@ -153,19 +154,20 @@ impl<'a> Store<'a> {
     fn accessor_changes(&mut self, old: usize, view: Option<usize>, data: &NewData<'_>) -> Changes {
         let record = &self.document.records.accessors[old];
         let view = self.append(data, view);
-        let (format, count) = (data.format, data.count());
-        let mut changes = vec![("byteOffset".to_owned(), None), ("sparse".to_owned(), None)];
-        let mut set = |is_new: bool, name: &str, text: Option<String>| {
-            changes.extend(is_new.then(|| (name.to_owned(), text)));
-        };
-        set(record.view != Some(view), "bufferView", Some(view.to_string()));
-        set(record.count != count as u64, "count", Some(count.to_string()));
-        let component = record.format.map(|format| format.component);
-        let code = format.component.as_gl_enum().to_string();
-        set(component != Some(format.component), "componentType", Some(code));
-        let normalized = record.format.map(|format| format.normalized);
-        let text = format.normalized.then(|| "true".to_owned());
-        set(normalized != Some(format.normalized), "normalized", text);
+        let (Format { component, normalized, .. }, count) = (data.format, data.count());
+        let old = record.format;
+        let is_other_component = old.is_none_or(|old| old.component != component);
+        let is_other_scale = old.is_none_or(|old| old.normalized != normalized);
+        let changes = [
+            ("byteOffset", true, None),
+            ("sparse", true, None),
+            ("bufferView", record.view != Some(view), Some(view.to_string())),
+            ("count", record.count != count as u64, Some(count.to_string())),
+            ("componentType", is_other_component, Some(component.as_gl_enum().to_string())),
+            ("normalized", is_other_scale, normalized.then(|| "true".to_owned())),
+        ];
+        let changes = changes.into_iter().filter(|(_, is_new, _)| *is_new);
+        let mut changes: Changes = changes.map(|(name, _, text)| (name.to_owned(), text)).collect();
         if !data.same_bounds {
             changes.extend(self.bound_changes(record.object, data));
         }
@@ -178,7 +180,7 @@ impl<'a> Store<'a> {
         let mut changes = Changes::new();
         let has = |name| json.member(accessor, name).is_some();
         if has("min") || has("max") {
-            let bounds = bounds(&data.bytes, data.format);
+            let bounds = bounds(data.bytes, data.format);
             for (name, values) in [("min", &bounds.low), ("max", &bounds.high)] {
                 changes.extend(has(name).then(|| (name.to_owned(), Some(number_list(values)))));
             }
@@ -192,7 +194,7 @@ impl<'a> Store<'a> {
         let start = padded(self.appended.len());
         self.appended.resize(start, 0);
         match stride {
-            None => self.appended.extend_from_slice(&data.bytes),
+            None => self.appended.extend_from_slice(data.bytes),
             Some(stride) => {
                 for element in data.bytes.chunks_exact(size) {
                     self.appended.extend_from_slice(element);
@@ -240,7 +242,7 @@ impl<'a> Store<'a> {
     }
 
     pub fn remark(&mut self, remark: Remark, count: usize) {
-        self.remarks[remark as usize] += count;
+        *self.remarks.entry(remark).or_default() += count;
     }
 
     pub fn require(&mut self, name: &str) {
@@ -314,31 +316,22 @@ fn bounds(bytes: &[u8], format: Format) -> Bounds {
     Bounds { low, high }
 }
 
-/// What an edit changes besides normals. Each becomes one note with a count.
-#[derive(Clone, Copy)]
-pub enum Remark {
-    WithoutNormal,
-    StaleDeltas,
-    TangentsRemoved,
-    TangentDeltasRemoved,
-    Emptied,
-    DracoRemoved,
-}
+/// What an edit changes besides normals: its rank among the notes, the nouns behind its count, and its text.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Remark(u8, pub [&'static str; 2], pub &'static str);
 
 const HAVE: [&str; 2] = ["primitive has", "primitives have"];
 const LOST: [&str; 2] = ["primitive lost", "primitives lost"];
 
-/// The notes in the order of [`Remark`].
-const REMARKS: [([&str; 2], &str); 6] = [
-    (["corner has", "corners have"], "no new normal; the stored one was kept, or +Z written"),
-    (HAVE, "morph targets with normals that belong to the old normals"),
-    (LOST, "the tangents of the old normals; viewers generate them (see --tangents)"),
-    (LOST, "the tangents of morph targets, which belong to the old tangents"),
-    (HAVE, "no faces left; one triangle without area was written, because glTF needs one"),
-    (LOST, "the Draco copy; the plain data were kept"),
-];
-
-/// The notes for how often each remark was made.
-pub fn notes(counts: [usize; 6]) -> impl Iterator<Item = Note> {
-    counts.into_iter().zip(REMARKS).filter_map(|(count, (nouns, text))| Note::counted(count, nouns, text))
+impl Remark {
+    pub const WITHOUT_NORMAL: Self =
+        Self(0, ["corner has", "corners have"], "no new normal; the stored one was kept, or +Z written");
+    pub const STALE_DELTAS: Self = Self(1, HAVE, "morph targets with normals that belong to the old normals");
+    pub const TANGENTS_REMOVED: Self =
+        Self(2, LOST, "the tangents of the old normals; viewers generate them (see --tangents)");
+    pub const TANGENT_DELTAS_REMOVED: Self =
+        Self(3, LOST, "the tangents of morph targets, which belong to the old tangents");
+    pub const EMPTIED: Self =
+        Self(4, HAVE, "no faces left; one triangle without area was written, because glTF needs one");
+    pub const DRACO_REMOVED: Self = Self(5, LOST, "the Draco copy; the plain data were kept");
 }
