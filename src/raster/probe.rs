@@ -132,10 +132,8 @@ fn lit_points(
     let lit = |source: &ColourSource| {
         let position = shade.frame.to_local(source.position).to_array();
         let surface = SurfacePoint { position, normal: source.normal.to_array() };
-        let light = match job.settings.asks_faces() && point.face.is_some() {
-            true => probe.explain_on(&surface, point.face_normal),
-            false => probe.explain(&surface),
-        };
+        let face = (job.settings.asks_faces() && point.face.is_some()).then_some(point.face_normal);
+        let light = probe.explain_on(&surface, face);
         // The picture would be an error, too, had rounding to single precision not moved the point.
         match light.not_finite() {
             Some(error) => Err(RenderError::NotFinite { object, error }),

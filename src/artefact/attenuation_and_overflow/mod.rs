@@ -47,8 +47,8 @@ fn run(setup: &Setup) -> Result<Outcome> {
 fn attenuation(size: u32, out: &mut Recorder) -> Result<(Effect, f64)> {
     let floor = |rule| floor(rule, LinearRgb::grey(STRENGTH), ToneRule::Clamp, size);
     let square = floor(Attenuation::InverseSquare)?;
-    let quadratic = floor(Attenuation::Quadratic { constant: 1.0, linear: 1.0, quadratic: 1.0 })?;
-    let offset = floor(Attenuation::Offset { k: K })?;
+    let quadratic = floor(Attenuation::Quadratic([1.0, 1.0, 1.0]))?;
+    let offset = floor(Attenuation::Offset(K))?;
     let [of_square, of_quadratic, of_offset] = [&square, &quadratic, &offset].map(share);
     let radius = libm::pow(STRENGTH * HEIGHT, 2.0 / 3.0) - HEIGHT * HEIGHT;
     let pixel = WINDOW / f64::from(size);

@@ -100,7 +100,7 @@ fn light(file: &FileLight) -> Light {
     let (position, along) = (map.w_axis.truncate(), map.transform_vector3(DVec3::NEG_Z));
     let colour = LinearRgb::from(file.colour) * (file.intensity * PER_LUX);
     let attenuation = match file.range {
-        Some(range) => Attenuation::InverseSquareWithin { range },
+        Some(range) => Attenuation::InverseSquareWithin(range),
         None => Attenuation::InverseSquare,
     };
     match file.kind {

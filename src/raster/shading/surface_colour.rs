@@ -72,18 +72,11 @@ impl Shaders {
         exactly: impl FnOnce() -> DVec3,
     ) -> Result<[f32; 3], NotFinite> {
         let point = SurfacePoint { position, normal };
-        let single = match face {
-            Some(face) => self.single.shade_on(&point, face),
-            None => self.single.shade(&point),
-        };
-        single.or_else(|rounded| {
+        self.single.shade_on(&point, face).or_else(|rounded| {
             let wide = |v: [f32; 3]| v.map(f64::from);
             let point = SurfacePoint { position: exactly().to_array(), normal: wide(normal) };
-            let double = match face {
-                Some(face) => self.double.shade_on(&point, wide(face)),
-                None => self.double.shade(&point),
-            };
-            let colour = double?.map(|component| component as f32);
+            let double = self.double.shade_on(&point, face.map(wide))?;
+            let colour = double.map(|component| component as f32);
             if colour.iter().all(|component| component.is_finite()) { Ok(colour) } else { Err(rounded) }
         })
     }

@@ -45,7 +45,7 @@ struct PointTable {
     #[serde(alias = "color", default = "white")]
     colour: Colour,
     #[serde(default)]
-    attenuation: AttenuationValue,
+    attenuation: Attenuation,
 }
 
 #[derive(Deserialize)]
@@ -55,7 +55,7 @@ struct SpotTable {
     #[serde(alias = "color", default = "white")]
     colour: Colour,
     #[serde(default)]
-    attenuation: AttenuationValue,
+    attenuation: Attenuation,
     axis: [f64; 3],
     /// Degrees; 180 for none.
     cut_off: Option<f64>,
@@ -106,35 +106,6 @@ impl TryFrom<Vec<f64>> for Position {
     }
 }
 
-/// `attenuation = …`
-#[derive(Clone, Copy, Default, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-enum AttenuationValue {
-    #[default]
-    None,
-    InverseSquare,
-    /// The range.
-    InverseSquareWithin(f64),
-    /// k of 1/(d + k).
-    Offset(f64),
-    /// kc, kl, kq.
-    Quadratic([f64; 3]),
-}
-
-impl From<AttenuationValue> for Attenuation {
-    fn from(value: AttenuationValue) -> Self {
-        match value {
-            AttenuationValue::None => Self::None,
-            AttenuationValue::InverseSquare => Self::InverseSquare,
-            AttenuationValue::InverseSquareWithin(range) => Self::InverseSquareWithin { range },
-            AttenuationValue::Offset(k) => Self::Offset { k },
-            AttenuationValue::Quadratic([constant, linear, quadratic]) => {
-                Self::Quadratic { constant, linear, quadratic }
-            }
-        }
-    }
-}
-
 impl From<SpotTable> for Light {
     /// Without a cut-off and an exponent it is the lectures' spot.
     fn from(table: SpotTable) -> Self {
@@ -150,8 +121,8 @@ impl From<SpotTable> for Light {
             exponent: table.exponent.unwrap_or(lectures.exponent),
             ..lectures
         };
-        let attenuation = table.attenuation.into();
-        Light::Spot { position: table.position.into(), colour: table.colour.0, attenuation, cone }
+        let SpotTable { position, colour, attenuation, .. } = table;
+        Light::Spot { position: position.into(), colour: colour.0, attenuation, cone }
     }
 }
 
@@ -162,8 +133,7 @@ pub(super) fn lights(source: Source, tables: LightTables) -> Result<Option<Vec<L
         towards: towards.into(),
         colour: colour.0,
     };
-    let point =
-        |PointTable { position, colour, attenuation }| Light::at(position.0, colour.0, attenuation.into());
+    let point = |PointTable { position, colour, attenuation }| Light::at(position.0, colour.0, attenuation);
     let area = |shape, colour: Colour| Light::Area { shape, colour: colour.0 };
     let rectangle = |RectangleTable { centre, u, v, colour }| {
         let [centre, u, v] = [centre, u, v].map(DVec3::from);

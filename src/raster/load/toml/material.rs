@@ -61,8 +61,7 @@ impl MaterialTable {
         let material = Material { diffuse, specular, exponent, reflection: Reflection::default(), ..plain };
         // An ambient reflection that follows the diffuse one is no error of its own.
         let given = Material { ambient: ambient.unwrap_or(Reflectance::NONE), ..material };
-        let checked = given.check().and_then(|()| given.check_range::<f32>());
-        checked.map_err(|error| shade_error(source, &span, &error))?;
+        given.check::<f32>().map_err(|error| shade_error(source, &span, &error))?;
         let ambient = ambient.unwrap_or(Reflectance::Merged(diffuse.merged()));
         Ok(Some(Material { ambient, ..material }))
     }
