@@ -1,4 +1,4 @@
-//! The triangles that are seen in a tile, with what their corners carry.
+//! The visible triangles of a tile, with the values at their corners.
 
 use crate::num::LinearRgb;
 use crate::raster::coverage::setup::double_area;
@@ -77,8 +77,7 @@ impl Record {
     }
 }
 
-/// Twice the signed areas of the parts into which the origin cuts a triangle, opposite to each corner: the shares of its
-/// corners. Exact in doubles for coordinates of 25 bits.
+/// Twice the signed areas of the triangles between the origin and the side opposite to each corner. Exact for 25 bits.
 #[inline(always)]
 pub(crate) fn parts(x: [i32; 3], y: [i32; 3]) -> [f64; 3] {
     let at = |k: usize| (f64::from(x[k]), f64::from(y[k]));
@@ -124,8 +123,7 @@ impl ValueKind {
     }
 }
 
-/// The values at the corners of a piece, which are means of those at the corners of the whole. Interpolating them over
-/// the piece is interpolating over the whole.
+/// The values at the corners of a piece: means of those at the corners of the whole triangle.
 pub(crate) fn piece_values(values: [Vec3; 3], piece: &Piece, interpolation: Interpolation) -> [Vec3; 3] {
     piece.shares.map(|Shares { scene, picture }| {
         let shares = if interpolation == Interpolation::Perspective { scene } else { picture };
@@ -147,8 +145,7 @@ pub(crate) fn face_corners<'a>(
         (_, TriangleList::Whole(triangles)) => (3 * face, &triangles[face as usize]),
         _ => (0, &[]),
     };
-    let corner = move |(k, &vertex)| Corner { number: first + k as u32, vertex, turned };
-    vertices.iter().enumerate().map(corner)
+    vertices.iter().enumerate().map(move |(k, &vertex)| Corner { number: first + k as u32, vertex, turned })
 }
 
 /// The corners of a visible triangle.

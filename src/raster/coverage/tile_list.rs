@@ -9,8 +9,7 @@ use crate::raster::frame::job::Job;
 use crate::raster::view::project::ScreenVertex;
 use std::ops::Range;
 
-/// The triangles of a tile and the objects that rays are cast at, numbered through: first the triangles, then the
-/// pieces of those that are clipped, then the objects. These numbers are the owners of pixels.
+/// The owners of pixels in a tile, numbered through: triangles, pieces of clipped triangles, objects that rays are cast at.
 #[derive(Default)]
 pub(crate) struct TileList {
     /// As the bins have them.
@@ -111,14 +110,14 @@ impl TileList {
             owners.split_at(owners.partition_point(|&owner| (owner as usize) < self.triangles.len()));
         let number = |owner: u32| self.triangles[owner as usize] & !CLIPPED;
         let mut from = 0;
-        // Of whole triangles there are many: object by object, so that little is left to do for each.
+        // There are many whole triangles: object by object is faster.
         for (at, object) in job.drawn.iter().enumerate() {
             let end = match job.drawn.get(at + 1) {
                 None => whole.len(),
                 Some(next) => from + whole[from..].partition_point(|&owner| number(owner) < next.first),
             };
             if from < end {
-                // Written where they stay: appending to a list copies each once more.
+                // Written in place: appending would copy each once more.
                 records.resize(end, Record::cast(object.object));
                 for (record, &owner) in records[from..].iter_mut().zip(&whole[from..end]) {
                     let triangle = number(owner) - object.first;

@@ -52,15 +52,14 @@ impl<'a> DrawnObject<'a> {
         Some(Self { object, first, list, points, vertices, outside, map, mirrored })
     }
 
-    /// Whether each of so many faces shows the side that is kept, or one of the triangles that it is cut into does. Reported from
-    /// vertices that are not snapped, which small triangles need, and also behind the eye.
+    /// Whether each of so many faces, or a triangle of it, shows the side that is kept: from vertices that are not snapped.
     pub(crate) fn kept_faces(&self, count: usize, cull: Cull) -> Vec<bool> {
         let is_kept = |triangle: u32| {
             let [a, b, c] = self.list.vertices(triangle).map(|vertex| {
                 let ViewPoint { x, y, h, .. } = self.map.view(self.points.get(vertex));
                 DVec3::new(x, y, h)
             });
-            // Twice the area on the picture, times all three h: which side of its plane the eye is on. No product overflows.
+            // Twice the area on the picture, times all three h. No product overflows.
             let [a, b, c] = [a, b - a, c - a].map(|v| v * unit_scale(v.abs().max_element()));
             let volume = b.cross(c).dot(a);
             volume != 0.0 && cull.keeps((volume < 0.0) != self.mirrored)
@@ -89,8 +88,7 @@ pub(crate) struct PlanePoint {
 }
 
 impl DrawnObject<'_> {
-    /// The point of a triangle's plane at a place of the picture, by edge functions in homogeneous coordinates, which hold
-    /// behind the eye as well (Olano & Greer 1997).
+    /// The point of a triangle's plane at a place of the picture, by homogeneous edge functions (Olano & Greer 1997).
     pub(crate) fn plane_point(&self, view: &View, triangle: [u32; 3], at: [f64; 2]) -> PlanePoint {
         let [mx, my] = view.middle();
         let ray = DVec3::new(at[0] - mx, at[1] - my, 1.0);
@@ -100,8 +98,7 @@ impl DrawnObject<'_> {
         let parts = normals.map(|normal| ray.dot(normal));
         let weights = shares(parts);
         let distance = if view.perspective {
-            // The determinant of the corners, by that one of them whose products have the least to lose. Their mean would be
-            // what is left of distances in front of the eye and behind it.
+            // The determinant of the corners, by the corner with the smallest products, which lose least.
             let products = [0, 1, 2].map(|k| corners[k] * normals[k]);
             let size = |product: &&DVec3| product.abs().element_sum();
             let least = products.iter().min_by(|a, b| size(a).total_cmp(&size(b)));

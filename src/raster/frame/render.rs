@@ -5,7 +5,7 @@ use crate::raster::error::RenderError;
 use crate::raster::frame::job::Job;
 use crate::raster::frame::output::{Target, targets};
 use crate::raster::frame::tile::Worker;
-use crate::raster::lines::draw_lines::LineJob;
+use crate::raster::lines::LineJob;
 use crate::raster::picture::{Image, Pixels, Statistics, Times};
 use crate::raster::scene::Scene;
 use crate::raster::settings::{Bits, RenderSettings};
@@ -15,14 +15,11 @@ use std::time::Instant;
 
 /// Draws a scene.
 ///
-/// Visibility first, shading after, in tiles of 64 × 64 pixels. All shading and interpolation modes share one coverage:
-/// pictures of the same scene that differ in these settings differ in colours, never in which pixels are covered.
-/// Sampling follows Direct3D's rules: 8 sub-pixel bits, the top-left rule, so that shared edges are covered once. Of
-/// faces equally near the one with the lower index shows.
+/// Visibility first, shading after, in tiles of 64 × 64 pixels. All shading and interpolation modes have the same coverage.
+/// Sampling follows Direct3D's rules: 8 sub-pixel bits and the top-left rule. Of equally near faces the lower index shows.
 ///
-/// Uses the current thread pool of rayon; the picture is the same at any number of threads. Beside what it returns it
-/// takes 16 bytes a vertex, 16 bytes a triangle where polygons are cut, about 5 bytes a triangle for the tiles' lists,
-/// and about 250 kB a thread.
+/// Uses the current thread pool of rayon; the picture is the same at any number of threads. Takes 16 bytes a vertex, 16 bytes a
+/// triangle of a cut polygon, about 5 bytes a triangle for the lists of tiles, and about 250 kB a thread.
 ///
 /// ```
 /// use crease::mesh::{Faces, MeshBuilder};
@@ -52,7 +49,7 @@ use std::time::Instant;
 /// ```
 ///
 /// # Errors
-/// Cameras, sizes, transforms, lists and numbers that make no sense; lights whose colour is not finite somewhere.
+/// Invalid cameras, sizes, transforms, lists and numbers; colours that are not finite.
 pub fn render(scene: &Scene, settings: &RenderSettings) -> Result<Image, RenderError> {
     let start = Instant::now();
     let job = Job::new(scene, settings)?;
