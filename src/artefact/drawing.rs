@@ -12,7 +12,7 @@ use crate::raster::{
 use crate::shade::{Attenuation, Light, Material, Reflectance};
 use glam::DVec3;
 
-/// What is seen where there is nothing: a dark grey that neither black nor white surfaces vanish in.
+/// The background: a dark grey that differs from black and white surfaces.
 pub(super) const BACKGROUND: LinearRgb = LinearRgb::grey(0.05);
 
 /// A white surface that only diffuses: its luminance is N·L.
@@ -93,7 +93,7 @@ pub(super) fn build(positions: Vec<DVec3>, faces: Faces) -> Result<Mesh> {
     Ok(MeshBuilder { positions, faces, ..MeshBuilder::default() }.build()?)
 }
 
-/// A mesh of sheets of quadrilaterals, so many along each row and so many rows, over the positions of their corners row by row.
+/// A mesh of sheets of quadrilaterals in so many columns and rows, over the positions of their corners row by row.
 pub(super) fn sheets(positions: Vec<DVec3>, [columns, rows]: [u32; 2]) -> Result<Mesh> {
     let (row, sheet) = (columns + 1, (columns + 1) * (rows + 1));
     let mut faces = Faces::new();
@@ -153,8 +153,7 @@ pub(super) fn picture(size: [u32; 2], linear: Vec<[f32; 3]>, coverage: Vec<u8>) 
     }
 }
 
-/// Numbers from 0 to `full` as colours from dark violet over green to yellow, which get lighter all the way: they can be
-/// distinguished without colour vision and in black and white (the map *viridis* at five places). `None` is background.
+/// Numbers from 0 to `full` as colours of the map *viridis*, which are distinct without colour vision. `None` is background.
 pub(super) fn map(size: [u32; 2], values: &[Option<f64>], full: f64) -> Image {
     let colour = |value: f64| viridis(value / full).to_array().map(|component| component as f32);
     let background = BACKGROUND.to_array().map(|component| component as f32);

@@ -7,8 +7,8 @@ use crate::raster::Image;
 use crate::text::{Catalogue, Text, Value};
 use std::mem::take;
 
-/// An outcome under construction. The texts of a measure, picture, chart or curve have its name as their key, followed by
-/// `-measure`, `-by`, `-effect`, `-cure`, `-title`, `-caption`, `-seen`, `-x`, `-y` or `-curve`.
+/// An outcome under construction. The keys of texts are the name of a measure, picture, chart or curve, followed by `-measure`,
+/// `-by`, `-effect`, `-cure`, `-title`, `-caption`, `-seen`, `-x`, `-y` or `-curve`.
 pub(super) struct Recorder {
     texts: &'static Catalogue,
     values: Vec<(&'static str, Value)>,
@@ -89,12 +89,12 @@ impl Recorder {
 
     /// Records a picture of the artefact.
     pub(super) fn bad(&mut self, name: &'static str, effect: &Effect, image: Image) {
-        self.shots.push(effect.bad_shot(name, self.caption(name), image));
+        self.shots.push(effect.shot(name, false, self.caption(name), image));
     }
 
     /// Records a picture of the cure.
     pub(super) fn cured(&mut self, name: &'static str, effect: &Effect, image: Image) {
-        self.shots.push(effect.cured_shot(name, self.caption(name), image));
+        self.shots.push(effect.shot(name, true, self.caption(name), image));
     }
 
     /// Records the difference of two pictures, or a map of an error.
@@ -102,7 +102,7 @@ impl Recorder {
         self.unmeasured(name, Role::Difference, image);
     }
 
-    /// Records the picture of which maps show an artefact too faint to be visible in it.
+    /// Records a picture of an artefact that is too faint to be visible without maps.
     pub(super) fn seen(&mut self, name: &'static str, image: Image) {
         self.unmeasured(name, Role::Seen, image);
     }
@@ -144,12 +144,7 @@ impl Recorder {
     }
 
     /// The outcome with other notes.
-    pub(super) fn finish_with_notes(
-        &mut self,
-        notes: Vec<Text>,
-        verdict: Verdict,
-        effect: Effect,
-    ) -> Outcome {
+    pub(super) fn finish_with_notes(&mut self, notes: Vec<Text>, verdict: Verdict, effect: Effect) -> Outcome {
         let (measures, shots, charts) =
             (take(&mut self.measures), take(&mut self.shots), take(&mut self.charts));
         Outcome { verdict, effect, measures, shots, charts, notes }

@@ -17,7 +17,7 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
     frame: None,
 };
 
-/// The lamp's height over the floor and its strength; the k that keeps it from overflowing.
+/// The lamp's height over the floor, its strength, and the k that avoids overflow.
 const HEIGHT: f64 = 0.5;
 const STRENGTH: f64 = 1.5;
 const K: f64 = 1.0;
@@ -43,7 +43,7 @@ fn run(setup: &Setup) -> Result<Outcome> {
     Ok(out.finish(Verdict::HoldsOnlyIf(out.text("holds-only-if")), effect))
 }
 
-/// A floor under three rules of attenuation. Returns the effect that the experiment reports, and the largest luminance under 1/d².
+/// A floor under three rules of attenuation. Returns the reported effect, and the largest luminance under 1/d².
 fn attenuation(size: u32, out: &mut Recorder) -> Result<(Effect, f64)> {
     let floor = |rule| floor(rule, LinearRgb::grey(STRENGTH), ToneRule::Clamp, size);
     let square = floor(Attenuation::InverseSquare)?;
@@ -99,8 +99,8 @@ fn depth_cueing(size: u32, out: &mut Recorder) -> Result<()> {
     let [of_plain, of_cued] = [&plain, &cued].map(|image| plate_value(image, 0) / plate_value(image, 2));
     let [near, far] = [0, 2].map(|plate| DEPTHS[plate] * obliqueness(plate_pixel([size; 2], plate), size));
     let law = (far + CUE.k) / (near + CUE.k);
-    // A corner moved by 1/256 pixel moves the place seen by 2/(256 size) of half the window. There, less than 0.7 of it off the
-    // middle, the share by which distance changes is less than 0.7 tan², tan² = 1/4; two plates.
+    // A corner moved by 1/256 pixel moves the point by 2/(256 size) of half the window, and its distance by less than 0.7 tan² of
+    // that, tan² = 1/4; two plates.
     let tolerance = law * (1.0 / (256.0 * f64::from(size)) + 1e-5);
     out.measure("depth-cue", "", of_cued, Check::Near(law, tolerance));
     out.set("law", law);
@@ -128,9 +128,8 @@ fn luminances(image: &Image) -> impl Iterator<Item = f64> {
     linear(image).iter().map(|colour| f64::from(colour[0]))
 }
 
-/// By how much more than 1 light may be that is 1 by the law. Positions are 100 units from the viewer; interpolated in single
-/// precision from three corners, with weights rounded three times and their sum once, they are off by 4 · 100 u, u = 2⁻²⁴. So is
-/// the distance d to the lamp above, of which 1/(d + k) changes by the share 1/(h + k); a dozen roundings of the light come to that.
+/// The rounding of light that is 1 by the law. Positions 100 units from the viewer are off by 4 · 100 u, u = 2⁻²⁴; so is the
+/// distance d to the lamp, of which 1/(d + k) changes by the share 1/(h + k); and a dozen roundings of the light.
 const ROUNDING: f64 = (4.0 * 100.0 / (HEIGHT + K) + 12.0) / (1 << 24) as f64;
 
 /// The share of pixels over 1.

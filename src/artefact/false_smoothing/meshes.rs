@@ -44,8 +44,7 @@ pub(super) fn gear() -> Result<Mesh> {
     build(positions, faces)
 }
 
-/// A sheet folded along lines upwards: strips of the width 1 along the profile, so many of them, each leaning by one of these
-/// angles in turn. It hangs about the origin with its middle.
+/// A sheet folded along upright lines: so many strips of width 1, each leaning by one of these angles in turn, about the origin.
 pub(super) fn folded(leans: &[Degrees], strips: u32) -> Result<Mesh> {
     const HALF: f64 = 2.2;
     let mut profile = vec![DVec2::ZERO];

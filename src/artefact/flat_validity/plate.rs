@@ -45,8 +45,8 @@ impl Lamp {
         lamp(direction(self.angle) * self.distance)
     }
 
-    /// The same by the formula: N·L at the pixel and at the middle of its square. Edges snap to 256ths of pixels, so that the
-    /// centre of a pixel on an edge may count to either square: the least and the most that the error may be.
+    /// The same by the formula: N·L at the pixel and at the middle of its square. Pixels on an edge may count to either square, since
+    /// edges snap to 256ths of pixels: the least and the most that the error may be.
     pub(super) fn law(&self, cells: u32, size: u32) -> (f64, f64) {
         let lamp = direction(self.angle) * self.distance;
         let light = |point: DVec3| ((lamp - point).z / (lamp - point).length()).max(0.0);
@@ -93,8 +93,7 @@ impl Viewer {
         (material, light, camera)
     }
 
-    /// The same by the formula: (V·R)ⁿ at the pixel and in the middle, and nothing by the guard from behind. Then the steepest
-    /// slope of that power at a pixel, which is how far an error of the cosine shows.
+    /// The same by the formula, (V·R)ⁿ at the pixel and in the middle; and the steepest slope of that power at a pixel.
     pub(super) fn law(&self, size: u32) -> (f64, f64) {
         if self.angle.0.abs() >= 90.0 {
             return (0.0, 0.0);

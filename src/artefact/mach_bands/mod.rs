@@ -20,7 +20,7 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
     takes: &[ParameterName::Size, ParameterName::Segments, ParameterName::Light],
     // Of fewer facets no edge may be visible; those of four times as many more would be a few pixels wide.
     segments: 6..=128,
-    // So few that bands are seen with the naked eye; with an odd number of facets in the light no two neighbours are alike.
+    // So few that bands are visible; with an odd number of facets in the light no two neighbours are alike.
     defaults: Parameters { segments: 10, light: Degrees(30.0), ..Parameters::USUAL },
     run,
     frame: None,
@@ -131,8 +131,8 @@ impl Edges {
     }
 }
 
-/// The jump of slope above which a luminance that is straight over facets is off a round one by half a step of 8 bits: in the
-/// middle of a facet of the width w it is w/8 times the jump.
+/// The jump of slope above which a luminance that is straight over a facet of width w is off a round one by half a step of 8
+/// bits: in the middle it is off by w/8 times the jump.
 fn threshold(tube: &Tube, out: &Recorder) -> Threshold {
     Threshold {
         value: 8.0 * Threshold::HALF_STEP / (2.0 * libm::sin(0.5 * tube.delta())),
@@ -167,8 +167,7 @@ fn half(Degrees(angle): Degrees) -> f64 {
     Radians::from(Degrees(angle / 2.0)).0
 }
 
-/// Phong's slope jump over Gouraud's at the edge where it is worst, half-way between the viewer and the light, and how far
-/// roundings may move that.
+/// Phong's slope jump over Gouraud's half-way between the viewer and the light, where it is worst, and its rounding.
 fn ratio(light: Degrees, segments: u32) -> Result<(f64, f64)> {
     let tube = Tube::new(segments, half(light))?;
     let jump = |shading| tube.profile(light, shading).map(|line| line.slope_jump(&tube, half(light)));
@@ -180,8 +179,7 @@ fn ratio(light: Degrees, segments: u32) -> Result<(f64, f64)> {
 /// How far halving leaves the angle open.
 const RESOLVED: f64 = 20.0 / 2048.0;
 
-/// The angle of the light at which Phong's jump is as large as Gouraud's, in degrees, by halving; and how far roundings may
-/// move the ratio there.
+/// The angle of the light at which Phong's jump is as large as Gouraud's, in degrees, by halving; and the rounding of the ratio.
 fn border(segments: u32) -> Result<(f64, f64)> {
     let (mut low, mut high, mut open) = (60.0, 80.0, 0.0);
     for _ in 0..10 {

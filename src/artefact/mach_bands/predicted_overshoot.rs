@@ -1,4 +1,4 @@
-//! The overshoot at edges that a model of lateral inhibition predicts. It says nothing of what observers report.
+//! The overshoot at edges that a model of lateral inhibition predicts.
 
 use super::super::outcome::Curve;
 use super::super::prelude::*;
@@ -56,9 +56,8 @@ impl Prediction {
         Self { answer, open: 0.12 * answer.abs() + 2.0 * f64::from(f32::EPSILON) }
     }
 
-    /// Next to the edge Phong's shading bends, to which the answer is −Y″ (σs² − σc²)/2: as the normal turns along the chord of
-    /// a facet of the width w, by α′ = sin Δ/w at its ends and α″ = ±2 sin Δ (1 − cos Δ)/w². On the edge that is the mean of both
-    /// sides, and two pixels off more of one.
+    /// Adds the answer to Phong's curvature next to the edge, −Y″ (σs² − σc²)/2: the normal turns along the chord of a facet of
+    /// width w by α′ = sin Δ/w at its ends and α″ = ±2 sin Δ (1 − cos Δ)/w². On the edge that is the mean of both sides.
     fn with_bends(self, theta: f64, light: Degrees, delta: f64) -> Self {
         let [centre, surround] = DifferenceOfGaussians::default().widths();
         let (sine, cosine) = libm::sincos(theta - Radians::from(light).0);
