@@ -144,7 +144,12 @@ impl Recorder {
     }
 
     /// The outcome with other notes.
-    pub(super) fn finish_with_notes(&mut self, notes: Vec<Text>, verdict: Verdict, effect: Effect) -> Outcome {
+    pub(super) fn finish_with_notes(
+        &mut self,
+        notes: Vec<Text>,
+        verdict: Verdict,
+        effect: Effect,
+    ) -> Outcome {
         let (measures, shots, charts) =
             (take(&mut self.measures), take(&mut self.shots), take(&mut self.charts));
         Outcome { verdict, effect, measures, shots, charts, notes }

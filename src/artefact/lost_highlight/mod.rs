@@ -163,8 +163,15 @@ impl Sphere {
         Ok(if of_sphere.is_cured() { of_film } else { of_sphere })
     }
 
-    fn measure(&self, peak_ratio: f64, displacement: f64, flickers: [f64; 2], loss: Loss, out: &mut Recorder) {
-    let [gouraud, phong] = flickers;
+    fn measure(
+        &self,
+        peak_ratio: f64,
+        displacement: f64,
+        flickers: [f64; 2],
+        loss: Loss,
+        out: &mut Recorder,
+    ) {
+        let [gouraud, phong] = flickers;
         let &Self { size, exponent, delta, .. } = self;
         let radius = f64::from(size) / WINDOW;
         let of_nearest = law(delta / 2.0, exponent);

@@ -40,8 +40,7 @@ struct Corner {
     parameters: DVec2,
 }
 
-/// A grid over one chart. Vertex (i, j) is at u = i / segments, v = j / segments but for jitter; cell (i, j) has it at
-/// its lower left.
+/// A grid over one chart. Vertex (i, j) is at u = i / segments, v = j / segments but for jitter, at the lower left of cell (i, j).
 struct Grid {
     chart: Chart,
     segments: [u32; 2],
@@ -56,7 +55,6 @@ impl Grid {
         let segments = match pattern {
             Pattern::Stretched(ratio) => {
                 let [u, v] = segments.map(f64::from);
-                // The counts are checked against their limits afterwards; casts of too large numbers saturate.
                 [(u / ratio.sqrt()).round().max(1.0), (v * ratio.sqrt()).round()].map(|count| count as u32)
             }
             _ => segments,
@@ -154,9 +152,8 @@ impl Grid {
     }
 }
 
-/// Merges the vertices that two patches have at the same position of a common side: sides with the same four control points,
-/// in either direction. Patches that merely touch stay separate. The vertex of the first patch remains; where patches meet
-/// smoothly, as those of the teapot do, its normal is that of all.
+/// Merges the vertices on common sides of patches: sides with the same four control points, in either direction. The vertex of
+/// the first patch remains; where patches meet smoothly its normal is that of all.
 pub(crate) fn join(net: &mut Net, patches: &[BezierPatch], tessellation: &Tessellation) {
     if patches.len() < 2 {
         return;

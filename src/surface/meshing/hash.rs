@@ -2,9 +2,8 @@
 
 /// Numbers in [0, 1) by grid position: the same on every machine and in any order.
 ///
-/// With seed 0, the hash of h = (73856093 i) ^ (19349663 j) ^ (83492791 c) mod 2³² (the primes of M. Teschner et al.,
-/// *Optimized spatial hashing*, VMV 2003), mixed by two multiplications and two shifts; another seed changes h before
-/// mixing.
+/// With seed 0, the hash of h = (73856093 i) ^ (19349663 j) ^ (83492791 c) mod 2³² (M. Teschner et al., *Optimized spatial
+/// hashing*, VMV 2003), mixed by two multiplications and two shifts; another seed changes h before mixing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct GridHash {
     /// Which of 2³² such families of numbers.

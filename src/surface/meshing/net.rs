@@ -59,11 +59,12 @@ pub(crate) fn sample(chart: &dyn Parametric, at: DVec2) -> Result<Sample, Surfac
 
 /// The sample at these parameters, or an error if the surface has no normal there.
 pub(crate) fn sample_at(at: DVec2, sample: Option<Sample>) -> Result<Sample, SurfaceError> {
-    sample.ok_or(SurfaceError::NoNormal { u: at.x, v: at.y })
+    sample.ok_or_else(|| {
+        SurfaceError::Invalid(format!("the surface has no normal at u = {}, v = {}", at.x, at.y))
+    })
 }
 
-/// The dual of a net of triangles: one polygon around each vertex that is not on an open side, with corners above the middles
-/// of the triangles there.
+/// The dual of a net of triangles: a polygon around each vertex that is not on an open side, with corners above their middles.
 pub(crate) fn dual(
     triangles: &Net,
     sample: impl Fn(usize, DVec2) -> Result<Sample, SurfaceError> + Sync,

@@ -2,36 +2,30 @@
 
 use crate::surface::error::{SurfaceError, out_of_range};
 
-/// How vertices and faces are arranged on a surface. All vertices lie on it but for [`Tessellation::noise`].
+/// The arrangement of vertices and faces on a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Pattern {
     /// A grid of the parameters, each cell cut in two along the same diagonal, or with jitter along a random one.
     #[default]
     Triangles,
-    /// The same with cells elongated by that ratio, for about as many cells: for 10 a grid of 64 × 32 becomes one of
-    /// 20 × 101.
+    /// The same with about as many cells, elongated by that ratio: for 10 a grid of 64 × 32 becomes one of 20 × 101.
     Stretched(f64),
-    /// A grid in which every other row lies that many times as close to the next one: slivers next to good triangles.
-    /// Takes no jitter: slivers would fold.
+    /// A grid with every other row that many times as close to the next one. Takes no jitter.
     Slivers(f64),
     /// The grid's cells themselves: quadrilaterals that are not plane, triangles at poles.
     Quads,
-    /// The dual of the triangles: a polygon around each vertex that is not on an open side, with vertices above the
-    /// middles of the triangles. The one around the tip of a cone cuts it off, flat, and has the normals of the sides,
-    /// which are exact at its corners: it is shaded as if it were round, and `crease inspect` reports its edges
-    /// (`averaged-crease`).
+    /// The dual of the triangles: a polygon around each vertex that is not on an open side, with vertices above the middles of
+    /// triangles. That around the tip of a cone is flat and has the normals of the sides: `crease inspect` reports its edges.
     Polygons,
-    /// Twenty triangles cut in four that many times by the midpoints of their edges, which move onto the sphere each
-    /// time. For surfaces that are spheres but for stretching along rays ([`StarShaped`](crate::surface::StarShaped)). Takes no
+    /// An icosahedron with triangles cut in four that many times, for [`StarShaped`](crate::surface::StarShaped) surfaces. Takes no
     /// segments and no jitter.
     Icosphere(u32),
-    /// Marching tetrahedra over a lattice, with the first of [`Tessellation::segments`] along the longest side of the
-    /// bounding box: valences from 4 up, slivers where the surface passes close to a lattice point. For surfaces that
-    /// are zero sets. Takes no jitter.
+    /// Marching tetrahedra over a lattice with the first of [`Tessellation::segments`] along the longest side of the box, for zero
+    /// sets. Takes no jitter.
     Marching,
-    /// The Delaunay triangulation of scattered points, as many as the grid would have, and evenly spaced ones on the
-    /// sides. For heights over a rectangle. Takes no jitter.
+    /// The Delaunay triangulation of as many scattered points as a grid has, evenly spaced on the sides, for heights over a
+    /// rectangle. Takes no jitter.
     Scattered,
 }
 
@@ -68,11 +62,10 @@ pub struct Tessellation {
     pub pattern: Pattern,
     /// Cells along u and v; of each patch, for a surface of several.
     pub segments: [u32; 2],
-    /// Random displacement of vertices within the surface, in cells: by at most half of it in each direction; 0 to 1.
-    /// Vertices on open sides and at poles stay. Above 0, cells are cut along random diagonals.
+    /// Random displacement of vertices within the surface, in cells, by at most half of it in each direction; 0 to 1. Vertices on
+    /// open sides and at poles stay. Above 0, cells are cut along random diagonals.
     pub jitter: f64,
-    /// Largest random displacement of vertices along the normal, in mean lengths of an edge; 0 to 1. The stored normals
-    /// stay those of the surface.
+    /// Largest random displacement of vertices along the normal, in mean lengths of an edge; 0 to 1. Stored normals stay exact.
     pub noise: f64,
     /// Seed of the random numbers.
     pub seed: u32,
@@ -107,8 +100,7 @@ impl Tessellation {
             Pattern::Triangles | Pattern::Stretched(_) | Pattern::Quads | Pattern::Polygons
         );
         if jitter > 0.0 && !takes_jitter {
-            let reason = "it takes no jitter";
-            return Err(SurfaceError::Pattern { pattern: pattern.name(), reason });
+            return Err(SurfaceError::pattern(pattern.name(), "it takes no jitter"));
         }
         Ok(())
     }
