@@ -4,7 +4,6 @@ use crate::text::{Catalogue, Text, catalogue};
 use serde::{Serialize, Serializer};
 use std::f64::consts::PI;
 
-/// The texts that all experiments share.
 pub(super) static SHARED: Catalogue = catalogue!("shared");
 
 /// A number with the artefact and without.

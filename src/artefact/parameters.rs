@@ -43,7 +43,6 @@ const TABLE: [(&str, Option<RangeInclusive<f64>>); 8] = [
 ];
 
 impl ParameterName {
-    /// The parameters that are numbers.
     pub(super) const NUMBERS: [Self; 5] =
         [Self::Size, Self::Segments, Self::Light, Self::Exponent, Self::Crease];
 
@@ -189,7 +188,6 @@ pub struct ParameterValues<'a> {
 
 impl Serialize for ParameterValues<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        /// A number or a name.
         #[derive(Serialize)]
         #[serde(untagged)]
         enum Value {

@@ -15,7 +15,6 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
     frame: None,
 };
 
-/// The depth ratio of the pictures.
 const RATIO: f64 = 4.0;
 /// Full scale of the maps of errors, in lengths of the wall.
 const FULL: f64 = 0.35;

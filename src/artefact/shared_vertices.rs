@@ -150,7 +150,6 @@ impl Wall {
         draw(vec![object], &[], front(2.0), settings)
     }
 
-    /// The area within the wall that is not covered, in pixels.
     fn uncovered(&self, image: &Image) -> f64 {
         let margin = libm::ceil((1.0 - HALF) / 2.0 * f64::from(self.size)) as u32 + 1;
         let inside = margin..self.size - margin;

@@ -92,7 +92,6 @@ impl<'a> LineEnds<'a> {
         })
     }
 
-    /// How many lines there are.
     pub(crate) fn len(&self) -> u32 {
         match &self.course {
             LineSource::Between(pairs) => pairs.len() as u32,
@@ -178,7 +177,6 @@ pub(crate) struct LineSet<'a> {
     pub(crate) is_wireframe: bool,
 }
 
-/// A line on the picture.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Segment {
     /// Its ends, in pixels.
@@ -211,12 +209,10 @@ impl<'a> LineJob<'a> {
         Ok(Self { parts: parts.collect(), sets })
     }
 
-    /// Whether a tile has no line.
     pub(crate) fn is_empty(&self, tile: usize) -> bool {
         self.parts.iter().all(|(_, starts, _)| starts[tile] == starts[tile + 1])
     }
 
-    /// The lines of a tile.
     pub(crate) fn tile(&self, job: &Job, tile: usize) -> impl Iterator<Item = (&LineSet<'a>, Segment)> {
         self.parts.iter().flat_map(move |(number, starts, lines)| {
             let set = &self.sets[*number];

@@ -15,7 +15,6 @@ const DISC_CORNERS: usize = 64;
 /// Cutting a convex polygon by a plane adds one corner at the most.
 const MOST_CORNERS: usize = DISC_CORNERS + 1;
 
-/// An area light in the frame of a shader.
 #[derive(Clone, Debug)]
 pub(super) struct AreaSource {
     /// Counter-clockwise as seen from the side that it shines to.

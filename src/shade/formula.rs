@@ -4,7 +4,6 @@
 use crate::num::Real;
 use glam::DVec3;
 
-/// A vector or a colour.
 pub(super) type Triple<R> = [R; 3];
 
 /// The unit vector of a direction that has been checked.
@@ -17,25 +16,21 @@ pub(super) fn rounded<R: Real>(v: DVec3) -> Triple<R> {
     v.to_array().map(|x| R::of(x))
 }
 
-/// a·b.
 #[inline(always)]
 pub(super) fn dot<R: Real>(a: Triple<R>, b: Triple<R>) -> R {
     (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]
 }
 
-/// a + b.
 #[inline(always)]
 pub(super) fn plus<R: Real>(a: Triple<R>, b: Triple<R>) -> Triple<R> {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-/// a − b.
 #[inline(always)]
 pub(super) fn minus<R: Real>(a: Triple<R>, b: Triple<R>) -> Triple<R> {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// k·a.
 #[inline(always)]
 pub(super) fn times<R: Real>(a: Triple<R>, k: R) -> Triple<R> {
     [a[0] * k, a[1] * k, a[2] * k]

@@ -79,7 +79,6 @@ struct Block {
     sum: [Row; 3],
 }
 
-/// All lanes of three rows as one vector each.
 #[inline(always)]
 fn get(rows: &[Row; 3], i: usize) -> Triple<f32> {
     [rows[0][i], rows[1][i], rows[2][i]]
@@ -187,7 +186,6 @@ impl Block {
         }
     }
 
-    /// The reflection of one light.
     #[inline(always)]
     fn reflect_all(&mut self, shader: &Shader<f32>, term: &LightTerm<f32>, count: usize) {
         match &term.source {
@@ -224,7 +222,6 @@ impl Block {
         }
     }
 
-    /// Adds what one light gives to the sum.
     #[inline(always)]
     fn paint(&mut self, term: &LightTerm<f32>, count: usize) {
         let count = count.min(LANES);
@@ -248,7 +245,6 @@ impl Block {
         (get(&self.towards, i), self.factor[i])
     }
 
-    /// L and the attenuation of a light at a point.
     #[inline(always)]
     fn arrive(&mut self, point: &PointSource<f32>, count: usize) {
         for i in 0..count.min(LANES) {
@@ -258,7 +254,6 @@ impl Block {
         }
     }
 
-    /// The cone of a spot.
     #[inline(always)]
     fn aim(&mut self, spot: &SpotSource<f32>, count: usize) {
         let count = count.min(LANES);
@@ -335,7 +330,6 @@ impl Block {
         }
     }
 
-    /// One point of the block.
     fn point(&self, i: usize) -> PreparedPoint<f32> {
         PreparedPoint {
             position: get(&self.position, i),

@@ -58,9 +58,7 @@ pub struct SurfacePoint<R> {
 /// The direction to the viewer.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum View<R> {
-    /// V everywhere.
     Same(Triple<R>),
-    /// The eye.
     From(Triple<R>),
 }
 
@@ -258,7 +256,6 @@ impl<R: Real> Shader<R> {
         incoming.factor() * self.power.of(cosine)
     }
 
-    /// N·L (F3).
     #[inline(always)]
     pub(super) fn diffuse_cosine(&self, normal: Triple<R>, towards: Triple<R>) -> R {
         formula::at_least(formula::dot(normal, towards), self.limits.diffuse)

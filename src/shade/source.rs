@@ -19,7 +19,6 @@ pub(super) enum Source<R> {
     Area(AreaSource),
 }
 
-/// A light at a point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PointSource<R> {
     position: Triple<R>,
@@ -29,7 +28,6 @@ pub(super) struct PointSource<R> {
     inverse_square_range: Option<R>,
 }
 
-/// The cone of a spot.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SpotSource<R> {
     /// D, from the light.
@@ -43,7 +41,6 @@ pub(super) struct SpotSource<R> {
 }
 
 impl<R: Real> Source<R> {
-    /// Whether L is the same everywhere.
     pub(super) fn is_directional(&self) -> bool {
         matches!(self, Self::Directional(_))
     }
@@ -142,7 +139,6 @@ impl<R: Real> SpotSource<R> {
         }
     }
 
-    /// The whole factor at once.
     #[inline(always)]
     pub(super) fn at(&self, towards: Triple<R>) -> R {
         let cosine = self.cosine(towards);
@@ -172,10 +168,8 @@ pub(super) fn in_frame<R: Real>(
     Err(place.error(field, position.to_string(), expected))
 }
 
-/// One light on one material.
 #[derive(Clone, Debug)]
 pub(super) struct LightTerm<R> {
-    /// The light's number in the scene.
     pub(super) number: usize,
     pub(super) kind: &'static str,
     pub(super) source: Source<R>,
@@ -185,7 +179,6 @@ pub(super) struct LightTerm<R> {
     pub(super) specular: Option<(Triple<R>, Highlight<R>)>,
 }
 
-/// The cosine of a highlight.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Highlight<R> {
     /// V·R.
@@ -200,7 +193,6 @@ pub(super) enum Highlight<R> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PreparedPoint<R> {
     pub(super) position: Triple<R>,
-    /// N.
     pub(super) normal: Triple<R>,
     /// V; not a direction if nothing needs it.
     pub(super) view: Triple<R>,
@@ -210,7 +202,6 @@ pub(super) struct PreparedPoint<R> {
     pub(super) face: Option<Triple<R>>,
 }
 
-/// The light that arrives at a point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Incoming<R> {
     /// L; for an area light the direction of its representative point.
@@ -260,7 +251,6 @@ impl<R: Real> LightTerm<R> {
         Self { number, kind: light.kind(), source, diffuse, specular }
     }
 
-    /// Whether the material reflects nothing of this light.
     pub(super) fn is_dark(&self) -> bool {
         self.diffuse.is_none() && self.specular.is_none()
     }

@@ -23,7 +23,6 @@ const STRENGTH: f64 = 1.5;
 const K: f64 = 1.0;
 /// The lamp's colour. Its components differ so much that clamping changes the hue.
 const WARM: LinearRgb = LinearRgb::new(1.0, 0.6, 0.2);
-/// The window's side.
 const WINDOW: f64 = 6.0;
 
 fn run(setup: &Setup) -> Result<Outcome> {
@@ -112,7 +111,6 @@ fn depth_cueing(size: u32, out: &mut Recorder) -> Result<()> {
     Ok(())
 }
 
-/// A floor seen from above with a lamp over its middle.
 fn floor(rule: Attenuation, colour: LinearRgb, tone: ToneRule, size: u32) -> Result<Image> {
     let half = 0.5 * WINDOW;
     let body = TriangleMesh::grid([1, 1], Diagonal::Rising, |u, v| {
@@ -123,7 +121,6 @@ fn floor(rule: Attenuation, colour: LinearRgb, tone: ToneRule, size: u32) -> Res
     draw(vec![body.object(chalk())], &[light], front(WINDOW), settings)
 }
 
-/// The luminance of a white floor.
 fn luminances(image: &Image) -> impl Iterator<Item = f64> {
     linear(image).iter().map(|colour| f64::from(colour[0]))
 }
@@ -132,7 +129,6 @@ fn luminances(image: &Image) -> impl Iterator<Item = f64> {
 /// distance d to the lamp, of which 1/(d + k) changes by the share 1/(h + k); and a dozen roundings of the light.
 const ROUNDING: f64 = (4.0 * 100.0 / (HEIGHT + K) + 12.0) / (1 << 24) as f64;
 
-/// The share of pixels over 1.
 fn share(image: &Image) -> f64 {
     luminances(image).filter(|&value| value > 1.0 + ROUNDING).count() as f64 / image.coverage.len() as f64
 }
@@ -205,7 +201,6 @@ fn plates(depth_cue: Option<DepthCue>, size: u32) -> Result<Image> {
     draw(bodies.iter().map(|body| body.object(chalk())).collect(), &[light], camera, settings)
 }
 
-/// The pixel in the middle of a plate.
 fn plate_pixel([width, height]: [u32; 2], plate: usize) -> [u32; 2] {
     [(f64::from(width) * (0.5 + 0.5 * (plate as f64 - 1.0) * 0.6)) as u32, height / 2]
 }
@@ -216,7 +211,6 @@ fn obliqueness(pixel: [u32; 2], size: u32) -> f64 {
     (1.0 + x * x + y * y).sqrt()
 }
 
-/// The luminance in the middle of a plate.
 fn plate_value(image: &Image, plate: usize) -> f64 {
     colour_at(image, plate_pixel(image.size, plate)).x
 }

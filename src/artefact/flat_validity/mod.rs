@@ -110,7 +110,6 @@ fn of_highlight(viewer: &Viewer, size: u32) -> Check {
     Check::Near(law, (4e-7 * steepest + 2e-7).min(2e-6 + 4e-7 * viewer.exponent))
 }
 
-/// The plate on which the effect is measured.
 fn show_plate(lamp: &Lamp, effect: &Effect, segments: u32, size: u32, out: &mut Recorder) -> Result<()> {
     let paint = |cells| paint_plate(cells, chalk(), lamp.light(), front(2.0), size, Shading::Flat);
     out.bad("plate", effect, paint(1)?);

@@ -8,7 +8,6 @@ pub(super) const RATIOS: [f64; 6] = [2.0, 5.0, 10.0, 50.0, 100.0, 510.0];
 /// The circumradius of the plate of side 2.
 pub(super) const RADIUS: f64 = SQRT_2;
 
-/// The plate of side 2 facing +z, cut into squares.
 fn plate(cells: u32) -> Result<Mesh> {
     squares(cells, &[(DVec3::new(-1.0, -1.0, 0.0), DVec3::X * 2.0, DVec3::Y * 2.0)])
 }
@@ -23,7 +22,6 @@ pub(super) fn squares(cells: u32, sides: &[(DVec3, DVec3, DVec3)]) -> Result<Mes
     sheets(corners.collect(), [cells; 2])
 }
 
-/// The centres of the pixels of a picture of the plate.
 fn centres(size: u32) -> impl Iterator<Item = DVec3> {
     let place = move |k: u32| (f64::from(k) + 0.5) * 2.0 / f64::from(size) - 1.0;
     (0..size * size).map(move |k| DVec3::new(place(k % size), -place(k / size), 0.0))
@@ -112,7 +110,6 @@ impl Viewer {
     }
 }
 
-/// The largest difference of flat shading and shading every pixel.
 fn difference(cells: u32, material: Material, light: Light, camera: Camera, size: u32) -> Result<f64> {
     let paint = |shading| paint_plate(cells, material, light, camera, size, shading);
     largest_error(&paint(Shading::Flat)?, &paint(Shading::Phong)?)

@@ -63,7 +63,6 @@ fn peak(image: &Image) -> Result<f64> {
 struct Loss(f64);
 
 impl Loss {
-    /// Whether pixels resolve the peak.
     fn is_small(self) -> bool {
         self.0 < 0.2
     }
@@ -109,12 +108,10 @@ fn plate(&Parameters { size, exponent, .. }: &Parameters, out: &mut Recorder) ->
     Ok(())
 }
 
-/// The turning sphere.
 struct Sphere {
     size: u32,
     segments: u32,
     exponent: f64,
-    /// The angle of a segment.
     delta: f64,
 }
 
@@ -133,7 +130,6 @@ impl Sphere {
         turns.map(|turn| Ok([Degrees::from(Radians(turn)).0, peak(&self.draw(turn, shading)?)?])).collect()
     }
 
-    /// Measures and pictures, and the effect that the experiment reports.
     fn record(&self, out: &mut Recorder) -> Result<Effect> {
         let &Self { size, exponent, delta, .. } = self;
         let sphere = Shape::Surface(Primitive::from(crate::surface::Sphere::default()));

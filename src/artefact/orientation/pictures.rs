@@ -3,10 +3,8 @@
 use super::super::prelude::*;
 use super::polygon::{Polygon, sin_cos};
 
-/// Full scale of the maps of differences.
 pub(super) const FULL: f64 = 0.4;
 
-/// The pictures that are compared.
 pub(super) struct Pictures {
     /// Under scanlines: not turned, turned by 45° and by 90°, and the last turned back.
     upright: Image,

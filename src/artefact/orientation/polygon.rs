@@ -3,7 +3,6 @@
 use super::super::prelude::*;
 use crate::mesh::triangulate;
 
-/// The most corners that a polygon may have.
 const MOST_CORNERS: usize = 1024;
 
 /// A plane polygon with a colour at each corner, about the origin; its farthest corner is at 1.
@@ -118,7 +117,6 @@ impl Polygon {
         triangles(self) == triangles(other)
     }
 
-    /// Whether three corners run counter-clockwise.
     fn turns_left(&self, [a, b, c]: [u32; 3]) -> bool {
         let [a, b, c] = [a, b, c].map(|corner| self.corners[corner as usize]);
         (b - a).perp_dot(c - b) > 0.0
@@ -246,7 +244,6 @@ impl Polygon {
     }
 }
 
-/// A triangle from each of its corners on.
 fn rotations([a, b, c]: [u32; 3]) -> impl Iterator<Item = [u32; 3]> {
     [[a, b, c], [b, c, a], [c, a, b]].into_iter()
 }
@@ -271,13 +268,11 @@ fn flattened(points: &[DVec3]) -> Option<Vec<DVec2>> {
     Some(from_mean.iter().map(|p| DVec2::new(p.dot(x), p.dot(y))).collect())
 }
 
-/// The first two corners at one place.
 fn same_place(points: &[DVec3]) -> Option<[usize; 2]> {
     let pairs = (0..points.len()).flat_map(|i| (i + 1..points.len()).map(move |j| [i, j]));
     pairs.into_iter().find(|&[i, j]| points[i] == points[j])
 }
 
-/// The first two edges that cross.
 fn crossing(corners: &[DVec2]) -> Option<[usize; 2]> {
     let count = corners.len();
     let edge = |k: usize| [corners[k], corners[(k + 1) % count]];

@@ -93,7 +93,6 @@ fn nearest_of_127(normal: DVec3) -> DVec3 {
     (normal * 127.0).round().normalize()
 }
 
-/// The sphere with normals of different precision.
 struct Spheres {
     /// With its own normals in single precision.
     own: TriangleMesh,
@@ -111,7 +110,6 @@ impl Spheres {
         Self { eight, sixteen: stored(Encoding::OCTAHEDRAL_16), far: own.far_away(AWAY), own }
     }
 
-    /// The errors of normals of 8 bits at the vertices. Returns the largest in degrees.
     fn measure_stored_normals(&self, out: &mut Recorder) -> f64 {
         let [mean, largest] = self.own.angles(&self.eight);
         let [mean_law, largest_law] = self.own.angles(&self.own.with_normals(nearest_of_127));

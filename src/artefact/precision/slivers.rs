@@ -49,7 +49,6 @@ fn rounding(ratio: f64) -> f64 {
     Degrees::from(Radians(0.5 * f64::from(f32::EPSILON) / ratio)).0
 }
 
-/// Measures and chart of the errors.
 pub(super) fn record(out: &mut Recorder) {
     let [plain, careful] = errors();
     out.measure("needle-plain", "°", plain[4][1], Check::None);
@@ -77,7 +76,6 @@ const LIGHT: f64 = 4.0;
 struct Normals {
     /// By products and differences in single precision.
     plain: Vec<DVec3>,
-    /// As this library computes them.
     careful: Vec<DVec3>,
 }
 

@@ -42,7 +42,6 @@ impl TriangleMesh {
         })
     }
 
-    /// The same with other normals.
     pub(super) fn with_normals(&self, change: impl Fn(DVec3) -> DVec3) -> Self {
         let changed = |normal: &[f32; 3]| change(Vec3::from(*normal).as_dvec3()).as_vec3().to_array();
         Self { normals: self.normals.iter().map(changed).collect(), ..self.clone() }
@@ -102,7 +101,6 @@ impl TriangleMesh {
 pub(super) const DIFFUSE: f64 = 0.3;
 pub(super) const SPECULAR: f64 = 0.7;
 
-/// The material of the pictures.
 pub(super) fn material(exponent: f64) -> Material {
     shiny([DIFFUSE, SPECULAR], exponent)
 }
@@ -117,7 +115,6 @@ pub(super) fn bound(exponent: f64, degrees: f64) -> f64 {
     (DIFFUSE + SPECULAR * steepest_slope(exponent)) * Radians::from(Degrees(degrees)).0
 }
 
-/// The angle between two directions, in degrees.
 pub(super) fn angle(a: DVec3, b: DVec3) -> f64 {
     Degrees::from(Radians(libm::atan2(a.cross(b).length(), a.dot(b)))).0
 }

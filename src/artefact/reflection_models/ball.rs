@@ -8,7 +8,6 @@ pub(super) const GRAZING: Degrees = Degrees(120.0);
 /// The window's side; the sphere has the radius 1.
 pub(super) const WINDOW: f64 = 2.2;
 
-/// The true sphere with nothing but a highlight.
 pub(super) fn ball(
     reflection: Reflection,
     exponent: f64,
@@ -39,7 +38,6 @@ fn turned_away(size: u32) -> impl Iterator<Item = (usize, DVec3)> {
     pixels.filter(|(_, normal)| normal.dot(direction(BEHIND)) < -1e-6)
 }
 
-/// The brightest of them.
 fn brightest(image: &Image) -> f64 {
     let pixels = linear(image);
     turned_away(image.size[0]).map(|(pixel, _)| f64::from(pixels[pixel][0])).fold(0.0, f64::max)

@@ -51,7 +51,6 @@ fn run(setup: &Setup) -> Result<Outcome> {
     Ok(out.finish(verdict, popping))
 }
 
-/// The cost of the softening term on coarse and fine facets.
 struct Cost {
     effect: Effect,
     coarse: Image,

@@ -93,7 +93,6 @@ impl Edges<'_> {
     }
 }
 
-/// A Bézier triangle of third order.
 struct Patch {
     corners: [DVec3; 3],
     /// Next to corner i on the edges to the following corner and to the one before.

@@ -70,7 +70,6 @@ fn measure_ball(
     Ok([of_coarse.hausdorff, of_fine.hausdorff])
 }
 
-/// The same of the torus.
 fn measure_torus(
     torus: &RoundSurface,
     [segments, fine]: [u32; 2],
@@ -107,7 +106,6 @@ fn for_error(error: f64, radius: f64) -> u32 {
     least.floor() as u32 + 1
 }
 
-/// The area of an n-gon over that of its circle.
 pub(super) fn area_ratio(segments: u32) -> f64 {
     let turn = TAU / f64::from(segments);
     libm::sin(turn) / turn
@@ -178,7 +176,6 @@ impl RoundSurface {
         Ok(high)
     }
 
-    /// Errors by the number of segments.
     fn chart(&self, circle: &Outline, radius: f64, out: &mut Recorder) -> Result<()> {
         const SEGMENTS: [u32; 11] = [4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128];
         let (mut farthest, mut means) = (Vec::new(), Vec::new());

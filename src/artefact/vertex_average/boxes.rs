@@ -48,7 +48,6 @@ pub(super) fn show(of_cube: &Effect, weight: Weight, view: &View, out: &mut Reco
     Ok(())
 }
 
-/// A box whose corners are smoothed.
 fn draw_box(sides: DVec3, cut: u32, weight: Weight, view: &View) -> Result<Image> {
     let mesh = cut_box(sides, cut)?;
     let field = smooth(&mesh, weight);
@@ -70,7 +69,6 @@ pub(super) fn cut_box(sides: DVec3, cut: u32) -> Result<Mesh> {
     build(box_corners(sides), faces)
 }
 
-/// Angles in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Range {
     pub(super) least: f64,

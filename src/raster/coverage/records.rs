@@ -15,22 +15,17 @@ use glam::{DVec3, Vec3};
 /// A triangle that is seen, or a piece of one.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Record {
-    /// Its corners on the picture.
     pub(crate) x: [i32; 3],
     pub(crate) y: [i32; 3],
     /// Their [nearness](crate::raster::view::screen_transform::View::nearness), in perspective.
     pub(crate) nearness: [f32; 3],
     /// What is interpolated, at each corner: a normal or a colour.
     pub(crate) values: [Vec3; 3],
-    /// Its vertices.
     pub(crate) vertices: [u32; 3],
     /// The triangle, among those of its object.
     pub(crate) triangle: u32,
-    /// The face that it is part of.
     pub(crate) face: u32,
-    /// The number of the object in the scene.
     pub(crate) object: u32,
-    /// Whether its front is seen.
     pub(crate) front: bool,
     /// Whether its normals are those of the other side.
     pub(crate) turned: bool,
@@ -67,7 +62,6 @@ impl Record {
         Self { nearness: [1.0; 3], object: object as u32, front: true, ..Self::default() }
     }
 
-    /// The nearness of its point at a sample.
     pub(crate) fn nearness_at(&self, [x, y]: [i32; 2]) -> f32 {
         let parts = parts(self.x.map(|corner| corner - x), self.y.map(|corner| corner - y));
         let sum = |of: [f32; 3]| {
@@ -101,7 +95,6 @@ pub(crate) enum ValueKind {
 }
 
 impl ValueKind {
-    /// What an object needs under these settings.
     pub(crate) fn new(job: &Job, object: &Prepared) -> Self {
         let (shading, show) = (job.settings.shading, job.settings.show);
         let flat = shading == Shading::Flat;
@@ -131,7 +124,6 @@ pub(crate) fn piece_values(values: [Vec3; 3], piece: &Piece, interpolation: Inte
     })
 }
 
-/// The corners of a visible face.
 pub(crate) fn face_corners<'a>(
     object: &'a Prepared,
     drawn: &'a DrawnObject,
@@ -148,7 +140,6 @@ pub(crate) fn face_corners<'a>(
     vertices.iter().enumerate().map(move |(k, &vertex)| Corner { number: first + k as u32, vertex, turned })
 }
 
-/// The corners of a visible triangle.
 #[inline(always)]
 pub(crate) fn triangle_corners(drawn: &DrawnObject, record: &Record) -> [Corner; 3] {
     let numbers = drawn.list.corners(record.triangle);
@@ -163,7 +154,6 @@ pub(crate) fn mean_colour(colours: &[LinearRgb], corners: impl ExactSizeIterator
     single(sum * (1.0 / count))
 }
 
-/// A colour in single precision.
 pub(crate) fn single(colour: LinearRgb) -> Vec3 {
     DVec3::from(colour.to_array()).as_vec3()
 }

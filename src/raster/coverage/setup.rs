@@ -24,7 +24,6 @@ pub(crate) struct Setup<I = i32, F = f32> {
     pub(crate) edge: [I; 3],
     pub(crate) right: [I; 3],
     pub(crate) down: [I; 3],
-    /// Depth at pixel (0, 0) and its growth.
     pub(crate) depth: F,
     pub(crate) depth_right: F,
     pub(crate) depth_down: F,
@@ -73,7 +72,6 @@ impl Setup {
         Self { edge, right, down, depth, depth_right, depth_down, depth_range, x, y }
     }
 
-    /// Whether no pixel of the tile can be covered.
     #[inline(always)]
     pub(crate) fn is_empty(&self) -> bool {
         let last = TILE as i32 - 1;
@@ -150,7 +148,6 @@ impl CornerRows {
 }
 
 impl Setup<[i32; GROUP], [f32; GROUP]> {
-    /// Prepares a group of triangles.
     #[inline(always)]
     pub(crate) fn prepare(&mut self, corners: &CornerRows, origin: [i32; 2]) {
         for lane in 0..GROUP {
@@ -213,7 +210,6 @@ impl Setup<[i32; GROUP], [f32; GROUP]> {
         }
     }
 
-    /// One of them.
     #[inline(always)]
     pub(crate) fn get(&self, lane: usize) -> Setup {
         Setup {

@@ -29,13 +29,11 @@ pub(crate) struct Bins {
 }
 
 impl Bins {
-    /// Whether a tile has no triangle.
     pub(crate) fn is_empty(&self, tile: usize) -> bool {
         self.parts.iter().all(|part| part.starts[tile] == part.starts[tile + 1])
     }
 }
 
-/// The triangles of some tiles' lists.
 struct Part {
     /// Where each tile's list begins, with the total at the end.
     starts: Vec<u32>,
@@ -43,7 +41,6 @@ struct Part {
     counts: Counts,
 }
 
-/// Numbers of triangles.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Counts {
     pub(crate) drawn: u64,
@@ -62,7 +59,6 @@ pub(crate) fn tiles(size: [u32; 2]) -> [usize; 2] {
 }
 
 impl Bins {
-    /// Sorts the triangles of all objects.
     pub(crate) fn new(objects: &[DrawnObject], binning: Binning) -> Self {
         let total: usize = objects.iter().map(|object| object.list.len()).sum();
         let length = total.div_ceil(PARTS).clamp(1024, PART);

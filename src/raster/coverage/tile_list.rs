@@ -16,7 +16,6 @@ pub(crate) struct TileList {
     pub(crate) triangles: Vec<u32>,
     /// Each with its triangle's place in the list.
     pub(crate) pieces: Vec<(u32, Piece)>,
-    /// The objects' numbers in the scene.
     pub(crate) casts: Vec<usize>,
     clipper: Clipper,
 }
@@ -32,7 +31,6 @@ pub(crate) enum Owner {
 /// Records of one object that follow one another.
 #[derive(Clone, Debug)]
 pub(crate) struct Run {
-    /// Its number in the scene.
     pub(crate) object: usize,
     /// Its number among [`Job::drawn`]; `None` for analytic surfaces.
     pub(crate) drawn: Option<usize>,
@@ -57,24 +55,20 @@ impl TileList {
         }
     }
 
-    /// How many owners there may be.
     pub(crate) fn len(&self) -> usize {
         self.triangles.len() + self.pieces.len() + self.casts.len()
     }
 
-    /// The number of the first object that rays are cast at.
     pub(crate) fn first_cast(&self) -> usize {
         self.triangles.len() + self.pieces.len()
     }
 
-    /// The piece that an owner is, if it is one.
     #[inline(always)]
     pub(crate) fn piece(&self, owner: u32) -> Option<&Piece> {
         let piece = (owner as usize).checked_sub(self.triangles.len())?;
         self.pieces.get(piece).map(|(_, piece)| piece)
     }
 
-    /// What an owner is.
     pub(crate) fn look_up(&self, job: &Job, owner: u32) -> Owner {
         let number = owner as usize;
         if number >= self.first_cast() {
@@ -88,7 +82,6 @@ impl TileList {
         Owner::Triangle { object, triangle, corners }
     }
 
-    /// The record of one owner.
     pub(crate) fn record(&self, job: &Job, owner: u32) -> Record {
         match self.look_up(job, owner) {
             Owner::Triangle { object, triangle, corners } => {
@@ -200,7 +193,6 @@ impl Group {
         self.count += 1;
     }
 
-    /// Draws the group if it has so many.
     #[inline(always)]
     fn draw_if(
         &mut self,

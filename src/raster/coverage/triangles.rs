@@ -11,7 +11,6 @@ use rayon::prelude::*;
 
 /// The triangles of an object and where its vertices are on the picture.
 pub(crate) struct DrawnObject<'a> {
-    /// Its number in the scene.
     pub(crate) object: usize,
     /// The number of its first triangle, all objects counted through.
     pub(crate) first: u32,
@@ -72,14 +71,12 @@ impl<'a> DrawnObject<'a> {
         of_faces
     }
 
-    /// The corners of a triangle on the picture.
     #[inline(always)]
     pub(crate) fn screen(&self, triangle: u32) -> [ScreenVertex; 3] {
         self.list.vertices(triangle).map(|vertex| self.vertices[vertex as usize])
     }
 }
 
-/// A point of the plane of a triangle.
 pub(crate) struct PlanePoint {
     /// Its barycentric coordinates in the scene.
     pub(crate) weights: [f64; 3],
@@ -111,7 +108,6 @@ impl DrawnObject<'_> {
     }
 }
 
-/// Parts as shares of their sum.
 pub(crate) fn shares(parts: [f64; 3]) -> [f64; 3] {
     let sum: f64 = parts.iter().sum();
     parts.map(|part| part / sum)
@@ -133,7 +129,6 @@ impl TriangleList<'_> {
         }
     }
 
-    /// The vertices of a triangle.
     #[inline(always)]
     pub(crate) fn vertices(&self, triangle: u32) -> [u32; 3] {
         match self {
@@ -144,7 +139,6 @@ impl TriangleList<'_> {
         }
     }
 
-    /// The corner numbers of a triangle.
     #[inline(always)]
     pub(crate) fn corners(&self, triangle: u32) -> [u32; 3] {
         match self {
@@ -153,7 +147,6 @@ impl TriangleList<'_> {
         }
     }
 
-    /// The face that a triangle is part of.
     #[inline(always)]
     pub(crate) fn face(&self, triangle: u32) -> u32 {
         match self {
@@ -163,7 +156,6 @@ impl TriangleList<'_> {
     }
 }
 
-/// A corner of a face.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Corner {
     pub(crate) number: u32,

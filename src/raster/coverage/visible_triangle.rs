@@ -2,11 +2,9 @@
 
 use crate::raster::coverage::setup::{GROUP, SIDE, Setup, TILE};
 
-/// Pixels of a block.
 pub(crate) const LANES: usize = SIDE * SIDE;
 /// Blocks along the side of a tile.
 pub(crate) const BLOCKS: usize = TILE / SIDE;
-/// Pixels of a tile.
 pub(crate) const PIXELS: usize = TILE * TILE;
 /// Colours of the pixels of a tile, a row for each component.
 pub(crate) type Colours = [Box<[f32; PIXELS]>; 3];
@@ -26,7 +24,6 @@ pub(crate) fn number([x, y]: [usize; 2]) -> usize {
     (y / SIDE * BLOCKS + x / SIDE) * LANES + y % SIDE * SIDE + x % SIDE
 }
 
-/// The nearest triangle at each pixel of a tile.
 pub(crate) struct Visible {
     /// Larger is nearer; −∞ where there is nothing.
     pub(crate) depth: Box<[f32; PIXELS]>,

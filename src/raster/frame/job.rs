@@ -14,7 +14,6 @@ use crate::surface::Placed;
 use glam::{DMat3, DVec3, Vec3};
 use rayon::prelude::*;
 
-/// Everything that drawing a tile needs.
 pub(crate) struct Job<'a> {
     pub(crate) settings: &'a RenderSettings,
     pub(crate) view: View,
@@ -23,13 +22,11 @@ pub(crate) struct Job<'a> {
     pub(crate) frame: Frame,
     pub(crate) background: [f32; 3],
     pub(crate) objects: Vec<Prepared<'a>>,
-    /// The objects made of triangles, in order.
     pub(crate) drawn: Vec<DrawnObject<'a>>,
     /// Smallest and largest distance of a vertex along the axis, for [`Show::Depth`].
     pub(crate) distances: [f64; 2],
 }
 
-/// An object and what shading it needs.
 pub(crate) struct Prepared<'a> {
     pub(crate) shape: &'a Shape<'a>,
     /// How normals reach the scene; `None` if they are there already.
@@ -90,7 +87,6 @@ impl<'a> Job<'a> {
         self.drawn.partition_point(|object| object.first <= triangle) - 1
     }
 
-    /// The objects that rays are cast at.
     pub(crate) fn cast_objects(&self) -> impl Iterator<Item = usize> {
         self.objects.iter().enumerate().filter(|(_, object)| object.is_cast).map(|(number, _)| number)
     }
@@ -247,7 +243,6 @@ fn side<T: std::ops::Neg<Output = T>>(normal: T, turned: bool) -> T {
     if turned { -normal } else { normal }
 }
 
-/// Whether the lists of an object have matching lengths.
 fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Result<(), RenderError> {
     let count = |what, found, per, expected| match found == expected {
         true => Ok(()),

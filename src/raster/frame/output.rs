@@ -23,7 +23,6 @@ enum TargetColours<'a> {
     Sixteen(Vec<&'a mut [[u16; 3]]>),
 }
 
-/// Cuts a picture into its tiles.
 pub(crate) fn targets(image: &mut Image) -> Vec<Target<'_>> {
     let size = image.size;
     let columns = tiles(size)[0];

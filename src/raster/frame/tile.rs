@@ -24,10 +24,8 @@ pub(crate) struct Worker {
     record_of: Vec<u32>,
     /// The owners that are seen, ascending.
     owners: Vec<u32>,
-    /// A record of each.
     records: Vec<Record>,
     runs: Vec<Run>,
-    /// The samples at which something is seen.
     seen: Vec<VisibleSample>,
     /// Those of one of several objects.
     seen_of_run: Vec<VisibleSample>,
@@ -50,7 +48,6 @@ fn colours() -> Colours {
     [(); 3].map(|()| Box::new([0.0; PIXELS]))
 }
 
-/// A finished tile with something in it.
 pub(crate) struct Finished<'a> {
     /// Linear colours, the mean of the samples.
     pub(crate) colours: &'a Colours,
@@ -137,7 +134,6 @@ impl Worker {
         (owner != NOTHING).then(|| self.list.record(job, owner))
     }
 
-    /// Finds what is seen at one sample of each pixel.
     fn find_visible(&mut self, job: &Job, origin: [i32; 2]) {
         let Self { visible, list, hits, .. } = self;
         visible.clear();
@@ -198,7 +194,6 @@ impl Worker {
         }
     }
 
-    /// Colours of all samples.
     fn paint(&mut self, job: &Job, origin: [i32; 2]) -> Result<(), RenderError> {
         for (row, background) in self.colour.iter_mut().zip(job.background) {
             row.fill(background);

@@ -105,10 +105,10 @@ fn light(file: &FileLight) -> Light {
     }
 }
 
-/// The first camera of a file, with its description in the file. What cannot be used is skipped with a note.
+/// The first valid camera of a file, with its description there; others are noted.
 ///
 /// # Errors
-/// A first camera that cannot be used, unless pictures are taken with another one.
+/// An invalid first camera, unless pictures are taken with another one.
 pub(super) fn first_camera(
     appearance: &Appearance,
     distance: impl Fn(DVec3) -> f64,

@@ -208,8 +208,7 @@ pub fn load(path: &Path, format: Option<Format>, options: &LoadOptions) -> Resul
     SceneFile::from_toml(&text, path.parent().unwrap_or(path), options)
 }
 
-/// Most bytes of a scene file, whose text takes many times that in memory when it is understood. Large meshes have
-/// files of their own.
+/// Most bytes of a scene file, which takes many times that in memory when parsed.
 const LARGEST_SCENE: u64 = 64 << 20;
 
 #[cfg(test)]

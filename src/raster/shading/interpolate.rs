@@ -11,7 +11,6 @@ use glam::DVec3;
 /// Samples that are computed side by side.
 pub(crate) const BATCH: usize = 512;
 
-/// One value of each sample.
 pub(crate) type Row = [f32; BATCH];
 
 /// A sample that is seen: the pixel's number in its tile, and the triangle there.
@@ -27,7 +26,6 @@ pub(crate) struct Interpolate<'a> {
     pub(crate) seen: &'a [VisibleSample],
     /// The sample of the tile's first pixel, in 256ths of a pixel of the picture.
     pub(crate) origin: [i32; 2],
-    /// Weigh by nearness.
     pub(crate) perspective: bool,
     pub(crate) out: &'a mut [Row; 3],
 }
@@ -38,8 +36,7 @@ const LANES: usize = 64;
 impl Kernel for Interpolate<'_> {
     type Output = ();
 
-    /// Edge functions in doubles are exact: coordinates have 25 bits. So weights are never negative, and values stay
-    /// within the hull of those at the corners up to rounding.
+    /// Edge functions of 25 bits are exact in doubles: weights are never negative.
     #[inline(always)]
     fn run<A: Lanes>(self, _: A) {
         let Self { records, seen, origin, perspective, out } = self;
@@ -140,7 +137,6 @@ impl Mix for DVec3 {
 /// A polygon on the picture with a value at each corner.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ScanPolygon {
-    /// Place in pixels, and value.
     corners: Vec<([f64; 2], DVec3)>,
 }
 
@@ -174,9 +170,8 @@ impl ScanPolygon {
 
     /// The value at a place of the picture.
     ///
-    /// Edges are half-open in y, so a scanline through a corner crosses one of two edges that go on and both or none
-    /// of two that turn back; level edges are skipped. Of the spans between pairs of crossings the one that holds the
-    /// place counts, or the nearest one for a place that only rounding keeps out.
+    /// Edges are half-open in y; level edges are skipped. Of the spans between pairs of crossings the one that holds the place
+    /// counts, or the nearest one.
     pub(crate) fn value(&self, [x, y]: [f64; 2]) -> DVec3 {
         let next = self.corners.iter().cycle().skip(1);
         let mut crossings: Vec<Crossing> = self

@@ -6,7 +6,6 @@ use crate::shade::{
 };
 use glam::DVec3;
 
-/// The source of an object's colour.
 pub(crate) enum ObjectColour<'a> {
     /// Light on a material.
     Lit(Box<Shaders>),
@@ -30,15 +29,13 @@ impl Shaders {
         Ok(Self { single, double: Shader::new(lights, material, settings)? })
     }
 
-    /// Whether the colour of a point depends on where it is.
     pub(crate) fn needs_positions(&self) -> bool {
         self.single.needs_positions()
     }
 
     /// Shades rows of points, on faces with normals if there are any.
     ///
-    /// A point without a finite colour may have been rounded to where a lamp is: it is shaded again in double precision,
-    /// where `exactly` says that it is, in the frame of the settings, and refused only then.
+    /// A point may have been rounded to the position of a lamp: without a finite colour it is shaded in double precision at `exactly`.
     pub(crate) fn shade_rows(
         &self,
         rows: &SurfaceRows,

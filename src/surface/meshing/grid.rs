@@ -33,7 +33,6 @@ pub(crate) fn net(charts: &[&dyn Parametric], tessellation: &Tessellation) -> Re
     Ok(net)
 }
 
-/// A corner of a cell.
 #[derive(Clone, Copy)]
 struct Corner {
     vertex: u32,
@@ -71,7 +70,6 @@ impl Grid {
         check_count("cells", u.saturating_mul(v).saturating_mul(charts), 0..=MOST_CELLS)
     }
 
-    /// Columns of vertices.
     fn columns(&self) -> u32 {
         self.segments[0] + u32::from(!self.chart.wraps_u)
     }
@@ -81,21 +79,18 @@ impl Grid {
         self.chart.pole_low && j == 0 || self.chart.pole_high && j == self.segments[1]
     }
 
-    /// The place of each vertex, in their order.
     fn places(&self) -> Vec<(u32, u32)> {
         let rows = self.segments[1] + u32::from(!self.chart.wraps_v);
         let columns = |j: u32| if self.is_pole(j) { 1 } else { self.columns() };
         (0..rows).flat_map(|j| (0..columns(j)).map(move |i| (i, j))).collect()
     }
 
-    /// How many vertices there are.
     fn vertex_count(&self) -> u32 {
         let last_row = self.segments[1] - u32::from(self.chart.wraps_v);
         let last_column = self.columns() - 1;
         self.vertex(last_column, last_row) + 1
     }
 
-    /// The number of the vertex at a place.
     fn vertex(&self, i: u32, j: u32) -> u32 {
         let i = if self.is_pole(j) { 0 } else { i % self.columns() };
         let j = if self.chart.wraps_v { j % self.segments[1] } else { j };
@@ -133,7 +128,6 @@ impl Grid {
         Corner { vertex: self.vertex(i, j), parameters }
     }
 
-    /// The faces of a cell.
     fn cut(&self, i: u32, j: u32, face: &mut impl FnMut(&[Corner])) {
         let [a, b, c, d] = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| self.corner(i, j));
         if self.is_pole(j) {

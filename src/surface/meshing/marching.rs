@@ -59,7 +59,6 @@ pub(crate) fn net(
     Ok(Net::without_parameters(samples, Faces::triangles(triangles.as_flattened().to_vec())))
 }
 
-/// The offset of a corner of a cube.
 fn offset(bits: usize) -> UVec3 {
     UVec3::new(bits as u32 & 1, bits as u32 >> 1 & 1, bits as u32 >> 2 & 1)
 }

@@ -6,7 +6,6 @@ use crate::surface::shapes::chart::{Parametric, Sample};
 use glam::DVec2;
 use rayon::prelude::*;
 
-/// Faces over samples of a surface.
 #[derive(Default)]
 pub(crate) struct Net {
     pub(crate) samples: Vec<Sample>,
@@ -14,7 +13,6 @@ pub(crate) struct Net {
     /// The parameters of each corner, contiguous within a face also where a chart wraps; empty if the surface was not
     /// sampled by parameters.
     pub(crate) corner_parameters: Vec<DVec2>,
-    /// The first face of each chart.
     pub(crate) first_faces: Vec<usize>,
 }
 
@@ -24,18 +22,15 @@ impl Net {
         Self { samples, faces, ..Self::default() }
     }
 
-    /// Appends a face.
     pub(crate) fn push(&mut self, vertices: &[u32], parameters: impl Iterator<Item = DVec2>) {
         self.faces.push(vertices);
         self.corner_parameters.extend(parameters);
     }
 
-    /// The chart that a face lies on.
     pub(crate) fn chart_of(&self, face: usize) -> usize {
         self.first_faces.partition_point(|&first| first <= face) - 1
     }
 
-    /// Mean of the parameters of a face's corners.
     pub(crate) fn middle(&self, face: usize) -> DVec2 {
         let corners = &self.corner_parameters[self.faces.range(face)];
         corners.iter().sum::<DVec2>() / corners.len() as f64
@@ -52,7 +47,6 @@ impl Net {
     }
 }
 
-/// The point of a chart.
 pub(crate) fn sample(chart: &dyn Parametric, at: DVec2) -> Result<Sample, SurfaceError> {
     sample_at(at, chart.at(at.x, at.y))
 }

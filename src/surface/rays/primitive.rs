@@ -86,7 +86,6 @@ impl Primitive {
         }
     }
 
-    /// The surface, whichever it is.
     pub(crate) fn shape(&self) -> &dyn Shape {
         each!(self, surface => surface)
     }

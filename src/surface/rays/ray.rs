@@ -59,15 +59,11 @@ pub struct Hit {
 
 /// The line of a ray relative to a centre, so that a far ray has no error but that of its coordinates.
 pub(crate) struct Line {
-    /// The point closest to the centre.
     pub(crate) foot: DVec3,
-    /// Of length 1.
     pub(crate) direction: DVec3,
     /// point × direction for any point of the line: its length is the distance from the centre.
     pub(crate) moment: DVec3,
-    /// The s of the ray's origin.
     start: f64,
-    /// Length of the ray's direction.
     speed: f64,
 }
 
@@ -92,7 +88,6 @@ impl Line {
         }
     }
 
-    /// A point, relative to the centre.
     pub(crate) fn at(&self, s: f64) -> DVec3 {
         self.foot + self.direction * s
     }

@@ -130,7 +130,6 @@ fn read(figures: &str) -> Option<Vec<BezierPatch>> {
     (0..count).map(|_| patch()).collect()
 }
 
-/// The count that follows a name.
 fn heading<'a>(words: &mut impl Iterator<Item = &'a str>, name: &str) -> Option<usize> {
     if words.next()? == name { words.next()?.parse().ok() } else { None }
 }

@@ -8,12 +8,10 @@ use crate::surface::shapes::chart::{Chart, Parametric, Sample, circle, on_circle
 use crate::surface::shapes::implicit::{Cast, Implicit};
 use glam::{DVec2, DVec3};
 
-/// The part of a vector perpendicular to the axis.
 fn across(v: DVec3) -> DVec3 {
     DVec3::new(v.x, 0.0, v.z)
 }
 
-/// The distance of a point from the axis.
 fn axis_distance(point: DVec3) -> f64 {
     DVec2::new(point.x, point.z).length()
 }

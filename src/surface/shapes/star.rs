@@ -191,7 +191,6 @@ impl StarShaped for Superquadric {
     }
 }
 
-/// Semi-axes, if each is a valid length.
 fn checked(semi_axes: DVec3) -> Result<DVec3, SurfaceError> {
     semi_axes.to_array().into_iter().try_for_each(|axis| length("a semi-axis", axis).map(drop))?;
     Ok(semi_axes)
