@@ -46,8 +46,7 @@ impl ParameterName {
     pub(super) const NUMBERS: [Self; 5] =
         [Self::Size, Self::Segments, Self::Light, Self::Exponent, Self::Crease];
 
-    /// The range of a number; `None` for parameters that are not numbers. An experiment may have a smaller range, see
-    /// [`Experiment::range`](super::Experiment::range).
+    /// The range of a number, of which an experiment may take a part ([`Experiment::range`](super::Experiment::range)).
     pub fn range(self) -> Option<RangeInclusive<f64>> {
         TABLE[self as usize].1.clone()
     }

@@ -72,8 +72,7 @@ impl TriangleMesh {
         Self::new(&positions, (0..columns * rows).flat_map(cut).collect(), &normals)
     }
 
-    /// The unit sphere with its own normals: circles of so many vertices round the y axis, one of them the equator, on
-    /// which one vertex is turned from +z to the right by an angle in radians.
+    /// The unit sphere with its own normals: circles of so many vertices round the y axis, turned by an angle in radians.
     pub(super) fn globe(segments: u32, turn: f64) -> Self {
         let rows = 2 * segments.div_ceil(4);
         Self::grid([segments, rows], Diagonal::Rising, |u, v| {

@@ -3,8 +3,7 @@
 use super::super::prelude::*;
 use super::ball::{GRAZING, WINDOW};
 
-/// Half the width of a highlight at half height, as angles on the sphere: in the plane of light and view, towards the viewer, and
-/// across it.
+/// Half the width of a highlight at half height, as angles on the sphere: in the plane of light and view, and across it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct HalfWidths {
     along: f64,
@@ -29,8 +28,8 @@ impl HalfWidths {
         Self { along: angle, across: angle }
     }
 
-    /// Measures the width across the plane of light and view over that along it, and compares it with the closed form; `height`
-    /// is that of the highlight where the normal is N. Returns how much the highlight is stretched, 0 where that is unknown.
+    /// Measures the ratio of the widths across and along, against that of a highlight with a `height` for each normal. Returns how
+    /// much the highlight is stretched, 0 if that is unknown.
     pub(super) fn measure(
         self,
         name: &str,
@@ -57,8 +56,7 @@ impl HalfWidths {
         if pixels < 1.5 {
             return Check::Untested("highlight-too-narrow");
         }
-        // Straight lines between pixel centres cut bells off, and near the sphere's outline they reach beyond it: by as much as
-        // they are off where heights at pixel centres are the closed form's. The rest is single precision.
+        // Lines between pixel centres cut bells off and reach beyond the outline, as they do for heights of the closed form.
         let lines = found(size, |x, y| {
             let [x, y] = [x, y].map(|k| ((f64::from(k) + 0.5) / f64::from(size) - 0.5) * WINDOW);
             match 1.0 - x * x - y * y {

@@ -85,8 +85,7 @@ impl Prism {
         TAU / f64::from(self.segments)
     }
 
-    /// How far the light turns between the two pictures that are measured: a 45th of a facet's angle, for that angle is all that
-    /// it takes to light a facet softly.
+    /// The turn of the light between the two measured pictures: a 45th of a facet's angle, which lights a facet softly.
     pub(super) fn turn(&self) -> Degrees {
         Degrees(360.0 / f64::from(self.segments) / 45.0)
     }
@@ -96,8 +95,7 @@ impl Prism {
         Degrees(4.0 * self.turn().0)
     }
 
-    /// Whether a place across the prism is concerned: the cosine, which is linear between edges, is positive on a facet turned
-    /// away. `None` outside the prism.
+    /// Whether a place across the prism has a positive cosine on a facet turned away; `None` outside the prism.
     fn is_concerned(&self, x: f64, light: f64) -> Option<bool> {
         let of_facet = |facet: u32| {
             let edge = |k: u32| f64::from(facet + k) * self.delta();
@@ -113,8 +111,7 @@ impl Prism {
         (0..self.segments).find_map(of_facet)
     }
 
-    /// The share of the prism's pixels that are concerned, by the formulas at their centres, and that of those which snapping to
-    /// 256ths of pixels and single precision leave open.
+    /// The share of concerned pixels by the formulas, and the share that snapping and single precision leave undetermined.
     pub(super) fn share_law(&self, light: Degrees) -> (f64, f64) {
         const SINGLE: f64 = 1e-6;
         let light = Radians::from(light).0;

@@ -164,8 +164,7 @@ impl RoundSurface {
         self.outline(segments, Shading::Flat)?.distance(circle)
     }
 
-    /// The fewest segments whose outline is measured to be right to half a pixel, near those that should be, in addition to what outlines
-    /// of pixels are off even with so many segments that their polygon is a circle to a hundredth of a pixel.
+    /// The fewest segments with an outline that is right to half a pixel, in addition to the error of an outline of many segments.
     fn found_enough(&self, expected: u32, circle: &Outline) -> Result<u32> {
         let of_pixels = self.error(8 * expected, circle)?.hausdorff;
         let (mut low, mut high) = (3, 2 * expected);

@@ -90,8 +90,7 @@ impl Range {
     }
 }
 
-/// How far averaged normals at the corners of a box are from the diagonals between its faces, in degrees, over all
-/// corners and all cuts.
+/// The angles between averaged normals at the corners of a box and the diagonals, over all corners and all cuts.
 pub(super) fn measured(sides: DVec3, weight: Weight) -> Result<Range> {
     let mut angles = Vec::new();
     for cut in 0..CUTS {
@@ -106,8 +105,7 @@ pub(super) fn measured(sides: DVec3, weight: Weight) -> Result<Range> {
     Ok(Range::of(angles.into_iter()))
 }
 
-/// The same by the formulas: each of the three faces at a corner counts as one triangle or as two. `None` for weights that
-/// are no sum over triangles.
+/// The same by the formulas: each face at a corner counts as one triangle or two. `None` for weights that are no sum.
 pub(super) fn law(sides: DVec3, weight: Weight) -> Option<Range> {
     // Of the faces at right angles to each axis, cut past the corner and through it.
     let [x, y, z] = sides.to_array();

@@ -1,13 +1,13 @@
 //! Delaunay triangulations of scattered points.
 
-use crate::mesh::{Faces, Mesh, MeshBuilder};
+use crate::mesh::Faces;
 use crate::num::unit_scale;
 use crate::surface::error::{MOST_CELLS, SurfaceError, check_count};
 use crate::surface::meshing::hash::GridHash;
 use crate::surface::meshing::net::{Net, sample_at};
 use crate::surface::shapes::chart::Sample;
 use crate::surface::shapes::height::Height;
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 use spade::{DelaunayTriangulation, Point2, Triangulation};
 
 /// As many points as a grid has over the rectangle of a height: evenly spaced on the sides, random within.
@@ -34,43 +34,13 @@ pub(crate) fn net(surface: &dyn Height, segments: [u32; 2], hash: GridHash) -> R
     Ok(Net { samples, faces, corner_parameters, first_faces: vec![0] })
 }
 
-/// The surface z = f(x, y) through scattered points by the Delaunay triangulation of their x and y, facing +z. Vertices keep the
-/// order of the points and have no normals.
-///
-/// ```
-/// use crease::surface::height_field;
-/// use glam::DVec3;
-///
-/// let points = [[0.0, 0.0, 1.0], [4.0, 0.0, 2.0], [0.0, 3.0, 2.0], [1.0, 1.0, 5.0]].map(DVec3::from);
-/// assert_eq!(height_field(&points)?.face_count(), 3);
-/// # Ok::<(), crease::surface::SurfaceError>(())
-/// ```
-///
-/// # Errors
-/// [`SurfaceError::Invalid`] for a point that is not finite, one above another, and points of which no three make a
-/// triangle; [`SurfaceError::Segments`] for more than 2²⁴ points.
-pub fn height_field(points: &[DVec3]) -> Result<Mesh, SurfaceError> {
-    if let Some(point) = points.iter().position(|p| !p.is_finite()) {
-        return Err(invalid(point, "its coordinates are not finite"));
-    }
-    check_count("points", points.len() as u64, 0..=MOST_CELLS)?;
-    let places: Vec<DVec2> = points.iter().map(|p| p.truncate()).collect();
-    let triangles = delaunay(&places)?;
-    let builder = MeshBuilder {
-        positions: points.to_vec(),
-        faces: Faces::triangles(triangles.as_flattened().to_vec()),
-        ..MeshBuilder::default()
-    };
-    Ok(builder.build().expect("the points are finite and the triangles theirs"))
-}
-
 /// The error about a scattered point, counted from 0.
 fn invalid(point: usize, reason: &str) -> SurfaceError {
     SurfaceError::Invalid(format!("point {point}: {reason}"))
 }
 
 /// Triangles of distinct points, counter-clockwise. Coordinates are scaled by a power of two to the range of exact predicates.
-fn delaunay(places: &[DVec2]) -> Result<Vec<[u32; 3]>, SurfaceError> {
+pub(crate) fn delaunay(places: &[DVec2]) -> Result<Vec<[u32; 3]>, SurfaceError> {
     let scale = unit_scale(places.iter().fold(0.0, |most: f64, p| most.max(p.abs().max_element())));
     let scaled = |place: &DVec2| spade::mitigate_underflow(Point2::new(place.x * scale, place.y * scale));
     let sites: Vec<Point2<f64>> = places.iter().map(scaled).collect();
