@@ -23,7 +23,7 @@ mod tests;
 
 pub use catalogue::Surface;
 pub use error::SurfaceError;
-pub use meshing::hash::GridHash;
+pub use meshing::pattern::GridHash;
 pub use meshing::pattern::{Pattern, Tessellation};
 pub use rays::primitive::{Placed, Primitive};
 pub use rays::ray::{Hit, Ray};

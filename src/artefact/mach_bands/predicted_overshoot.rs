@@ -2,8 +2,7 @@
 
 use super::super::outcome::Curve;
 use super::super::prelude::*;
-use super::tube::{Law, flat_step, gouraud_jump, phong_jump};
-use super::tube::{Tube, WINDOW, is_drawn};
+use super::tube::{Law, Tube, WINDOW, flat_step, gouraud_jump, is_drawn, phong_jump};
 use crate::metric::{DifferenceOfGaussians, MetricError, PIXELS_PER_DEGREE, Profile};
 
 /// Width in pixels of the scanline that the model is applied to, whatever the size of the pictures: 15° of the field of view.

@@ -5,8 +5,7 @@ mod scene;
 
 use super::prelude::*;
 use crate::shade::Terminator;
-use scene::Prism;
-use scene::{HEIGHT, LEVEL, concerned, mean_where, paint, picture, share, towards};
+use scene::{HEIGHT, LEVEL, Prism, concerned, mean_where, paint, picture, share, towards};
 
 static TEXTS: Catalogue = catalogue!("texts");
 

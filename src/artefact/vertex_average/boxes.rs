@@ -1,8 +1,7 @@
 //! A cube and a long box, whose six faces can be cut in 64 ways, and what weightings make of them.
 
 use super::super::prelude::*;
-use super::surfaces::View;
-use super::surfaces::{FLAT, ROUND};
+use super::surfaces::{FLAT, ROUND, View};
 
 /// The sides of the cube and of the long box.
 pub(super) const CUBE: DVec3 = DVec3::ONE;

@@ -1,7 +1,9 @@
 //! A mesh or glTF file as a scene.
 
-use crate::io::{FileCamera, FileMaterial, FileNode, FileReflection, Format, Loaded, Note, Part};
-use crate::io::{Place, Problem, ReadError, Severity};
+use crate::io::{
+    FileCamera, FileMaterial, FileNode, FileReflection, Format, Loaded, Note, Part, Place, Problem,
+    ReadError, Severity,
+};
 use crate::mesh::{NONE, normal_matrix};
 use crate::num::{LinearRgb, three_digits};
 use crate::raster::load::appearance;

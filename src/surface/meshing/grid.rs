@@ -2,9 +2,8 @@
 
 use crate::mesh::DisjointSets;
 use crate::surface::error::{MOST_CELLS, SurfaceError, check_count};
-use crate::surface::meshing::hash::GridHash;
 use crate::surface::meshing::net::{Net, sample};
-use crate::surface::meshing::pattern::{Pattern, Tessellation};
+use crate::surface::meshing::pattern::{GridHash, Pattern, Tessellation};
 use crate::surface::shapes::bezier::BezierPatch;
 use crate::surface::shapes::chart::{Chart, Parametric, Sample};
 use glam::{DVec2, DVec3};

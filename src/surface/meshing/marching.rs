@@ -2,8 +2,8 @@
 
 use crate::mesh::Faces;
 use crate::surface::error::{MOST_CELLS, SurfaceError, check_count};
-use crate::surface::meshing::hash::GridHash;
 use crate::surface::meshing::net::Net;
+use crate::surface::meshing::pattern::GridHash;
 use crate::surface::shapes::chart::Sample;
 use crate::surface::shapes::implicit::{Implicit, Room};
 use glam::{DVec3, UVec3};

@@ -3,8 +3,8 @@
 use crate::mesh::Faces;
 use crate::num::unit_scale;
 use crate::surface::error::{MOST_CELLS, SurfaceError, check_count};
-use crate::surface::meshing::hash::GridHash;
 use crate::surface::meshing::net::{Net, sample_at};
+use crate::surface::meshing::pattern::GridHash;
 use crate::surface::shapes::chart::Sample;
 use crate::surface::shapes::height::Height;
 use glam::DVec2;

@@ -3,9 +3,8 @@
 use crate::mesh::{Column, Columns, Mesh, MeshBuilder};
 use crate::surface::catalogue::Surface;
 use crate::surface::error::SurfaceError;
-use crate::surface::meshing::hash::GridHash;
 use crate::surface::meshing::net::{Net, dual, sample};
-use crate::surface::meshing::pattern::{Pattern, Tessellation};
+use crate::surface::meshing::pattern::{GridHash, Pattern, Tessellation};
 use crate::surface::meshing::{grid, icosphere, marching, scattered};
 use crate::surface::shapes::chart::Sample;
 
