@@ -47,8 +47,8 @@ fn run(setup: &Setup) -> Result<Outcome> {
     let bad = edges.worse.found.measured.abs();
     let effect = out.effect("finer", "1/R", [bad, edges.of_fine.abs()], threshold(&tube, &out), 3.5);
     // Another shading need not make bands vanish, but visibly smaller.
-    let of_shading = |bad: f64, cured: f64, tube: &Tube, out: &Recorder| {
-        out.effect("shading", "1/R", [bad, cured], threshold(tube, out), 1.5)
+    let of_shading = |numbers: [f64; 2], tube: &Tube, out: &Recorder| {
+        out.effect("shading", "1/R", numbers, threshold(tube, out), 1.5)
     };
     let step = Effect {
         name: out.text("flat-effect"),
@@ -57,10 +57,9 @@ fn run(setup: &Setup) -> Result<Outcome> {
         present: Threshold::half_step(),
         ..effect.clone()
     };
-    let of_other = of_shading(bad, edges.better.measured.abs(), &tube, &out);
+    let of_other = of_shading([bad, edges.better.measured.abs()], &tube, &out);
     let grazing = Jumps::measure(Tube::under(GRAZING, segments)?, GRAZING)?;
-    let of_grazing =
-        of_shading(grazing.largest_of_phong(), grazing.largest_of_gouraud(), &grazing.tube, &out);
+    let of_grazing = of_shading(grazing.largest(), &grazing.tube, &out);
     pictures::record_charts(&lines, &of_other, &mut out);
     predicted_overshoot::charts(&tube, light, &mut out)?;
     pictures::record_grazing(&grazing.tube, GRAZING, &of_grazing, &mut out)?;
@@ -102,19 +101,14 @@ impl Edges {
             tube.largest(light, |theta| (line.slope_jump(tube, theta).0, law(theta, light, delta)))
         };
         let (gouraud, phong) = (largest(&lines.gouraud, gouraud_jump), largest(&lines.phong, phong_jump));
+        let of_gouraud =
+            Worse { name: "Gouraud", shading: Shading::Gouraud, law: gouraud_jump, found: gouraud };
+        let of_phong = Worse { name: "Phong", shading: Shading::Phong, law: phong_jump, found: phong };
         let is_gouraud_worse = gouraud.measured.abs() > phong.measured.abs();
-        let (worse, better) = match is_gouraud_worse {
-            true => {
-                let (name, shading) = ("Gouraud", Shading::Gouraud);
-                (Worse { name, shading, law: gouraud_jump, found: gouraud }, phong)
-            }
-            false => {
-                let (name, shading) = ("Phong", Shading::Phong);
-                (Worse { name, shading, law: phong_jump, found: phong }, gouraud)
-            }
-        };
+        let (worse, better) = if is_gouraud_worse { (of_gouraud, of_phong) } else { (of_phong, of_gouraud) };
         out.set("worse", worse.name);
-        out.set("better", if is_gouraud_worse { "Phong" } else { "Gouraud" });
+        out.set("better", better.name);
+        let better = better.found;
         // At the same edge, which the finer one has too.
         let (at, fine_line) = (worse.found.theta, fine.profile(light, worse.shading)?);
         let (of_fine, by_fine) = fine_line.slope_jump(fine, at);

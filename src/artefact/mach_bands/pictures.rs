@@ -39,12 +39,9 @@ impl Jumps {
         Ok(Self { tube, phong, gouraud })
     }
 
-    pub(super) fn largest_of_phong(&self) -> f64 {
-        largest(&self.phong)
-    }
-
-    pub(super) fn largest_of_gouraud(&self) -> f64 {
-        largest(&self.gouraud)
+    /// The largest jump of Phong's and of Gouraud's shading.
+    pub(super) fn largest(&self) -> [f64; 2] {
+        [&self.phong, &self.gouraud].map(|jumps| jumps.iter().map(|jump| jump[1]).fold(0.0, f64::max))
     }
 
     /// Maps of the jumps, and the pictures, in which they are hardly visible.
@@ -60,10 +57,6 @@ impl Jumps {
         out.seen("gouraud-80", gouraud);
         Ok(())
     }
-}
-
-fn largest(jumps: &[[f64; 2]]) -> f64 {
-    jumps.iter().map(|jump| jump[1]).fold(0.0, f64::max)
 }
 
 /// Half the width of the bars in maps of jumps, in pixels.
