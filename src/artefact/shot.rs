@@ -178,8 +178,8 @@ mod tests {
         ] {
             let effect = effect(bad, cured);
             let shots = [
-                effect.bad_shot("a", caption(), image(light)),
-                effect.cured_shot("b", caption(), image(light)),
+                effect.shot("a", false, caption(), image(light)),
+                effect.shot("b", true, caption(), image(light)),
             ];
             assert_eq!(shots.each_ref().map(|shot| shot.role), roles);
             assert_eq!(shots.each_ref().map(|shot| shot.caption.get(Language::English)), [of_bad, of_cured]);

@@ -297,9 +297,16 @@ impl Segment {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mesh::{Faces, Mesh, MeshBuilder};
+    use crate::normals::{Crease, NormalField, NormalRecipe, compute};
+    use crate::num::LinearRgb;
     use crate::num::test_numbers::Numbers;
+    use crate::raster::frame::job::Job;
+    use crate::raster::settings::RenderSettings;
+    use crate::raster::view::camera::{Camera, Projection};
     use crate::raster::view::screen_transform::View;
-    use glam::{DMat4, DVec3};
+    use crate::shade::Material;
+    use crate::surface::Sphere;
 
     /// The columns that are looked at hold every pixel that the line touches.
     #[test]
@@ -359,16 +366,6 @@ mod tests {
         assert_eq!(cut(DVec3::new(-1.0, 0.0, 1.0), DVec3::new(2.0, 0.0, 1.0)), None);
         assert_eq!(cut(DVec3::new(-1e6, 0.0, -1.0), DVec3::new(-2e6, 1.0, -1.0)), None);
     }
-
-    use super::*;
-    use crate::mesh::{Faces, Mesh, MeshBuilder};
-    use crate::normals::{Crease, NormalField, NormalRecipe, compute};
-    use crate::num::LinearRgb;
-    use crate::raster::frame::job::Job;
-    use crate::raster::settings::RenderSettings;
-    use crate::raster::view::camera::{Camera, Projection};
-    use crate::shade::Material;
-    use crate::surface::Sphere;
 
     /// An octahedron, its corners at ±1.
     fn octahedron() -> (Mesh, NormalField) {
