@@ -60,7 +60,7 @@ pub(super) fn out_of_range(what: &str, found: impl Display, expected: &str) -> S
 macro_rules! surface_of_lengths {
     (
         $(#[$doc:meta])* $surface:ident { $($(#[$about:meta])* $length:ident: $name:literal = $default:literal,)+ }
-        $(#[$constructor:meta])* new with $check:expr
+        new with $check:expr
     ) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,7 +75,10 @@ macro_rules! surface_of_lengths {
         }
 
         impl $surface {
-            $(#[$constructor])*
+            /// A surface of these lengths.
+            ///
+            /// # Errors
+            /// [`SurfaceError`] for lengths that are out of range or make no such surface.
             pub fn new($($length: f64),+) -> Result<Self, SurfaceError> {
                 $check(Self { $($length: $crate::surface::error::length($name, $length)?,)+ })
             }

@@ -26,10 +26,6 @@ surface_of_lengths! {
         /// From end to end.
         height: "the height" = 2.0,
     }
-    /// A tube about the y axis.
-    ///
-    /// # Errors
-    /// [`SurfaceError::OutOfRange`].
     new with Ok
 }
 
@@ -83,10 +79,6 @@ surface_of_lengths! {
         /// From the base to the tip.
         height: "the height" = 2.0,
     }
-    /// A cone about the y axis.
-    ///
-    /// # Errors
-    /// [`SurfaceError::OutOfRange`].
     new with Ok
 }
 
@@ -162,10 +154,6 @@ surface_of_lengths! {
         /// From end to end.
         height: "the height" = 1.5,
     }
-    /// A catenoid about the y axis.
-    ///
-    /// # Errors
-    /// [`SurfaceError::OutOfRange`], also for a height above 200 waists.
     new with |catenoid: Self| {
         let found = catenoid.height / catenoid.waist;
         let error = || out_of_range("the height", format!("{found} waists"), "200 at most");
@@ -218,10 +206,6 @@ surface_of_lengths! {
         /// The radius of the tube.
         minor: "the tube's radius" = 0.4,
     }
-    /// A torus by the radius of the ring, from the axis to the middle of the tube, and the smaller one of the tube.
-    ///
-    /// # Errors
-    /// [`SurfaceError::OutOfRange`], and [`SurfaceError::Invalid`] for a tube that would run through itself.
     new with |torus: Self| {
         let Self { major, minor } = torus;
         let error = || format!("the tube's radius {minor} is not smaller than the ring's radius {major}");

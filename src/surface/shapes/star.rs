@@ -21,10 +21,6 @@ surface_of_lengths! {
         /// The radius.
         radius: "the radius" = 1.0,
     }
-    /// A sphere of this radius about the origin.
-    ///
-    /// # Errors
-    /// [`SurfaceError::OutOfRange`].
     new with Ok
 }
 
