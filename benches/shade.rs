@@ -85,7 +85,7 @@ fn scenes() -> Vec<Scene> {
     let ambient = Light::Ambient { colour };
     let sun = Light::Directional { towards: DVec3::new(1.0, 2.0, 3.0), colour };
     let position = DVec3::new(1.0, 2.0, 3.0);
-    let attenuation = Attenuation::Quadratic { constant: 1.0, linear: 0.1, quadratic: 0.01 };
+    let attenuation = Attenuation::Quadratic([1.0, 0.1, 0.01]);
     let point = Light::Point { position, colour, attenuation };
     let black = Light::Point { position, colour: LinearRgb::BLACK, attenuation };
     let cone = Cone {

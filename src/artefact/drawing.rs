@@ -12,7 +12,7 @@ use crate::raster::{
 use crate::shade::{Attenuation, Light, Material, Reflectance};
 use glam::DVec3;
 
-/// What is seen where there is nothing: a dark grey that neither black nor white surfaces vanish in.
+/// The background: a dark grey that differs from black and white surfaces.
 pub(super) const BACKGROUND: LinearRgb = LinearRgb::grey(0.05);
 
 /// A white surface that only diffuses: its luminance is N·L.
@@ -41,7 +41,6 @@ pub(super) fn direction(angle: Degrees) -> DVec3 {
     DVec3::new(sine, 0.0, cosine)
 }
 
-/// A white light from far away in a direction.
 pub(super) fn far_light(towards: DVec3) -> Light {
     Light::Directional { towards, colour: LinearRgb::WHITE }
 }
@@ -67,7 +66,6 @@ pub(super) fn settings(size: [u32; 2], shading: Shading) -> RenderSettings {
     RenderSettings { size, shading, two_sided: true, keep_linear: true, ..RenderSettings::default() }
 }
 
-/// Draws objects on the common background.
 pub(super) fn draw(
     objects: Vec<Object>,
     lights: &[Light],
@@ -78,7 +76,6 @@ pub(super) fn draw(
     Ok(render(&scene, &settings)?)
 }
 
-/// A mesh with its normals as an object.
 pub(super) fn object<'a>(mesh: &'a Mesh, normals: &'a NormalField, material: Material) -> Object<'a> {
     Object::new(Shape::Mesh { mesh, normals }, material)
 }
@@ -88,12 +85,11 @@ pub(super) fn painted<'a>(mesh: &'a Mesh, normals: &'a NormalField, colours: &'a
     Object { paint: Paint::Given(colours.into()), ..object(mesh, normals, Material::default()) }
 }
 
-/// A mesh of faces over positions.
 pub(super) fn build(positions: Vec<DVec3>, faces: Faces) -> Result<Mesh> {
     Ok(MeshBuilder { positions, faces, ..MeshBuilder::default() }.build()?)
 }
 
-/// A mesh of sheets of quadrilaterals, so many along each row and so many rows, over the positions of their corners row by row.
+/// A mesh of sheets of quadrilaterals in so many columns and rows, over the positions of their corners row by row.
 pub(super) fn sheets(positions: Vec<DVec3>, [columns, rows]: [u32; 2]) -> Result<Mesh> {
     let (row, sheet) = (columns + 1, (columns + 1) * (rows + 1));
     let mut faces = Faces::new();
@@ -120,7 +116,6 @@ pub(super) fn colour_at(image: &Image, [x, y]: [u32; 2]) -> DVec3 {
     image.index(x, y).map_or(DVec3::NAN, |index| DVec3::from(linear(image)[index].map(f64::from)))
 }
 
-/// The linear colour of the pixel in the middle.
 pub(super) fn centre(image: &Image) -> DVec3 {
     colour_at(image, image.size.map(|side| side / 2))
 }
@@ -136,12 +131,10 @@ pub(super) fn largest_error(image: &Image, truth: &Image) -> Result<f64> {
     Ok(errors(image, truth)?[0])
 }
 
-/// The relative luminance of every pixel.
 pub(super) fn luminance(image: &Image) -> Vec<f64> {
     linear(image).iter().map(|&colour| LinearRgb::from(colour.map(f64::from)).luminance()).collect()
 }
 
-/// A picture of linear colours.
 pub(super) fn picture(size: [u32; 2], linear: Vec<[f32; 3]>, coverage: Vec<u8>) -> Image {
     let code = |component: f32| Transfer::Srgb.to_u8(f64::from(component).clamp(0.0, 1.0));
     Image {
@@ -153,8 +146,7 @@ pub(super) fn picture(size: [u32; 2], linear: Vec<[f32; 3]>, coverage: Vec<u8>) 
     }
 }
 
-/// Numbers from 0 to `full` as colours from dark violet over green to yellow, which get lighter all the way: they can be
-/// distinguished without colour vision and in black and white (the map *viridis* at five places). `None` is background.
+/// Numbers from 0 to `full` as colours of the map *viridis*, which are distinct without colour vision. `None` is background.
 pub(super) fn map(size: [u32; 2], values: &[Option<f64>], full: f64) -> Image {
     let colour = |value: f64| viridis(value / full).to_array().map(|component| component as f32);
     let background = BACKGROUND.to_array().map(|component| component as f32);
@@ -173,7 +165,6 @@ pub(super) fn differences(first: &Image, second: &Image) -> Vec<Option<f64>> {
     (0..colours.len()).map(difference).collect()
 }
 
-/// The largest of these differences.
 pub(super) fn largest_difference(first: &Image, second: &Image) -> f64 {
     differences(first, second).into_iter().flatten().fold(0.0, f64::max)
 }

@@ -1,10 +1,9 @@
-//! The number that a cure changes, and what follows from it: whether the artefact is present, and whether it is cured.
+//! The number that a cure changes: whether the artefact is present, and whether it is cured.
 
 use crate::text::{Catalogue, Text, catalogue};
 use serde::{Serialize, Serializer};
 use std::f64::consts::PI;
 
-/// The texts that all experiments share.
 pub(super) static SHARED: Catalogue = catalogue!("shared");
 
 /// A number with the artefact and without.
@@ -51,8 +50,7 @@ impl Threshold {
         Self { value: Self::HALF_PIXEL, why: SHARED.get("half-pixel") }
     }
 
-    /// Degrees by which a normal has to lean for diffuse light to change by half a step of 8 bits: N·L changes by as much as the
-    /// angle (in radians) where it is steepest, in light from the side.
+    /// The angle in degrees by which a normal in light from the side changes diffuse light by half a step of 8 bits.
     pub fn half_step_of_tilt() -> Self {
         Self { value: 0.5 / 255.0 * 180.0 / PI, why: SHARED.get("half-step-of-tilt") }
     }
@@ -64,8 +62,7 @@ impl Effect {
         if self.bad == 0.0 && self.cured == 0.0 { 1.0 } else { self.bad.abs() / self.cured.abs() }
     }
 
-    /// A value as texts state it: 0 where it is less than a thousandth of the threshold. For light from 0 to 1, and for tilts in
-    /// radians, that is 2·10⁻⁶ or about sixteen roundings of single precision.
+    /// A value as texts state it: 0 where it is less than a thousandth of the threshold, which is rounding.
     pub(crate) fn reported(&self, value: f64) -> f64 {
         if value.abs() < 1e-3 * self.present.value { 0.0 } else { value }
     }
@@ -75,7 +72,7 @@ impl Effect {
         self.bad.abs() > self.present.value
     }
 
-    /// Whether the cure did what it has to: either nothing is seen any more, or it became smaller by the factor.
+    /// Whether the artefact is below the threshold, or smaller by the factor.
     pub fn is_cured(&self) -> bool {
         self.cured.abs() <= self.present.value || self.reduction() >= self.factor
     }

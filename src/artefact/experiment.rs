@@ -15,9 +15,8 @@ use std::ops::RangeInclusive;
 pub struct Experiment {
     /// Its name: lower-case letters, digits and hyphens. It does not change between versions.
     pub id: &'static str,
-    /// Its texts: `title`, `claim`, `source-N` (section or exercise of the lectures, papers), `formula-N` with `formula-N-says`
-    /// (closed forms, of its own shapes), `own-mesh` (what a user's mesh is examined for, if it takes [`ParameterName::Mesh`]) and
-    /// `shown-by` (what would show the artefact where the parameters hide it: the end of a sentence).
+    /// Its texts: `title`, `claim`, `source-N`, `formula-N` with `formula-N-says`, `own-mesh` (what is measured on a user's mesh) and
+    /// `shown-by` (how to show the artefact where it is absent: the end of a sentence).
     pub(super) texts: &'static Catalogue,
     /// What may be changed about it.
     pub takes: &'static [ParameterName],
@@ -34,9 +33,7 @@ pub struct Experiment {
 /// Draws one frame of so many.
 pub(super) type FrameFn = fn(&Setup, u32, u32) -> Result<Image, ArtefactError>;
 
-/// A formula and what it says.
-///
-/// The notation is LaTeX, in both languages for the words below quantities and the decimal mark.
+/// A formula in LaTeX notation, and what it says.
 #[derive(Debug, Serialize)]
 pub struct Formula {
     /// The formula.
@@ -68,9 +65,8 @@ impl Experiment {
 
     /// Runs the experiment.
     ///
-    /// The same setup gives the same bits at any number of threads. Where nothing of the artefact is measured, or no
-    /// picture shows it, the claim is not put to the test, and the verdict is [`Verdict::Absent`], with the experiment's own
-    /// advice unless this run has better.
+    /// The same setup gives the same bits at any number of threads. Where no artefact is measured or visible, the verdict is
+    /// [`Verdict::Absent`].
     ///
     /// # Errors
     /// Parameters out of range, a mesh that does not suit, or what cannot be drawn.
@@ -78,7 +74,6 @@ impl Experiment {
         self.check(setup)?;
         let mut outcome = (self.run)(setup)?;
         let shows = |roles: &[Role]| outcome.shots.iter().any(|shot| roles.contains(&shot.role));
-        // A cure of which no picture shows anything is none that is seen.
         let is_shown = shows(&[Role::Bad]) && shows(&[Role::Cured, Role::Attempt]);
         let is_tested = outcome.effect.is_present() && is_shown;
         if !is_tested && !matches!(outcome.verdict, Verdict::Absent(_)) {
@@ -102,8 +97,7 @@ impl Experiment {
         self.frame.is_some()
     }
 
-    /// The command that does the same run and writes its pictures, with pages in this language. File names are quoted for a
-    /// POSIX shell.
+    /// The command of the same run, with pages in this language. File names are quoted for a POSIX shell.
     pub fn command(&self, setup: &Setup, language: Language) -> String {
         let mut command = format!("crease artefact {}", self.id);
         if let Some(own) = setup.mesh {
@@ -132,7 +126,7 @@ impl Experiment {
         }
     }
 
-    /// Whether parameters are within their ranges, and within the experiment's own.
+    /// Whether parameters are within their ranges and the experiment's own.
     ///
     /// # Errors
     /// [`ArtefactError::Request`] for the first that is not.
@@ -148,12 +142,9 @@ impl Experiment {
             return Ok(());
         }
         let number = |number: u32| Value::from(number.to_string());
-        let values = [
-            ("experiment", self.id.into()),
-            ("found", number(parameters.segments)),
-            ("least", number(*self.segments.start())),
-            ("most", number(*self.segments.end())),
-        ];
+        let (least, most) = (number(*self.segments.start()), number(*self.segments.end()));
+        let found = ("found", number(parameters.segments));
+        let values = [("experiment", self.id.into()), found, ("least", least), ("most", most)];
         Err(ArtefactError::request("own-segments", &values))
     }
 
@@ -161,9 +152,7 @@ impl Experiment {
     pub fn range(&self, name: ParameterName) -> Option<RangeInclusive<f64>> {
         match name {
             _ if !self.takes.contains(&name) => None,
-            ParameterName::Segments => {
-                Some(f64::from(*self.segments.start())..=f64::from(*self.segments.end()))
-            }
+            ParameterName::Segments => Some((*self.segments.start()).into()..=(*self.segments.end()).into()),
             _ => name.range(),
         }
     }
@@ -177,11 +166,8 @@ impl Experiment {
             None => Ok(()),
             Some(name) => {
                 let takes: Vec<String> = self.takes.iter().map(|name| format!("--{}", name.name())).collect();
-                let values = [
-                    ("experiment", self.id.into()),
-                    ("name", name.name().into()),
-                    ("takes", takes.join(", ").into()),
-                ];
+                let (id, name) = (("experiment", self.id.into()), ("name", name.name().into()));
+                let values = [id, name, ("takes", takes.join(", ").into())];
                 Err(ArtefactError::request("not-taken", &values))
             }
         }

@@ -15,23 +15,13 @@
 //! # Ok::<(), crease::artefact::ArtefactError>(())
 //! ```
 //!
-//! # How to add an experiment
-//! 1. A file `src/artefact/<id with underscores>.rs` with one `pub(super) static EXPERIMENT: Experiment`, its texts in
-//!    `<same name>.en.ftl` and `.pt.ftl`, a line in the list of modules, and one in [`EXPERIMENTS`], in reading order. Pages,
-//!    thumbnails, the command line and the structural tests of the gallery take it from there.
-//! 2. `takes` lists its parameters, `defaults` their values; the command line refuses all others. If it takes
-//!    [`ParameterName::Mesh`], `setup.mesh` may hold a user's mesh: its text `own-mesh` says what is measured on the mesh, and
-//!    [`ArtefactError::Request`] what to do about an unsuitable one. `frame` draws frame k of n of its animation, if it has one.
-//! 3. `run` draws pictures with `drawing::draw` at `parameters.size`, measures their linear samples (`drawing::luminance`) with
-//!    the metrics of [`metric`](crate::metric) where there is one, and passes both to a `Recorder`, which looks up the texts: of
-//!    the picture `plate` these are `plate-title`, `plate-caption` and `plate-seen`. The caption must be true with all
-//!    parameters, the text `-seen` wherever the artefact is present (or cured). A measure has its closed form or an independent
-//!    check (`Check::Near`), or a bound (`Check::AtMost`), with the reason of the tolerance in its text `-by`.
-//! 4. At least one picture shows the artefact and one its cure, each with an [`Effect`]: the number before and after, the
-//!    [`Threshold`] above which the artefact is present, and the factor by which the cure has to reduce it. The [`Role`] of a
-//!    picture follows from it. Where nothing is present, or no picture shows it, [`Experiment::run`] makes the verdict
-//!    [`Verdict::Absent`], with the text `shown-by`.
-//! 5. Tests at small sizes: all measures agree, the artefact is present in the bad case, the cure reduces it by a stated factor.
+//! # An experiment
+//! `CONTRIBUTING.md` of the repository describes how to add one. `takes` lists its parameters, `defaults` their values; the
+//! command line refuses all others. `run` draws pictures, measures their linear samples and passes both to a `Recorder`, which
+//! looks up the texts by the names of measures and pictures. A measure has its closed form or an independent check, or a bound,
+//! with the reason of the tolerance in its text `-by`. At least one picture shows the artefact and one its cure, each with an
+//! [`Effect`]; the [`Role`] of a picture follows from it. Where no artefact is present or visible, the verdict is
+//! [`Verdict::Absent`].
 
 // The errors of experiments.
 mod error;

@@ -24,8 +24,7 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// The pictures in series, each of an artefact and what is done about it: another one begins with a picture of an artefact
-    /// after one of a cure.
+    /// The pictures in series: each begins with a picture of an artefact after one of a cure.
     pub fn series(&self) -> impl Iterator<Item = &[Shot]> {
         let mut rest = &self.shots[..];
         std::iter::from_fn(move || {

@@ -43,12 +43,10 @@ const TABLE: [(&str, Option<RangeInclusive<f64>>); 8] = [
 ];
 
 impl ParameterName {
-    /// The parameters that are numbers.
     pub(super) const NUMBERS: [Self; 5] =
         [Self::Size, Self::Segments, Self::Light, Self::Exponent, Self::Crease];
 
-    /// The range of a number; `None` for parameters that are not numbers. An experiment may have a smaller range, see
-    /// [`Experiment::range`](super::Experiment::range).
+    /// The range of a number, of which an experiment may take a part ([`Experiment::range`](super::Experiment::range)).
     pub fn range(self) -> Option<RangeInclusive<f64>> {
         TABLE[self as usize].1.clone()
     }
@@ -81,8 +79,7 @@ pub struct Parameters {
 impl Parameters {
     /// The range of segments; some experiments have a smaller one.
     pub const SEGMENTS: RangeInclusive<u32> = 3..=1024;
-    /// The defaults of most experiments: 320 pixels, 16 segments, light 30° off the axis of view, n = 32, angle weights, creases
-    /// over 40°, perspective interpolation.
+    /// The defaults of most experiments.
     pub const USUAL: Parameters = Parameters {
         size: 320,
         segments: 16,
@@ -118,67 +115,45 @@ impl Parameters {
     }
 }
 
-/// Changes of an experiment's default settings.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Changes {
-    /// See [`Parameters::size`].
-    pub size: Option<u32>,
-    /// See [`Parameters::segments`].
-    pub segments: Option<u32>,
-    /// See [`Parameters::light`].
-    pub light: Option<Degrees>,
-    /// See [`Parameters::exponent`].
-    pub exponent: Option<f64>,
-    /// See [`Parameters::weight`].
-    pub weight: Option<Weight>,
-    /// See [`Parameters::crease`].
-    pub crease: Option<Degrees>,
-    /// See [`Parameters::interpolation`].
-    pub interpolation: Option<Interpolation>,
+/// Declares [`Changes`]: an optional new value for each field of [`Parameters`].
+macro_rules! changes {
+    ($($field:ident: $type:ty = $name:ident,)*) => {
+        /// Changes of an experiment's default settings.
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        pub struct Changes {
+            $(#[doc = concat!("See [`Parameters::", stringify!($field), "`].")]
+            pub $field: Option<$type>,)*
+        }
+
+        impl Changes {
+            /// The parameters that are changed.
+            pub fn names(&self) -> impl Iterator<Item = ParameterName> + use<> {
+                let changed = [$((ParameterName::$name, self.$field.is_some()),)*];
+                changed.into_iter().filter(|(_, changed)| *changed).map(|(name, _)| name)
+            }
+
+            /// The changes of parameters that an experiment takes.
+            #[must_use]
+            pub fn only(self, takes: &[ParameterName]) -> Self {
+                Self { $($field: self.$field.filter(|_| takes.contains(&ParameterName::$name)),)* }
+            }
+
+            /// Settings with the changes.
+            pub fn apply(&self, to: Parameters) -> Parameters {
+                Parameters { $($field: self.$field.unwrap_or(to.$field),)* }
+            }
+        }
+    };
 }
 
-impl Changes {
-    /// The parameters that are changed.
-    pub fn names(&self) -> impl Iterator<Item = ParameterName> + use<> {
-        let changed = [
-            (ParameterName::Size, self.size.is_some()),
-            (ParameterName::Segments, self.segments.is_some()),
-            (ParameterName::Light, self.light.is_some()),
-            (ParameterName::Exponent, self.exponent.is_some()),
-            (ParameterName::Weight, self.weight.is_some()),
-            (ParameterName::Crease, self.crease.is_some()),
-            (ParameterName::Interpolation, self.interpolation.is_some()),
-        ];
-        changed.into_iter().filter(|(_, changed)| *changed).map(|(name, _)| name)
-    }
-
-    /// The changes of parameters that an experiment takes.
-    #[must_use]
-    pub fn only(self, takes: &[ParameterName]) -> Self {
-        let has = |name| takes.contains(&name);
-        Self {
-            size: self.size.filter(|_| has(ParameterName::Size)),
-            segments: self.segments.filter(|_| has(ParameterName::Segments)),
-            light: self.light.filter(|_| has(ParameterName::Light)),
-            exponent: self.exponent.filter(|_| has(ParameterName::Exponent)),
-            weight: self.weight.filter(|_| has(ParameterName::Weight)),
-            crease: self.crease.filter(|_| has(ParameterName::Crease)),
-            interpolation: self.interpolation.filter(|_| has(ParameterName::Interpolation)),
-        }
-    }
-
-    /// Settings with the changes.
-    pub fn apply(&self, to: Parameters) -> Parameters {
-        Parameters {
-            size: self.size.unwrap_or(to.size),
-            segments: self.segments.unwrap_or(to.segments),
-            light: self.light.unwrap_or(to.light),
-            exponent: self.exponent.unwrap_or(to.exponent),
-            weight: self.weight.unwrap_or(to.weight),
-            crease: self.crease.unwrap_or(to.crease),
-            interpolation: self.interpolation.unwrap_or(to.interpolation),
-        }
-    }
+changes! {
+    size: u32 = Size,
+    segments: u32 = Segments,
+    light: Degrees = Light,
+    exponent: f64 = Exponent,
+    weight: Weight = Weight,
+    crease: Degrees = Crease,
+    interpolation: Interpolation = Interpolation,
 }
 
 /// The input of a run.
@@ -212,7 +187,6 @@ pub struct ParameterValues<'a> {
 
 impl Serialize for ParameterValues<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        /// A number or a name.
         #[derive(Serialize)]
         #[serde(untagged)]
         enum Value {

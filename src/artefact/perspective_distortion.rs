@@ -15,14 +15,12 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
     frame: None,
 };
 
-/// The depth ratio of the pictures.
 const RATIO: f64 = 4.0;
 /// Full scale of the maps of errors, in lengths of the wall.
 const FULL: f64 = 0.35;
 /// Those of the plot.
 const RATIOS: [f64; 6] = [1.1, 1.5, 2.0, 4.0, 6.0, 10.0];
-/// Squares of the board along each side: of a wall in nine pieces or a multiple of that ten, for corners of pieces are right, and
-/// squares with corners nowhere else would hide what is wrong between them.
+/// Squares of the board along each side: not the same as pieces, whose corners are right.
 fn squares(pieces: u32) -> f64 {
     if pieces.is_multiple_of(9) { 10.0 } else { 9.0 }
 }
@@ -111,8 +109,7 @@ fn pieces_law(ratio: f64, pieces: u32) -> f64 {
     law(nearest) / f64::from(pieces)
 }
 
-/// A wall that runs away from the viewer, from the left at depth 1 to the right at depth ρ, in as many equal pieces across as
-/// up. Its colours are places: red across, green up.
+/// A wall from depth 1 at the left to depth ρ at the right, in equal pieces. Its colours are places: red across, green up.
 struct Wall {
     mesh: Mesh,
     colours: Vec<LinearRgb>,
@@ -159,8 +156,7 @@ impl Wall {
         Ok((0..LINE).filter_map(error).fold(0.0, f64::max))
     }
 
-    /// The largest error of the place up, of all pixels of a picture of 1024 by 1024. Its supremum is where the diagonals of
-    /// pieces are, which pixels come close to and do not meet.
+    /// The largest error of the place up in a picture of 1024 by 1024 pixels, next to the diagonals of pieces.
     fn error_up(&self, interpolation: Interpolation) -> Result<f64> {
         const SIDE: u32 = 1024;
         let image = self.draw([SIDE; 2], interpolation)?;

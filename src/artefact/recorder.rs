@@ -7,8 +7,8 @@ use crate::raster::Image;
 use crate::text::{Catalogue, Text, Value};
 use std::mem::take;
 
-/// An outcome under construction. The texts of a measure, picture, chart or curve have its name as their key, followed by
-/// `-measure`, `-by`, `-effect`, `-cure`, `-title`, `-caption`, `-seen`, `-x`, `-y` or `-curve`.
+/// An outcome under construction. The keys of texts are the name of a measure, picture, chart or curve, followed by `-measure`,
+/// `-by`, `-effect`, `-cure`, `-title`, `-caption`, `-seen`, `-x`, `-y` or `-curve`.
 pub(super) struct Recorder {
     texts: &'static Catalogue,
     values: Vec<(&'static str, Value)>,
@@ -17,7 +17,6 @@ pub(super) struct Recorder {
     charts: Vec<Chart>,
 }
 
-/// What a measure is compared with.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Check {
     /// Nothing.
@@ -30,7 +29,6 @@ pub(super) enum Check {
     Untested(&'static str),
 }
 
-/// How an axis of a chart is divided.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Axis {
     Linear,
@@ -50,7 +48,6 @@ impl Recorder {
         self.values.push((placeholder, value.into()));
     }
 
-    /// The text of a key.
     pub(super) fn text(&self, key: &str) -> Text {
         self.texts.with(key, &self.values)
     }
@@ -87,14 +84,12 @@ impl Recorder {
         Effect { name, unit, bad, present, cure, cured, factor }
     }
 
-    /// Records a picture of the artefact.
     pub(super) fn bad(&mut self, name: &'static str, effect: &Effect, image: Image) {
-        self.shots.push(effect.bad_shot(name, self.caption(name), image));
+        self.shots.push(effect.shot(name, false, self.caption(name), image));
     }
 
-    /// Records a picture of the cure.
     pub(super) fn cured(&mut self, name: &'static str, effect: &Effect, image: Image) {
-        self.shots.push(effect.cured_shot(name, self.caption(name), image));
+        self.shots.push(effect.shot(name, true, self.caption(name), image));
     }
 
     /// Records the difference of two pictures, or a map of an error.
@@ -102,12 +97,11 @@ impl Recorder {
         self.unmeasured(name, Role::Difference, image);
     }
 
-    /// Records the picture of which maps show an artefact too faint to be visible in it.
+    /// Records a picture of an artefact that is too faint to be visible without maps.
     pub(super) fn seen(&mut self, name: &'static str, image: Image) {
         self.unmeasured(name, Role::Seen, image);
     }
 
-    /// Records a picture of the surface itself.
     pub(super) fn truth(&mut self, name: &'static str, image: Image) {
         self.unmeasured(name, Role::Truth, image);
     }
@@ -122,7 +116,6 @@ impl Recorder {
         Caption { label: self.part(name, "title"), drawn: self.part(name, "caption"), seen }
     }
 
-    /// A curve for a chart.
     pub(super) fn curve(&self, name: &str, drawn: Drawn, points: Vec<[f64; 2]>) -> Curve {
         Curve { name: self.part(name, "curve"), drawn, points }
     }
@@ -143,7 +136,6 @@ impl Recorder {
         self.finish_with_notes(notes, verdict, effect)
     }
 
-    /// The outcome with other notes.
     pub(super) fn finish_with_notes(
         &mut self,
         notes: Vec<Text>,

@@ -59,8 +59,7 @@ fn t_junction(wall: &Wall, size: u32, out: &mut Recorder) -> Result<()> {
     };
     let curves = vec![curve("t-junction", &bad), curve("t-junction-shared", &cured)];
     out.chart("jump", [Axis::Linear; 2], curves);
-    // Next to the edge the large face has gone half a pixel towards its far edge, or a whole one: of the smallest picture a
-    // fourteenth.
+    // The pixel next to the edge is off by a fourteenth of the smallest picture.
     let effect = out.effect("t-junction", "", [jump, left], Threshold::half_step(), 10.0);
     out.bad("t-junction", &effect, bad);
     out.cured("t-junction-shared", &effect, cured);
@@ -150,7 +149,6 @@ impl Wall {
         draw(vec![object], &[], front(2.0), settings)
     }
 
-    /// The area within the wall that is not covered, in pixels.
     fn uncovered(&self, image: &Image) -> f64 {
         let margin = libm::ceil((1.0 - HALF) / 2.0 * f64::from(self.size)) as u32 + 1;
         let inside = margin..self.size - margin;
@@ -163,8 +161,7 @@ impl Wall {
     }
 }
 
-/// The luminance of each row to the right of the upright line through the middle less that to the left, where both are
-/// covered.
+/// The difference of luminance across the upright line through the middle, row by row, where both sides are covered.
 fn jumps(image: &Image) -> Vec<(u32, f64)> {
     let [width, height] = image.size;
     let values = luminance(image);

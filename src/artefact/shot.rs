@@ -1,4 +1,4 @@
-//! Pictures with captions. Role and caption of a picture follow from its measure, so that neither can contradict it.
+//! Pictures with captions. The role and caption of a picture follow from its measure.
 
 use super::drawing::linear;
 use super::effect::{Effect, SHARED, Threshold};
@@ -6,7 +6,7 @@ use crate::raster::Image;
 use crate::text::{Text, Value};
 use serde::{Serialize, Serializer};
 
-/// What a picture shows. It follows from what was measured in it.
+/// What a picture shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Role {
@@ -16,17 +16,17 @@ pub enum Role {
     Cured,
     /// A cure that does too little.
     Attempt,
-    /// Nothing of the artefact: with these parameters it is not there, and there is nothing to cure.
+    /// No artefact with these parameters, and nothing to cure.
     Absent,
-    /// What lies between two pictures, or a map of an error.
+    /// The difference of two pictures, or a map of an error.
     Difference,
     /// The surface itself.
     Truth,
-    /// What there is to see where the artefact is so faint that maps next to it have to show it.
+    /// An artefact so faint that maps next to the picture show it.
     Seen,
 }
 
-/// How much of the artefact a picture has, and from what size on it is seen.
+/// The amount of the artefact in a picture.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Amount {
     /// What it measures.
@@ -71,36 +71,19 @@ pub(super) struct Caption {
 }
 
 impl Effect {
-    /// A picture of the artefact.
-    pub(super) fn bad_shot(&self, name: &'static str, caption: Caption, image: Image) -> Shot {
-        let (role, state) = match (is_lit(&image), self.is_present()) {
-            (false, _) => (Role::Absent, Some("not-lit")),
-            (true, false) => (Role::Absent, Some("no-artefact")),
-            (true, true) => (Role::Bad, None),
-        };
-        self.shot(name, (role, state), caption, self.bad, image)
-    }
-
-    /// A picture of the cure.
-    pub(super) fn cured_shot(&self, name: &'static str, caption: Caption, image: Image) -> Shot {
-        let (role, state) = match (is_lit(&image), self.is_present(), self.is_cured()) {
+    /// A picture of the artefact, or of the cure, with its number at the end of its caption. A state that contradicts the caption
+    /// has a sentence of its own.
+    pub(super) fn shot(&self, name: &'static str, is_cure: bool, caption: Caption, image: Image) -> Shot {
+        let (role, state) = match (is_lit(&image), self.is_present(), is_cure) {
             (false, ..) => (Role::Absent, Some("not-lit")),
-            (true, false, _) => (Role::Absent, Some("nothing-to-cure")),
-            (true, true, true) => (Role::Cured, None),
-            (true, true, false) => (Role::Attempt, Some("too-little")),
+            (true, false, false) => (Role::Absent, Some("no-artefact")),
+            (true, false, true) => (Role::Absent, Some("nothing-to-cure")),
+            (true, true, false) => (Role::Bad, None),
+            (true, true, true) if self.is_cured() => (Role::Cured, None),
+            (true, true, true) => (Role::Attempt, Some("too-little")),
         };
-        self.shot(name, (role, state), caption, self.cured, image)
-    }
-
-    /// A picture with its number at the end of its caption. A state that contradicts the caption has a sentence of its own.
-    fn shot(
-        &self,
-        name: &'static str,
-        (role, state): (Role, Option<&str>),
-        Caption { label, drawn, seen }: Caption,
-        value: f64,
-        image: Image,
-    ) -> Shot {
+        let value = if is_cure { self.cured } else { self.bad };
+        let Caption { label, drawn, seen } = caption;
         let number = |value: f64| Value::quantity(self.reported(value), self.unit);
         let seen = state.map(|key| SHARED.with(key, &[("without", number(self.bad))])).or(seen);
         let sentences = Text::each(|language| {
@@ -195,8 +178,8 @@ mod tests {
         ] {
             let effect = effect(bad, cured);
             let shots = [
-                effect.bad_shot("a", caption(), image(light)),
-                effect.cured_shot("b", caption(), image(light)),
+                effect.shot("a", false, caption(), image(light)),
+                effect.shot("b", true, caption(), image(light)),
             ];
             assert_eq!(shots.each_ref().map(|shot| shot.role), roles);
             assert_eq!(shots.each_ref().map(|shot| shot.caption.get(Language::English)), [of_bad, of_cured]);

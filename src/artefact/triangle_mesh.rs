@@ -15,18 +15,14 @@ pub(super) fn box_corners(sides: DVec3) -> Vec<DVec3> {
 pub(super) const BOX_FACES: [[u32; 4]; 6] =
     [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
 
-/// Triangles, each vertex with a normal.
 #[derive(Clone, Debug)]
 pub(super) struct TriangleMesh {
     pub(super) positions: Vec<[f32; 3]>,
     pub(super) triangles: Vec<[u32; 3]>,
-    /// Of vertices.
     pub(super) normals: Vec<[f32; 3]>,
-    /// Of triangles.
     pub(super) face_normals: Vec<[f32; 3]>,
 }
 
-/// Which diagonal squares are cut along.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Diagonal {
     /// From the lower left to the upper right.
@@ -76,8 +72,7 @@ impl TriangleMesh {
         Self::new(&positions, (0..columns * rows).flat_map(cut).collect(), &normals)
     }
 
-    /// The unit sphere with its own normals: circles of so many vertices round the y axis, one of them the equator, on
-    /// which one vertex is turned from +z to the right by an angle in radians.
+    /// The unit sphere with its own normals: circles of so many vertices round the y axis, turned by an angle in radians.
     pub(super) fn globe(segments: u32, turn: f64) -> Self {
         let rows = 2 * segments.div_ceil(4);
         Self::grid([segments, rows], Diagonal::Rising, |u, v| {
@@ -90,7 +85,6 @@ impl TriangleMesh {
         })
     }
 
-    /// The body as something to draw.
     pub(super) fn object(&self, material: Material) -> Object<'_> {
         let Self { positions, triangles, normals, face_normals } = self;
         Object::new(Shape::Triangles(Triangles { positions, triangles, normals, face_normals }), material)

@@ -28,9 +28,7 @@ const CORNERS: [LinearRgb; 4] = [
 const FINER: u32 = 4;
 /// The window's side; bodies are 2 wide.
 const WINDOW: f64 = 2.2;
-/// Full scale of the map of differences.
 const FULL: f64 = 0.3;
-/// Height of the waves.
 const HEIGHT: f64 = 0.12;
 /// How many waves lie along a side: few squares to each, so that it shows how these are cut.
 const WAVES: f64 = 2.0;
@@ -130,7 +128,6 @@ impl Diamonds {
         Ok(Self { across: across?, upright: upright?, fan: fan? })
     }
 
-    /// The mean of the colours of some corners.
     fn mean(corners: &[usize]) -> [f64; 3] {
         let sum = corners.iter().fold(LinearRgb::BLACK, |sum, &corner| sum + CORNERS[corner]);
         (sum * (1.0 / corners.len() as f64)).to_array()
@@ -171,7 +168,6 @@ impl Diamonds {
     }
 }
 
-/// How the diamond is cut.
 #[derive(Clone, Copy, Debug)]
 enum Cut {
     /// From corner 1 to 3.

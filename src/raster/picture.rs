@@ -18,11 +18,9 @@ pub struct Image {
     pub size: [u32; 2],
     /// Its quantised colours.
     pub pixels: Pixels,
-    /// How many samples of each pixel an object covers, whatever the shading: also those where a wireframe shows nothing but
-    /// hides what is behind.
+    /// The number of samples of each pixel that an object covers, also invisible faces of a wireframe.
     pub coverage: Vec<u8>,
-    /// Linear colours before tone and transfer, the mean of a pixel's samples; only if they were asked for
-    /// ([`RenderSettings::keep_linear`](crate::raster::RenderSettings::keep_linear)).
+    /// Linear colours, the mean of a pixel's samples, with [`RenderSettings::keep_linear`](crate::raster::RenderSettings::keep_linear).
     pub linear: Option<Vec<[f32; 3]>>,
     /// What was done.
     pub statistics: Statistics,
@@ -47,8 +45,7 @@ impl Image {
 /// Counts and times of a drawing. Only the times differ from run to run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Statistics {
-    /// Pixels with at least one covered sample; under [`Shading::Wireframe`](crate::raster::Shading::Wireframe) those that show an
-    /// edge.
+    /// Pixels with a covered sample; under [`Shading::Wireframe`](crate::raster::Shading::Wireframe) those that show an edge.
     pub covered_pixels: u64,
     /// Triangles handed to the tiles.
     pub triangles_drawn: u64,

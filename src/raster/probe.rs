@@ -1,26 +1,26 @@
 //! The numbers behind one sample, in double precision and from unsnapped vertices.
 
 use crate::num::LinearRgb;
-use crate::raster::coverage::records::{Record, face_corners};
+use crate::raster::coverage::records::{Record, face_corners, takes_mean, triangle_corners};
 use crate::raster::coverage::triangles::{Corner, DrawnObject, PlanePoint, shares};
 use crate::raster::error::RenderError;
 use crate::raster::frame::job::{Job, shade_settings};
 use crate::raster::frame::render::bins;
 use crate::raster::frame::tile::Worker;
 use crate::raster::scene::{Paint, Scene};
-use crate::raster::settings::{FlatSample, Interpolation, RenderSettings, Shading};
+use crate::raster::settings::{Interpolation, RenderSettings, Shading};
+use crate::raster::shading::interpolate::ScanPolygon;
 use crate::raster::shading::ray_cast::cast;
-use crate::raster::shading::scanline::ScanPolygon;
 use crate::raster::shading::surface_colour::ObjectColour;
 use crate::raster::view::clip::{ClipVertex, NEAR, Shares, clip};
 use crate::shade::{Explanation, Light, Probe, SurfacePoint};
 use glam::{DVec2, DVec3};
 use serde::Serialize;
 
-/// What is seen at one sample of a pixel. Objects, faces and vertices are counted from 0.
+/// The surface that is visible at one sample of a pixel. Objects, faces and vertices count from 0.
 ///
-/// The visible face is found as the picture finds it, on snapped vertices. Everything else is computed again: at a rim the
-/// sample may lie outside the unsnapped face by 1/512 of a pixel, and a weight is then a little below 0.
+/// The visible face is that of the picture, on snapped vertices. All numbers are computed from unsnapped ones: at a rim a weight
+/// may be a little below 0.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ProbePoint {
     /// The number of the object.
@@ -29,8 +29,7 @@ pub struct ProbePoint {
     pub face: Option<u32>,
     /// Whether its front is seen.
     pub front: bool,
-    /// The vertices that its values are interpolated between: those of the triangle, or of the whole face with
-    /// [`Interpolation::Scanline`].
+    /// The vertices of the triangle, or of the whole face with [`Interpolation::Scanline`].
     pub vertices: Vec<u32>,
     /// The weight of each, by the settings' interpolation.
     pub weights: Vec<f64>,
@@ -38,13 +37,12 @@ pub struct ProbePoint {
     pub position: [f64; 3],
     /// Distance along the camera's axis.
     pub distance: f64,
-    /// The weighted sum of the vertices' normals, of the side that is lit: shorter than 1 where they differ. On an
-    /// analytic surface its own.
+    /// The weighted sum of the vertices' normals, of the lit side; of an analytic surface its normal.
     pub interpolated_normal: [f64; 3],
     /// The face's normal, of the side that is lit; of an analytic surface its own.
     pub face_normal: [f64; 3],
-    /// The points whose light, by their shares, is the colour: the sample itself under Phong and exact shading, the
-    /// vertices under Gouraud, one point or all corners under flat shading.
+    /// The points of which the colour consists by their shares: the sample under Phong and exact shading, the vertices under
+    /// Gouraud, one point or all corners under flat shading.
     pub lit: Vec<LitPoint>,
 }
 
@@ -132,10 +130,8 @@ fn lit_points(
     let lit = |source: &ColourSource| {
         let position = shade.frame.to_local(source.position).to_array();
         let surface = SurfacePoint { position, normal: source.normal.to_array() };
-        let light = match job.settings.asks_faces() && point.face.is_some() {
-            true => probe.explain_on(&surface, point.face_normal),
-            false => probe.explain(&surface),
-        };
+        let face = (job.settings.asks_faces() && point.face.is_some()).then_some(point.face_normal);
+        let light = probe.explain_on(&surface, face);
         // The picture would be an error, too, had rounding to single precision not moved the point.
         match light.not_finite() {
             Some(error) => Err(RenderError::NotFinite { object, error }),
@@ -169,48 +165,40 @@ fn on_surface(job: &Job, object: usize, at: [f64; 2]) -> Option<(ProbePoint, Vec
 fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> (ProbePoint, Vec<ColourSource>) {
     let object = &job.objects[drawn.object];
     let triangle = drawn.list.vertices(record.triangle);
-    let corners = drawn.list.corners(record.triangle);
     let PlanePoint { weights: in_scene, from_eye: relative } = drawn.plane_point(&job.view, triangle, at);
     let position = |vertex: u32| drawn.map.scene_point(drawn.points.get(vertex));
-    let face: Vec<(u32, u32)> =
-        face_corners(object, drawn, record).map(|corner| (corner.number, corner.vertex)).collect();
-    let (corners, weights): (Vec<(u32, u32)>, Vec<f64>) = match job.settings.interpolation {
-        Interpolation::Scanline if face.len() > 3 => {
-            let weights = scanline_weights(job, drawn, &face, at);
-            (face.clone(), weights)
-        }
-        Interpolation::Perspective => (corners.into_iter().zip(triangle).collect(), in_scene.to_vec()),
+    let face: Vec<Corner> = face_corners(object, drawn, record).collect();
+    let in_triangle = |weights: [f64; 3]| (triangle_corners(drawn, record).to_vec(), weights.to_vec());
+    let (corners, weights): (Vec<Corner>, Vec<f64>) = match job.settings.interpolation {
+        Interpolation::Scanline if face.len() > 3 => (face.clone(), scanline_weights(job, drawn, &face, at)),
+        Interpolation::Perspective => in_triangle(in_scene),
         Interpolation::Affine | Interpolation::Scanline => {
-            let weights = picture_weights(job, drawn, triangle, at);
-            (corners.into_iter().zip(triangle).collect(), weights.to_vec())
+            in_triangle(picture_weights(job, drawn, triangle, at))
         }
     };
-    let turned = record.turned;
-    let normal_at =
-        |&(number, vertex): &(u32, u32)| object.exact_corner_normal(Corner { number, vertex, turned });
-    let normal = corners.iter().zip(&weights).map(|(corner, &weight)| normal_at(corner) * weight).sum();
+    let normals = corners.iter().zip(&weights);
+    let normal = normals.map(|(&corner, &weight)| object.exact_corner_normal(corner) * weight).sum();
     let face_normal = match object.has_face_normals() {
         true => object.exact_face_normal(record.face, record.turned),
         false => normal,
     };
-    let given = |vertex: u32| match &object.colour {
-        ObjectColour::Given(colours) => Some(colours[vertex as usize]),
-        ObjectColour::Lit(_) => None,
-    };
-    let at_corner = |corner: &(u32, u32), share: f64| ColourSource {
+    let at_corner = |&corner: &Corner, share: f64| ColourSource {
         share,
-        position: position(corner.1) + job.view.origin,
-        normal: normal_at(corner),
-        given: given(corner.1),
+        position: position(corner.vertex) + job.view.origin,
+        normal: object.exact_corner_normal(corner),
+        given: match &object.colour {
+            ObjectColour::Given(colours) => Some(colours[corner.vertex as usize]),
+            ObjectColour::Lit(_) => None,
+        },
     };
     let is_given = matches!(object.colour, ObjectColour::Given(_));
     let count = face.len() as f64;
     let sources = match job.settings.shading {
-        Shading::Flat if is_given || job.settings.flat_sample == FlatSample::VertexMean => {
+        Shading::Flat if takes_mean(job, object) => {
             face.iter().map(|corner| at_corner(corner, 1.0 / count)).collect()
         }
         Shading::Flat => {
-            let sum: DVec3 = face.iter().map(|&(_, vertex)| position(vertex)).sum();
+            let sum: DVec3 = face.iter().map(|corner| position(corner.vertex)).sum();
             let position = sum / count + job.view.origin;
             vec![ColourSource { share: 1.0, position, normal: face_normal, given: None }]
         }
@@ -224,7 +212,7 @@ fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> (Pr
         object: drawn.object,
         face: Some(record.face),
         front: record.front,
-        vertices: corners.iter().map(|&(_, vertex)| vertex).collect(),
+        vertices: corners.iter().map(|corner| corner.vertex).collect(),
         weights,
         position: (relative + job.view.eye).to_array(),
         distance: relative.dot(job.view.axes[2]),
@@ -256,12 +244,13 @@ fn picture_weights(job: &Job, drawn: &DrawnObject, triangle: [u32; 3], at: [f64;
     fan.max_by(|a, b| a.0.total_cmp(&b.0)).map_or([0.0; 3], |(_, weights)| weights)
 }
 
-/// What the scanline algorithm takes of each corner of a face: its value where that corner has 1 and others have 0.
-fn scanline_weights(job: &Job, drawn: &DrawnObject, face: &[(u32, u32)], at: [f64; 2]) -> Vec<f64> {
-    let points = || face.iter().map(|&(_, vertex)| drawn.map.view(drawn.points.get(vertex)));
-    let weight = |corner: usize| {
-        let indicator = |k: usize| DVec3::splat(if k == corner { 1.0 } else { 0.0 });
-        let corners = points().enumerate().map(|(k, point)| (point, indicator(k)));
+/// The weights of corners under the scanline algorithm: the value where that corner has 1 and others have 0.
+fn scanline_weights(job: &Job, drawn: &DrawnObject, face: &[Corner], at: [f64; 2]) -> Vec<f64> {
+    let weight = |indicated: usize| {
+        let corners = face.iter().enumerate().map(|(k, corner)| {
+            let value = DVec3::splat(if k == indicated { 1.0 } else { 0.0 });
+            (drawn.map.view(drawn.points.get(corner.vertex)), value)
+        });
         ScanPolygon::unsnapped(&job.view, corners).value(at).x
     };
     (0..face.len()).map(weight).collect()

@@ -32,8 +32,7 @@ pub struct Scene<'a> {
 pub struct Object<'a> {
     /// Its form, in its own space.
     pub shape: Shape<'a>,
-    /// From its own space to the scene's: any affine map that can be undone. Mirrored objects stay lit from the right
-    /// side: normals go through the inverse transpose, and front faces stay front faces.
+    /// From its own space to the scene's: any invertible affine map. Normals and front faces of mirrored objects stay right.
     pub transform: DMat4,
     /// Its colour.
     pub paint: Paint<'a>,
@@ -74,8 +73,7 @@ pub struct Triangles<'a> {
     pub triangles: &'a [[u32; 3]],
     /// The unit normal of each vertex.
     pub normals: &'a [[f32; 3]],
-    /// The unit normal of each triangle: for flat shading, and to measure deviations from. May be empty if nothing
-    /// asks for it.
+    /// The unit normal of each triangle, for flat shading and deviations; else it may be empty.
     pub face_normals: &'a [[f32; 3]],
 }
 
@@ -133,8 +131,7 @@ pub enum LinePath {
 }
 
 impl Scene<'_> {
-    /// Smallest and largest corner of the box around all that is drawn, in the scene's space; `None` if nothing is.
-    /// Vertices that no face uses do not count, nor do lines along objects.
+    /// The bounding box of all that is drawn, in the scene's space, without unused vertices and lines along objects.
     pub fn bounds(&self) -> Option<(DVec3, DVec3)> {
         let mut bounds: Option<(DVec3, DVec3)> = None;
         self.each_point(|point| {
@@ -144,8 +141,7 @@ impl Scene<'_> {
         bounds
     }
 
-    /// Visits all points between which something is drawn, in the scene's space; of analytic surfaces the corners of
-    /// the box around them.
+    /// Visits all used points in the scene's space; of analytic surfaces the corners of their boxes.
     pub(super) fn each_point(&self, mut visit: impl FnMut(DVec3)) {
         self.each_point_of(|_| true, &mut visit);
     }
@@ -178,7 +174,6 @@ impl Scene<'_> {
     }
 }
 
-/// The corners of a box about the origin.
 pub(super) fn corners(half: DVec3) -> [DVec3; 8] {
     [0, 1, 2, 3, 4, 5, 6, 7].map(|signs: u32| {
         let sign = |bit: u32| if signs >> bit & 1 == 0 { -1.0 } else { 1.0 };
@@ -186,7 +181,6 @@ pub(super) fn corners(half: DVec3) -> [DVec3; 8] {
     })
 }
 
-/// Which vertices the corners of faces use.
 fn used(corners: &[u32], vertices: usize) -> Vec<bool> {
     let mut used = vec![false; vertices];
     for &vertex in corners {
@@ -207,7 +201,6 @@ impl<'a> Shape<'a> {
         }
     }
 
-    /// The vertices of a face.
     pub(crate) fn face(&self, face: u32) -> &'a [u32] {
         match *self {
             Shape::Mesh { mesh, .. } => mesh.faces().face(face as usize),
@@ -216,7 +209,6 @@ impl<'a> Shape<'a> {
         }
     }
 
-    /// The vertices of each face.
     pub(crate) fn faces(&self) -> impl Iterator<Item = &'a [u32]> {
         (0..self.face_count() as u32).map(|face| self.face(face))
     }
@@ -241,7 +233,6 @@ impl<'a> Shape<'a> {
         edges
     }
 
-    /// Where the vertices are; an analytic surface has none.
     pub(crate) fn points(&self) -> Option<Points<'a>> {
         match *self {
             Shape::Mesh { mesh, .. } => Some(Points::F64(mesh.positions())),

@@ -21,8 +21,7 @@ pub enum Shading {
     Phong,
     /// Nowhere: the edges of the faces are drawn as lines.
     Wireframe,
-    /// At every sample, with the true position and normal of the analytic surface that the object approximates, found by
-    /// casting a ray. Objects without one are an error.
+    /// At every sample, with position and normal of the analytic surface of the object, by casting a ray.
     Exact,
 }
 
@@ -30,12 +29,10 @@ pub enum Shading {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Interpolation {
-    /// Along the edges of the polygon, then along the scanline between them, on the picture: the lectures' algorithm
-    /// (F19). Turning a face of four corners or more changes its colours; in triangles it is the same as
-    /// [`Affine`](Self::Affine).
+    /// Along the edges of the polygon, then along the scanline between them, on the picture (F19). It depends on the rotation of a
+    /// face of four corners or more; in triangles it is [`Affine`](Self::Affine).
     Scanline,
-    /// Barycentric on the triangles that a face is cut into, on the picture. Does not turn with the face but depends on
-    /// how it is cut, and ignores perspective.
+    /// Barycentric on the triangles that a face is cut into, on the picture: depends on the cut and ignores perspective.
     Affine,
     /// Barycentric on the triangles, in the scene: right under perspective.
     #[default]
@@ -49,8 +46,7 @@ pub enum FlatSample {
     /// At the mean of its corners, with the face's normal.
     #[default]
     Centroid,
-    /// The mean of the colours that its corners would have under [`Shading::Gouraud`], as exercise 1.6.25 of the
-    /// lectures has it.
+    /// The mean of the colours of its corners under [`Shading::Gouraud`] (exercise 1.6.25).
     VertexMean,
 }
 
@@ -89,8 +85,8 @@ pub enum Show {
     Depth,
     /// A colour for each face.
     FaceId,
-    /// The angle between the interpolated normal and the true one: that of the object's analytic surface, else that of
-    /// the face. Black at 0, over red and yellow to white at the given angle and beyond.
+    /// The angle between the interpolated normal and that of the object's analytic surface, else that of the face. Black at 0, over
+    /// red and yellow to white at the given angle.
     Deviation(Degrees),
 }
 
@@ -132,10 +128,8 @@ impl Bits {
     }
 }
 
-/// How many samples each pixel has; the pixel is their mean. Each is shaded by itself.
-///
-/// The places, in 256ths of a pixel from its upper left corner: one sample is the centre; 4, 8 and 16 are the standard
-/// patterns of Direct3D 11 (`D3D11_STANDARD_MULTISAMPLE_PATTERN`), in which no two samples share a row or a column.
+/// The number of samples of each pixel, which is their mean: the centre, or a standard pattern of Direct3D 11
+/// (`D3D11_STANDARD_MULTISAMPLE_PATTERN`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Samples {
     /// The centre.
@@ -149,28 +143,12 @@ pub enum Samples {
     Sixteen,
 }
 
-/// Sixteenths of a pixel from its centre.
-type Pattern = &'static [[i32; 2]];
-
-const FOUR: Pattern = &[[-2, -6], [6, -2], [-6, 2], [2, 6]];
-const EIGHT: Pattern = &[[1, -3], [-1, 3], [5, 1], [-3, -5], [-5, 5], [-7, -1], [3, 7], [7, -7]];
-const SIXTEEN: Pattern = &[
-    [1, 1],
-    [-1, -3],
-    [-3, 2],
-    [4, -1],
-    [-5, -2],
-    [2, 5],
-    [5, 3],
-    [3, -5],
-    [-2, 6],
-    [0, -7],
-    [-4, -6],
-    [-6, 4],
-    [-8, 0],
-    [7, -4],
-    [6, 7],
-    [-7, -8],
+// Pairs of x and y, in sixteenths of a pixel from its centre.
+const FOUR: [i32; 8] = [-2, -6, 6, -2, -6, 2, 2, 6];
+const EIGHT: [i32; 16] = [1, -3, -1, 3, 5, 1, -3, -5, -5, 5, -7, -1, 3, 7, 7, -7];
+const SIXTEEN: [i32; 32] = [
+    1, 1, -1, -3, -3, 2, 4, -1, -5, -2, 2, 5, 5, 3, 3, -5, -2, 6, 0, -7, -4, -6, -6, 4, -8, 0, 7, -4, 6, 7,
+    -7, -8,
 ];
 
 impl Samples {
@@ -196,18 +174,18 @@ impl Samples {
         self.pattern().iter().map(|place| place.map(|x| HALF + x * ONE / 16))
     }
 
-    fn pattern(self) -> Pattern {
-        match self {
-            Self::One => &[[0, 0]],
-            Self::Four => FOUR,
-            Self::Eight => EIGHT,
-            Self::Sixteen => SIXTEEN,
-        }
+    fn pattern(self) -> &'static [[i32; 2]] {
+        let numbers: &[i32] = match self {
+            Self::One => &[0, 0],
+            Self::Four => &FOUR,
+            Self::Eight => &EIGHT,
+            Self::Sixteen => &SIXTEEN,
+        };
+        numbers.as_chunks().0
     }
 }
 
-/// Everything about a picture that is not in the scene. Threads are not here: drawing uses the current pool of rayon
-/// and gives the same bytes whatever its size.
+/// Everything about a picture that is not in the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RenderSettings {
     /// Width and height in pixels, 1 to 16384 each.
@@ -230,8 +208,7 @@ pub struct RenderSettings {
     pub infinite_viewer: bool,
     /// The guards of the lighting formulas.
     pub guards: Guards,
-    /// What becomes of light that reaches a face from behind, under [`Shading::Phong`]. Gouraud's shading lights corners, which
-    /// several faces share, and flat shading has no other normal than the face's: there it changes nothing.
+    /// The treatment of light that reaches a face from behind, under [`Shading::Phong`] only.
     pub terminator: Terminator,
     /// Fading with the distance to the viewer.
     pub depth_cue: Option<DepthCue>,

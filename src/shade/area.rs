@@ -9,14 +9,12 @@ use std::f64::consts::{PI, TAU};
 
 /// Corners of the polygon that approximates a disc.
 ///
-/// It has the disc's area, so that far away nothing differs; on the axis of a disc of radius R at the distance h its
-/// irradiance is below R²/(R²+h²) by at most 1.3e-7 of it, at h = R.
+/// It has the disc's area. On the axis of the disc its irradiance is too small by at most 1.3e-7 of it.
 const DISC_CORNERS: usize = 64;
 
 /// Cutting a convex polygon by a plane adds one corner at the most.
 const MOST_CORNERS: usize = DISC_CORNERS + 1;
 
-/// An area light in the frame of a shader.
 #[derive(Clone, Debug)]
 pub(super) struct AreaSource {
     /// Counter-clockwise as seen from the side that it shines to.
@@ -56,7 +54,7 @@ impl AreaSource {
         }
     }
 
-    /// The diffuse irradiance at a point with this normal, as a part of what a surface surrounded by the light gets.
+    /// The diffuse irradiance at a point with this normal, as a share of that of a surface surrounded by the light.
     pub(super) fn irradiance(&self, point: DVec3, normal: DVec3) -> f64 {
         let Some(polygon) = self.seen_from(point) else { return 0.0 };
         let polygon = &polygon[..self.corners.len()];
@@ -74,8 +72,7 @@ impl AreaSource {
         }
     }
 
-    /// The irradiance of a surface at this point that faces the light: what its highlight is scaled by, as a point
-    /// light's is by its attenuation.
+    /// The irradiance of a surface at this point that faces the light: the factor of its highlight.
     pub(super) fn facing(&self, point: DVec3) -> f64 {
         self.seen_from(point)
             .map_or(0.0, |polygon| vector_irradiance(&polygon[..self.corners.len()]).length())
@@ -101,14 +98,13 @@ impl AreaSource {
         Some(polygon)
     }
 
-    /// The point of the light that the mirrored ray meets or comes closest to: what the eye takes the highlight of the
-    /// whole light for (Karis, *Real shading in Unreal Engine 4*, SIGGRAPH 2013 course).
+    /// The point of the light that the mirrored ray meets or comes closest to (Karis, *Real shading in Unreal Engine 4*,
+    /// SIGGRAPH 2013 course).
     fn representative(&self, point: DVec3, ray: DVec3) -> DVec3 {
         let (AreaShape::Rectangle { centre, .. } | AreaShape::Disc { centre, .. }) = self.shape;
         let below = (centre - point).dot(self.normal);
         let speed = ray.dot(self.normal);
-        // Where the ray meets the plane of the light, seen from the centre; a ray that leaves the plane behind comes
-        // closest to it at the rim, in its own direction.
+        // The point where the ray meets the plane, relative to the centre; without one the ray comes closest at the rim.
         let meets = below / speed > 0.0;
         let from_centre =
             if meets { point + ray * (below / speed) - centre } else { ray - self.normal * speed };
@@ -135,15 +131,14 @@ fn sign(x: f64) -> f64 {
     if x == 0.0 { 0.0 } else { x.signum() }
 }
 
-/// Lambert's formula: (1/2π) Σ Θ Γ over the edges of a polygon as seen from the origin, Θ the angle of an edge and Γ the
-/// unit normal of the plane through it and the eye. Its product with a normal is the diffuse irradiance from a polygon
-/// that lies above the horizon (Lambert 1760; Baum, Rushmeier & Winget, SIGGRAPH 1989). Edges whose plane is undefined
-/// add nothing.
+/// Lambert's formula: (1/2π) Σ Θ Γ over the edges of a polygon seen from the origin, Θ the angle of an edge and Γ the unit
+/// normal of the plane through it and the origin; edges without such a plane add nothing. Its product with a normal is the
+/// diffuse irradiance from a polygon above the horizon (Baum, Rushmeier & Winget, SIGGRAPH 1989).
 fn vector_irradiance(polygon: &[DVec3]) -> DVec3 {
     let mut sum = DVec3::ZERO;
     let mut from = polygon.last().copied().unwrap_or_default();
     for &to in polygon {
-        // Clockwise as seen from the lit side is what is counter-clockwise for the light.
+        // Clockwise seen from the lit side is counter-clockwise seen from the light.
         let cross = to.cross(from);
         let length = cross.length();
         if length > 0.0 {

@@ -1,14 +1,14 @@
-//! What is refused, where it stands and what to do about it.
+//! Invalid numbers of lights, materials and settings, and colours that are not finite.
 
 use crate::num::{Degrees, LinearRgb, Radians, Real};
 use glam::DVec3;
 use std::fmt;
 
-/// A number of a light, a material or a setting that makes no sense.
+/// An invalid number of a light, a material or the settings.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{place}: {field} is {found}; it must be {expected}")]
 pub struct ShadeError {
-    /// Where it stands.
+    /// What it belongs to.
     pub place: Place,
     /// Which number.
     pub field: &'static str,
@@ -18,7 +18,7 @@ pub struct ShadeError {
     pub expected: &'static str,
 }
 
-/// Where a number of a scene's lighting stands.
+/// The part of a scene's lighting that a number belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
     /// A light, counted from 0.
@@ -32,7 +32,6 @@ pub enum Place {
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            // People count from 1.
             Place::Light(number) => write!(f, "light {number}"),
             Place::Material => f.write_str("material"),
             Place::Settings => f.write_str("shading"),
@@ -53,7 +52,7 @@ pub struct NotFinite {
     pub position: [f64; 3],
     /// Its normal.
     pub normal: [f64; 3],
-    /// The first light, counted from 0, whose part of the colour is not finite, if it is one.
+    /// The first light, counted from 0, with a term that is not finite, if there is one.
     pub light: Option<usize>,
 }
 
@@ -67,19 +66,16 @@ fn cause(normal: &[f64; 3], light: &Option<usize>) -> String {
     }
 }
 
-/// Checks of one place.
-#[derive(Clone, Copy)]
-pub(super) struct Check(pub(super) Place);
-
-impl Check {
-    pub(super) fn text(self, field: &'static str, found: String, expected: &'static str) -> ShadeError {
-        ShadeError { place: self.0, field, found, expected }
+/// Checks of numbers that belong to this part of the lighting.
+impl Place {
+    pub(super) fn error(self, field: &'static str, found: String, expected: &'static str) -> ShadeError {
+        ShadeError { place: self, field, found, expected }
     }
 
-    pub(super) fn degrees(self, field: &'static str, radians: f64, expected: &'static str) -> ShadeError {
-        // As it was written: converting to radians and back costs the last digits.
-        let degrees = libm::round(Degrees::from(Radians(radians)).0 * 1e9) / 1e9;
-        self.text(field, format!("{degrees}°"), expected)
+    /// The error of an angle, in degrees as written: the conversion to radians and back loses the last digits.
+    pub(super) fn angle_error(self, field: &'static str, angle: f64, expected: &'static str) -> ShadeError {
+        let degrees = libm::round(Degrees::from(Radians(angle)).0 * 1e9) / 1e9;
+        self.error(field, format!("{degrees}°"), expected)
     }
 
     fn hold(
@@ -89,7 +85,7 @@ impl Check {
         found: impl fmt::Display,
         expected: &'static str,
     ) -> Result<(), ShadeError> {
-        if holds { Ok(()) } else { Err(self.text(field, found.to_string(), expected)) }
+        if holds { Ok(()) } else { Err(self.error(field, found.to_string(), expected)) }
     }
 
     pub(super) fn not_negative(self, field: &'static str, value: f64) -> Result<(), ShadeError> {
@@ -106,14 +102,11 @@ impl Check {
         self.hold(holds, field, format!("({r}, {g}, {b})"), "of finite components, none of them negative")
     }
 
-    /// Whether a colour, which has been found finite, is so in the precision of `R` too.
+    /// Whether a finite colour is in the range of `R`. The error writes exponents, not hundreds of digits.
     pub(super) fn in_range<R: Real>(self, field: &'static str, colour: LinearRgb) -> Result<(), ShadeError> {
-        // As they were typed: without exponent they have hundreds of digits.
+        let expected = "in the range of numbers: 3.4e38 in single precision";
         let found = || format!("{:?}", colour.to_array());
-        match colour.largest() <= R::MAX.to_f64() {
-            true => Ok(()),
-            false => Err(self.text(field, found(), "in the range of numbers: 3.4e38 in single precision")),
-        }
+        if colour.largest() <= R::MAX.to_f64() { Ok(()) } else { Err(self.error(field, found(), expected)) }
     }
 
     pub(super) fn position(self, field: &'static str, position: DVec3) -> Result<(), ShadeError> {

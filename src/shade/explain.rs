@@ -1,4 +1,4 @@
-//! Every term of the colour of one point, for students to follow.
+//! The terms of the colour of one point.
 
 use super::error::{NotFinite, ShadeError};
 use super::formula::{self, half_vector};
@@ -6,26 +6,27 @@ use super::light::Light;
 use super::material::Material;
 use super::settings::{Guards, ShadeSettings};
 use super::shader::{Shader, SurfacePoint, View};
-use super::term::{Highlight, Incoming, LightTerm, PreparedPoint};
+use super::source::{Highlight, Incoming, LightTerm, PreparedPoint};
+
 use crate::num::{Nine, NineEach};
 use glam::DVec3;
 use serde::Serialize;
 use std::fmt;
 
-/// How the colour of a point came about. Vectors are unit vectors in the world, distances in its unit.
+/// The terms of the colour of a point. Vectors are unit vectors in the world, distances in its unit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Explanation {
     /// The point.
     pub position: [f64; 3],
-    /// N, as it was used: renormalised and turned if the settings say so.
+    /// N, renormalised and flipped as the settings ask.
     pub normal: [f64; 3],
     /// V, to the viewer.
     pub view: [f64; 3],
-    /// The distance to the viewer; none if he is at infinity.
+    /// The distance to the viewer; `None` at infinity.
     pub view_distance: Option<f64>,
     /// Σ I_a K_a.
     pub ambient: [f64; 3],
-    /// Each light but ambient ones, also where the material returns nothing of it.
+    /// All lights but ambient ones, also those that the material does not reflect.
     pub lights: Vec<LightExplanation>,
     /// 1/(d+k) with the distance to the viewer, if there is depth cueing.
     pub depth_cue: Option<f64>,
@@ -38,7 +39,7 @@ pub struct Explanation {
 }
 
 impl Explanation {
-    /// The error that a picture is if this sum is infinite or not a number.
+    /// The error of a picture if this sum is not finite.
     pub fn not_finite(&self) -> Option<NotFinite> {
         let is_finite = |parts: &[f64; 3]| parts.iter().all(|part| part.is_finite());
         let spoils = |light: &&LightExplanation| {
@@ -54,7 +55,7 @@ impl Explanation {
     }
 }
 
-/// One light's part.
+/// The terms of one light.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LightExplanation {
     /// Its number among the scene's lights, from 0.
@@ -63,13 +64,13 @@ pub struct LightExplanation {
     pub kind: &'static str,
     /// L, to the light; for an area light to its representative point.
     pub towards: [f64; 3],
-    /// Its distance; none if it is at infinity.
+    /// Its distance; `None` at infinity.
     pub distance: Option<f64>,
-    /// The factor of the distance: 1 if it is at infinity. For an area light what a surface facing it gets.
+    /// The factor of the distance: 1 at infinity. For an area light the irradiance of a surface facing it.
     pub attenuation: f64,
     /// The factor of a spot's cone.
     pub cone: Option<f64>,
-    /// What an area light sends to a diffuse surface here, in place of attenuation and N·L.
+    /// The irradiance from an area light, in place of attenuation and N·L.
     pub irradiance: Option<f64>,
     /// N·L, not clamped.
     pub n_dot_l: f64,
@@ -77,7 +78,7 @@ pub struct LightExplanation {
     pub reflected: [f64; 3],
     /// V·R.
     pub v_dot_r: f64,
-    /// H = (L+V)/‖L+V‖; none where that is 0/0.
+    /// H = (L+V)/‖L+V‖; `None` for 0/0.
     pub half: Option<[f64; 3]>,
     /// N·H.
     pub n_dot_h: Option<f64>,
@@ -148,17 +149,13 @@ impl Probe {
 
     /// The sum of [`Shader::shade`] at this point, with its terms. Numbers that are not finite are reported unchanged.
     pub fn explain(&self, point: &SurfacePoint<f64>) -> Explanation {
-        self.explain_with(point, None)
+        self.explain_on(point, None)
     }
 
-    /// The same of [`Shader::shade_on`]: on a face with this unit normal.
-    pub fn explain_on(&self, point: &SurfacePoint<f64>, face: [f64; 3]) -> Explanation {
-        self.explain_with(point, Some(face))
-    }
-
-    fn explain_with(&self, point: &SurfacePoint<f64>, face: Option<[f64; 3]>) -> Explanation {
+    /// The same of [`Shader::shade_on`].
+    pub fn explain_on(&self, point: &SurfacePoint<f64>, face: Option<[f64; 3]>) -> Explanation {
         let shader = &self.guarded;
-        // V is reported even if no term needs it.
+        // V is reported also if no term needs it.
         let (view, view_distance) = shader.viewer.at(point.position);
         let prepared = PreparedPoint { view, view_distance, ..shader.prepared(point, face) };
         let literally = PreparedPoint { view, view_distance, ..self.literal.prepared(point, face) };
@@ -200,7 +197,7 @@ impl Shader<f64> {
     ) -> LightExplanation {
         let (normal, view, towards) = (point.normal, point.view, incoming.towards);
         let reflected = formula::mirrored(normal, towards);
-        let half = half_vector(DVec3::from_array(towards), DVec3::from_array(view)).map(|h| h.to_array());
+        let half = half_vector(towards.into(), view.into()).map(|h| h.to_array());
         let literal = [0.0; 3];
         LightExplanation {
             light: term.number,
@@ -248,7 +245,6 @@ impl fmt::Display for Explanation {
 
 impl fmt::Display for LightExplanation {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        // People count from 1.
         writeln!(f, "light {}, {}", self.light, self.kind)?;
         match self.distance {
             Some(distance) => {
@@ -288,7 +284,7 @@ impl Term {
     fn write(&self, f: &mut fmt::Formatter, name: &str) -> fmt::Result {
         let [guarded, literal] = [self.guarded, self.literal].map(|term| NineEach(term).to_string());
         write!(f, "  {name}   {guarded}")?;
-        // Normals that are not renormalised differ in the last places even where they had unit length.
+        // Without renormalisation the last digits differ even for unit normals.
         if literal != guarded {
             write!(f, "; without guards {literal}")?;
         }

@@ -1,12 +1,9 @@
-//! The lectures' formulas, once, for both precisions: no branches but selections, so that a loop over rows becomes
-//! vector code and gives the bits of a single point.
-//!
-//! What is undefined stays NaN through every selection here (`x < y` is false for it) and is found at the end.
+//! The lectures' formulas for both precisions. They have selections and no branches, so that loops over rows become vector
+//! code with the bits of a single point. Undefined values stay NaN through every selection (`x < y` is false for NaN).
 
 use crate::num::Real;
 use glam::DVec3;
 
-/// A vector or a colour.
 pub(super) type Triple<R> = [R; 3];
 
 /// The unit vector of a direction that has been checked.
@@ -19,25 +16,21 @@ pub(super) fn rounded<R: Real>(v: DVec3) -> Triple<R> {
     v.to_array().map(|x| R::of(x))
 }
 
-/// a·b.
 #[inline(always)]
 pub(super) fn dot<R: Real>(a: Triple<R>, b: Triple<R>) -> R {
     (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]
 }
 
-/// a + b.
 #[inline(always)]
 pub(super) fn plus<R: Real>(a: Triple<R>, b: Triple<R>) -> Triple<R> {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-/// a − b.
 #[inline(always)]
 pub(super) fn minus<R: Real>(a: Triple<R>, b: Triple<R>) -> Triple<R> {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// k·a.
 #[inline(always)]
 pub(super) fn times<R: Real>(a: Triple<R>, k: R) -> Triple<R> {
     [a[0] * k, a[1] * k, a[2] * k]
@@ -52,8 +45,7 @@ fn squared_cross<R: Real>(a: Triple<R>, b: Triple<R>) -> R {
     dot([x, y, z], [x, y, z])
 }
 
-/// The unit vector of a normal. One whose square underflows has no direction and becomes zero, which only ambient
-/// light lights; one whose square overflows becomes NaN.
+/// The unit vector of a normal: zero if its square underflows, NaN if it overflows.
 #[inline(always)]
 pub(super) fn normalised<R: Real>(v: Triple<R>) -> Triple<R> {
     let square = dot(v, v);
@@ -62,8 +54,7 @@ pub(super) fn normalised<R: Real>(v: Triple<R>) -> Triple<R> {
     times(v, if square > R::MAX { R::NAN } else { factor })
 }
 
-/// The unit vector from one point to another, and the distance. NaN where they are the same, and where the square of
-/// the distance leaves the range of numbers.
+/// The unit vector from one point to another, and the distance; NaN where the square of the distance is out of range.
 #[inline(always)]
 pub(super) fn towards<R: Real>(from: Triple<R>, to: Triple<R>) -> (Triple<R>, R) {
     let v = minus(to, from);
@@ -108,14 +99,14 @@ pub(super) fn at_least<R: Real>(x: R, least: R) -> R {
     if x < least { least } else { x }
 }
 
-/// The share of light left near the terminator, −g³ + g² + g with g = N_g·L/((N·L)(N_g·N)): 1 for g ≥ 1, 0 where the face is
-/// turned away (Chiang, Li & Burley 2019). Takes N_g·L, N·L and N_g·N of unit vectors.
+/// The factor of light near the terminator, −g³ + g² + g with g = N_g·L/((N·L)(N_g·N)): 1 for g ≥ 1, 0 where N_g·L ≤ 0
+/// (Chiang, Li & Burley 2019). Takes N_g·L, N·L and N_g·N of unit vectors.
 #[inline(always)]
 pub(super) fn softened<R: Real>(face_light: R, normal_light: R, face_normal: R) -> R {
     let product = normal_light * face_normal;
     let g = face_light / product;
     let soft = g * (R::ONE + g * (R::ONE - g));
-    // Also where N itself is turned away: what is left there is not this factor's to take.
+    // Also 1 where N itself is turned away.
     let soft = if product > face_light { soft } else { R::ONE };
     if face_light > R::ZERO { soft } else { R::ZERO }
 }
@@ -134,8 +125,7 @@ pub(super) fn phong_cosine<R: Real>(normal: Triple<R>, light: Triple<R>, view: T
     (product + product) - dot(light, view)
 }
 
-/// N·H with H = (L+V)/‖L+V‖ (F6). Light from exactly behind the point as the viewer sees it has no half-vector,
-/// 0/0, and gives no highlight; what is left of L + V then is only rounding, whose square this is.
+/// N·H with H = (L+V)/‖L+V‖ (F6); 0 where L + V is no more than rounding.
 #[inline(always)]
 pub(super) fn blinn_cosine<R: Real>(normal: Triple<R>, light: Triple<R>, view: Triple<R>) -> R {
     let sum = plus(light, view);

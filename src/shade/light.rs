@@ -1,26 +1,27 @@
-//! Lights: what shines, from where, and how it fades.
+//! Lights and their attenuation.
 
-use super::error::{Check, Place, ShadeError};
+use super::error::{Place, ShadeError};
 use crate::num::{LinearRgb, Radians};
 use glam::{DVec3, DVec4};
+use serde::Deserialize;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// A light. Positions and directions are in the world; the colour is intensity and colour in one, and may exceed 1.
+/// A light. Positions and directions are in the world; the colour includes the intensity, and may exceed 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Light {
-    /// From everywhere, the same at every point, never attenuated (F7): it replaces the light that other surfaces reflect.
+    /// From everywhere, the same at every point, never attenuated (F7).
     Ambient {
         /// I_a.
         colour: LinearRgb,
     },
-    /// From infinitely far away: a homogeneous position with w = 0 (F13, 1.6.40). Its attenuation is exactly 1 (F10).
+    /// From infinitely far away, w = 0 (F13, 1.6.40), with an attenuation of exactly 1 (F10).
     Directional {
-        /// The way from the surface *to* the light, of any length but zero.
+        /// The direction from the surface *to* the light, of any length but zero.
         towards: DVec3,
         /// I_i.
         colour: LinearRgb,
     },
-    /// From one point to all sides: a homogeneous position with w = 1 (F11, 1.6.41).
+    /// From one point to all sides, w = 1 (F11, 1.6.41).
     Point {
         /// Where it is.
         position: DVec3,
@@ -29,7 +30,7 @@ pub enum Light {
         /// How it fades with the distance to the lit point.
         attenuation: Attenuation,
     },
-    /// From one point into a cone (F12, 1.6.42): the lectures' three knobs are direction, cut-off and exponent.
+    /// From one point into a cone (F12, 1.6.42).
     Spot {
         /// Where it is.
         position: DVec3,
@@ -40,7 +41,7 @@ pub enum Light {
         /// The cone.
         cone: Cone,
     },
-    /// From a surface (F14). Its colour is what a white diffuse surface that sees nothing else than it would show.
+    /// From a surface (F14). A white diffuse surface that is surrounded by it shows its colour.
     Area {
         /// The surface.
         shape: AreaShape,
@@ -49,14 +50,13 @@ pub enum Light {
     },
 }
 
-/// Where a spot shines: the factor cosᵉ∠(axis, ray) times the soft edge.
+/// The cone of a spot: the factor cosᵉ∠(axis, ray) times the soft edge.
 ///
-/// Inside the cut-off angle c the soft edge of width s has the factor ((cos θ − cos c)/(cos(c−s) − cos c))², 1 at the
-/// most: the falloff of glTF's KHR_lights_punctual. It is computed from versines, 1 − cos, which distinguish narrow
-/// cones that cosines in single precision cannot.
+/// Inside the cut-off angle c a soft edge of width s has the factor ((cos θ − cos c)/(cos(c−s) − cos c))², at most 1, as in
+/// glTF's KHR_lights_punctual.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone {
-    /// The way that the light goes along the middle, of any length but zero.
+    /// The direction of the light along the middle, of any length but zero.
     pub axis: DVec3,
     /// Half the opening angle: over 0 and up to 90°, or 180° for none.
     pub cut_off: Radians,
@@ -73,7 +73,7 @@ impl Cone {
     }
 }
 
-/// A surface that shines, to one side only, the same at every point and in every direction (Lambert).
+/// A surface that shines to one side only, evenly at every point and in every direction (Lambert).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AreaShape {
     /// The points centre + a·u + b·v with a and b from −1 to 1. It shines to the side of u × v.
@@ -85,7 +85,7 @@ pub enum AreaShape {
         /// From the middle to the middle of the next side: at a right angle to u.
         v: DVec3,
     },
-    /// A round surface, taken as a regular polygon of 64 corners and the same area.
+    /// A disc, computed as a regular polygon of 64 corners and the same area.
     Disc {
         /// The middle.
         centre: DVec3,
@@ -96,59 +96,46 @@ pub enum AreaShape {
     },
 }
 
-/// How light fades with the distance d **to the light**. Fading with the distance to the *viewer* is a
-/// [`DepthCue`](super::DepthCue): the lectures give both the same symbol (F9, F17).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// Attenuation by the distance d **to the light** (F9). That by the distance to the *viewer* is a
+/// [`DepthCue`](super::DepthCue).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Attenuation {
     /// 1.
     #[default]
     None,
     /// 1/d²: geometry alone. Infinite at the light.
     InverseSquare,
-    /// max(1 − (d/r)⁴, 0)/d²: nothing beyond the range r, as glTF's KHR_lights_punctual recommends.
-    InverseSquareWithin {
-        /// r.
-        range: f64,
-    },
+    /// max(1 − (d/r)⁴, 0)/d² with the range r, as glTF's KHR_lights_punctual recommends.
+    InverseSquareWithin(f64),
     /// 1/(d + k): at most 1/k.
-    Offset {
-        /// k.
-        k: f64,
-    },
-    /// 1/(kc + kl·d + kq·d²).
-    Quadratic {
-        /// kc.
-        constant: f64,
-        /// kl.
-        linear: f64,
-        /// kq.
-        quadratic: f64,
-    },
+    Offset(f64),
+    /// 1/(kc + kl·d + kq·d²) with kc, kl, kq.
+    Quadratic([f64; 3]),
 }
 
 impl Attenuation {
-    /// kc, kl and kq: every rule is 1/(kc + kl·d + kq·d²), apart from the range of one.
+    /// kc, kl and kq of the formula 1/(kc + kl·d + kq·d²), which all rules follow within their range.
     pub(super) fn coefficients(self) -> [f64; 3] {
         match self {
             Attenuation::None => [1.0, 0.0, 0.0],
-            Attenuation::InverseSquare | Attenuation::InverseSquareWithin { .. } => [0.0, 0.0, 1.0],
-            Attenuation::Offset { k } => [k, 1.0, 0.0],
-            Attenuation::Quadratic { constant, linear, quadratic } => [constant, linear, quadratic],
+            Attenuation::InverseSquare | Attenuation::InverseSquareWithin(_) => [0.0, 0.0, 1.0],
+            Attenuation::Offset(k) => [k, 1.0, 0.0],
+            Attenuation::Quadratic(coefficients) => coefficients,
         }
     }
 
-    /// The distance beyond which nothing is left: infinite but for one rule.
+    /// The distance beyond which no light arrives.
     pub(super) fn range(self) -> f64 {
         match self {
-            Attenuation::InverseSquareWithin { range } => range,
+            Attenuation::InverseSquareWithin(range) => range,
             _ => f64::INFINITY,
         }
     }
 }
 
 impl Light {
-    /// A light at a homogeneous position (F13): directional for w = 0, where the attenuation does not count, and a
-    /// point at (x, y, z)/w otherwise.
+    /// A light at a homogeneous position (F13): directional for w = 0, else a point at (x, y, z)/w.
     ///
     /// ```
     /// use crease::num::LinearRgb;
@@ -190,83 +177,87 @@ impl Light {
         }
     }
 
-    /// Whether every number makes sense; `number` is the light's among its scene's, from 0, for the error to name.
+    /// Whether every number is valid; the error names the light by its `number`.
     ///
     /// # Errors
-    /// The first number that does not: what is not finite, negative colours and attenuations, directions of length 0,
-    /// angles that are no cone's, sides that are no rectangle's.
+    /// The first invalid number: not finite, negative, a direction of length 0, an angle out of range, sides that are not at a
+    /// right angle.
     pub fn check(&self, number: usize) -> Result<(), ShadeError> {
-        let check = Check(Place::Light(number));
-        check.colour("colour", self.colour())?;
+        let place = Place::Light(number);
+        place.colour("colour", self.colour())?;
         match *self {
             Light::Ambient { .. } => Ok(()),
-            Light::Directional { towards, .. } => check.direction("direction", towards),
+            Light::Directional { towards, .. } => place.direction("direction", towards),
             Light::Point { position, attenuation, .. } => {
-                check.position("position", position)?;
-                attenuation.check(check)
+                place.position("position", position)?;
+                attenuation.check(place)
             }
             Light::Spot { position, attenuation, cone, .. } => {
-                check.position("position", position)?;
-                attenuation.check(check)?;
-                cone.check(check)
+                place.position("position", position)?;
+                attenuation.check(place)?;
+                cone.check(place)
             }
-            Light::Area { shape, .. } => shape.check(check),
+            Light::Area { shape, .. } => shape.check(place),
         }
     }
 }
 
 impl Attenuation {
-    fn check(self, check: Check) -> Result<(), ShadeError> {
+    fn check(self, place: Place) -> Result<(), ShadeError> {
         match self {
             Attenuation::None | Attenuation::InverseSquare => Ok(()),
-            Attenuation::InverseSquareWithin { range } => check.positive("range", range),
-            Attenuation::Offset { k } => check.not_negative("k", k),
-            Attenuation::Quadratic { constant, linear, quadratic } => {
+            Attenuation::InverseSquareWithin(range) => place.positive("range", range),
+            Attenuation::Offset(k) => place.not_negative("k", k),
+            Attenuation::Quadratic([constant, linear, quadratic]) => {
                 let named = [("kc", constant), ("kl", linear), ("kq", quadratic)];
-                named.into_iter().try_for_each(|(name, value)| check.not_negative(name, value))?;
+                named.into_iter().try_for_each(|(name, value)| place.not_negative(name, value))?;
                 // All zero would be light without end everywhere.
-                check.positive("kc + kl + kq", constant + linear + quadratic)
+                place.positive("kc + kl + kq", constant + linear + quadratic)
             }
         }
     }
 }
 
 impl Cone {
-    fn check(&self, check: Check) -> Result<(), ShadeError> {
+    fn check(&self, place: Place) -> Result<(), ShadeError> {
         let Radians(cut_off) = self.cut_off;
-        check.direction("axis", self.axis)?;
+        place.direction("axis", self.axis)?;
         if !(cut_off > 0.0 && cut_off <= FRAC_PI_2) && cut_off != PI {
-            return Err(check.degrees("cut-off", cut_off, "over 0° and up to 90°, or 180° for no cut-off"));
+            return Err(place.angle_error(
+                "cut-off",
+                cut_off,
+                "over 0° and up to 90°, or 180° for no cut-off",
+            ));
         }
         let Radians(soft) = self.soft_edge;
         if !(soft >= 0.0 && soft <= cut_off) {
-            return Err(check.degrees("soft edge", soft, "0° or more and no wider than the cut-off"));
+            return Err(place.angle_error("soft edge", soft, "0° or more and no wider than the cut-off"));
         }
-        check.not_negative("spot exponent", self.exponent)
+        place.not_negative("spot exponent", self.exponent)
     }
 }
 
 impl AreaShape {
-    fn check(&self, check: Check) -> Result<(), ShadeError> {
+    fn check(&self, place: Place) -> Result<(), ShadeError> {
         match *self {
             AreaShape::Rectangle { centre, u, v } => {
-                check.position("centre", centre)?;
-                check.direction("side u", u)?;
-                check.direction("side v", v)?;
+                place.position("centre", centre)?;
+                place.direction("side u", u)?;
+                place.direction("side v", v)?;
                 let (length_u, length_v) = (u.length(), v.length());
                 if (u / length_u).dot(v / length_v).abs() > RIGHT_ANGLE {
-                    return Err(check.text("pair of sides", format!("{u} and {v}"), "at a right angle"));
+                    return Err(place.error("pair of sides", format!("{u} and {v}"), "at a right angle"));
                 }
                 Ok(())
             }
             AreaShape::Disc { centre, normal, radius } => {
-                check.position("centre", centre)?;
-                check.direction("normal", normal)?;
-                check.positive("radius", radius)
+                place.position("centre", centre)?;
+                place.direction("normal", normal)?;
+                place.positive("radius", radius)
             }
         }
     }
 }
 
-/// How far the sides of a rectangle may be from a right angle: what is left of one written with six digits.
+/// The largest cosine between the sides of a rectangle: sides may be written with six digits.
 const RIGHT_ANGLE: f64 = 1e-5;

@@ -1,12 +1,12 @@
 //! Materials: what a surface does with light.
 
-use super::error::{Check, Place, ShadeError};
+use super::error::{Place, ShadeError};
 use crate::num::{LinearRgb, Real};
 
-/// How much of the light a surface returns, of one kind of reflection (F15).
+/// The share of light that a surface returns by one kind of reflection (F15).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reflectance {
-    /// A coefficient k and a colour O apart.
+    /// A coefficient k and a colour O.
     Split {
         /// k.
         k: f64,
@@ -18,7 +18,7 @@ pub enum Reflectance {
 }
 
 impl Reflectance {
-    /// None at all.
+    /// No reflection.
     pub const NONE: Reflectance = Reflectance::Merged(LinearRgb::BLACK);
 
     /// A coefficient and a colour.
@@ -34,15 +34,14 @@ impl Reflectance {
         }
     }
 
-    fn check(self, field: &'static str) -> Result<(), ShadeError> {
-        let check = Check(Place::Material);
+    /// Whether the numbers are valid, and K in the range of `R`.
+    fn check<R: Real>(self, field: &'static str) -> Result<(), ShadeError> {
         if let Reflectance::Split { k, .. } = self {
-            check.not_negative(field, k)?;
+            Place::Material.not_negative(field, k)?;
         }
-        let colour = match self {
-            Reflectance::Split { colour, .. } | Reflectance::Merged(colour) => colour,
-        };
-        check.colour(field, colour)
+        let (Reflectance::Split { colour, .. } | Reflectance::Merged(colour)) = self;
+        Place::Material.colour(field, colour)?;
+        Place::Material.in_range::<R>(field, self.merged())
     }
 }
 
@@ -61,13 +60,13 @@ pub enum Reflection {
 pub struct Material {
     /// Of ambient light.
     pub ambient: Reflectance,
-    /// To all sides alike.
+    /// Of light from lamps, in all directions alike.
     pub diffuse: Reflectance,
-    /// Mirror-like. Its colour O_s is its own: white for plastic, the diffuse colour for metal.
+    /// Of highlights. The colour O_s is white for plastic, and the diffuse colour for metal.
     pub specular: Reflectance,
-    /// n, 0 or more: the larger, the smaller the highlight.
+    /// n, 0 or more: the larger it is, the smaller is the highlight.
     pub exponent: f64,
-    /// What the highlight is computed from.
+    /// The highlight model.
     pub reflection: Reflection,
 }
 
@@ -101,45 +100,36 @@ impl Material {
         }
     }
 
-    /// More light out than in (F1: what comes in is reflected, transmitted or absorbed, so K_d + K_s ≤ 1 in each
-    /// component). Exercise 1.6.19 of the lectures does it, so it is a warning, not an error.
+    /// A warning if K_d + K_s is above 1 in a component (F1). Exercise 1.6.19 of the lectures does it, so it is no error.
     pub fn gain(&self) -> Option<EnergyGain> {
         let sum = self.diffuse.merged() + self.specular.merged();
         // A sum of two rounded numbers that are 1 together is not a gain.
         (sum.largest() > 1.0 + 4.0 * f64::EPSILON).then_some(EnergyGain { sum })
     }
 
-    /// Whether every number makes sense.
-    pub(crate) fn check(&self) -> Result<(), ShadeError> {
-        self.reflectances().into_iter().try_for_each(|(field, reflectance)| reflectance.check(field))?;
-        Check(Place::Material).not_negative("exponent", self.exponent)
-    }
-
-    /// Whether the precision of `R` has them.
-    pub(crate) fn check_range<R: Real>(&self) -> Result<(), ShadeError> {
-        let merged = self.reflectances().map(|(field, reflectance)| (field, reflectance.merged()));
-        merged.into_iter().try_for_each(|(field, colour)| Check(Place::Material).in_range::<R>(field, colour))
-    }
-
-    fn reflectances(&self) -> [(&'static str, Reflectance); 3] {
-        [
+    /// Whether the numbers are valid and colours are in the range of `R`.
+    pub(crate) fn check<R: Real>(&self) -> Result<(), ShadeError> {
+        for (field, reflectance) in [
             ("ambient reflection", self.ambient),
             ("diffuse reflection", self.diffuse),
             ("specular reflection", self.specular),
-        ]
+        ] {
+            reflectance.check::<R>(field)?;
+        }
+        Place::Material.not_negative("exponent", self.exponent)
     }
 }
 
-/// A material that reflects more than it gets.
+/// A material that reflects more light than it receives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyGain {
-    /// K_d + K_s = k_d·O_d + k_s·O_s, of which some component is over 1.
+    /// K_d + K_s = k_d·O_d + k_s·O_s; a component is over 1.
     pub sum: LinearRgb,
 }
 
 impl std::fmt::Display for EnergyGain {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        // Rounded up, so that what is over 1 does not read as 1.
+        // Rounded up, so that a sum over 1 is not written as 1.
         let reported = |sum: f64| match sum {
             _ if sum >= 1e4 => format!("{sum:.3e}"),
             _ if sum > 1.0 => format!("{:.3}", (1e3 * sum).ceil() / 1e3),
@@ -153,9 +143,8 @@ impl std::fmt::Display for EnergyGain {
 
 /// The exponent that gives Blinn's highlight the size of Phong's: 4n.
 ///
-/// With V in the plane of L and N, the angle of N·H is half that of V·R, and cos⁴ⁿ(φ/2) ≈ cosⁿ φ. The largest difference of
-/// the two is 0.25 for n = 1, 0.0902 for 2, 0.0301 for 5, 0.01425 for 10, 0.00273 for 50 and 0.00068 for 200; with the same
-/// n it would be up to 0.71. (Fisher & Woo, *R·E versus N·H specular highlights*, Graphics Gems IV, 1994.)
+/// With V in the plane of L and N, the angle of N·H is half that of V·R, and cos⁴ⁿ(φ/2) ≈ cosⁿ φ. The largest difference is
+/// 0.25 for n = 1, 0.0301 for 5 and 0.00273 for 50 (Fisher & Woo, *R·E versus N·H specular highlights*, Graphics Gems IV, 1994).
 pub fn blinn_exponent(phong: f64) -> f64 {
     4.0 * phong
 }
@@ -165,12 +154,8 @@ pub fn phong_exponent(blinn: f64) -> f64 {
     blinn / 4.0
 }
 
-/// The exponent of Blinn's highlight that is about as wide as that of a surface of this roughness, from 0 for a mirror to 1,
-/// as glTF counts it: n = 2/α² − 2 with α = roughness² (B. Walter et al., *Microfacet models for refraction through rough
-/// surfaces*, EGSR 2007, §5.2).
-///
-/// It is from 1 for the roughest surfaces, never 0, which would be a step where N·L is 0, to 10⁴ for the smoothest, whose
-/// highlights become no smaller than the steps of a picture can show.
+/// The exponent of Blinn's highlight for a roughness of glTF, from 0 for a mirror to 1: n = 2/α² − 2 with α = roughness², at
+/// least 1 and at most 10⁴ (B. Walter et al., *Microfacet models for refraction through rough surfaces*, EGSR 2007, §5.2).
 ///
 /// ```
 /// use crease::shade::roughness_exponent;

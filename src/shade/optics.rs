@@ -1,12 +1,11 @@
-//! Reflection and refraction at a smooth surface: plain functions, for reference values and reference pictures (F2, F29).
+//! Reflection and refraction at a smooth surface (F2, F29).
 //!
 //! Refractive indices are positive; angles of incidence are measured from the normal, 0 to 90°.
 
 use crate::num::Radians;
 use glam::DVec3;
 
-/// R = 2N(N·L) − L: the direction in which a mirror with the unit normal N sends light that comes from L (F5). The angle
-/// is the same on both sides and all three lie in one plane (F2).
+/// R = 2N(N·L) − L: the mirror direction of L at a surface with the unit normal N (F2, F5).
 ///
 /// ```
 /// use crease::shade::reflect;
@@ -18,16 +17,15 @@ pub fn reflect(normal: DVec3, towards: DVec3) -> DVec3 {
     normal * (2.0 * normal.dot(towards)) - towards
 }
 
-/// The direction of light that comes from the unit vector `towards` (on the side of the unit normal, in a medium of index
-/// n1) and goes on into a medium of index n2: n1 sin θ = n2 sin θ″ (Snell). `None` for total reflection and for light
-/// from below the surface.
+/// The direction of light from the unit vector `towards`, in a medium of index n1, in a medium of index n2 behind a surface:
+/// n1 sin θ = n2 sin θ″ (Snell). `None` for total reflection and for light from below the surface.
 pub fn refract(normal: DVec3, towards: DVec3, n1: f64, n2: f64) -> Option<DVec3> {
     let cosine = normal.dot(towards);
     if cosine.is_nan() || cosine < 0.0 {
         return None;
     }
     let ratio = n1 / n2;
-    // The part of the new direction along the surface, then what is left for the normal.
+    // The component along the surface determines that along the normal.
     let along = (normal * cosine - towards) * ratio;
     let left = 1.0 - along.length_squared();
     (left >= 0.0).then(|| along - normal * left.sqrt())
@@ -60,7 +58,7 @@ pub fn brewster_angle(n1: f64, n2: f64) -> Radians {
     Radians(libm::atan2(n2, n1))
 }
 
-/// How much of the light that arrives is reflected, by polarisation.
+/// The reflected share of light, by polarisation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fresnel {
     /// Polarised at right angles to the plane of incidence.
@@ -75,7 +73,7 @@ impl Fresnel {
         0.5 * (self.s + self.p)
     }
 
-    /// T = 1 − R: what is not reflected goes on (F1 without absorption).
+    /// T = 1 − R: the rest is transmitted (F1 without absorption).
     pub fn transmitted(self) -> f64 {
         1.0 - self.reflected()
     }

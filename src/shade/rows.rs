@@ -1,12 +1,11 @@
-//! Many points at once: blocks of rows that stay in the nearest cache, one simple loop for each step, only the steps
-//! that the scene needs. The bits are those of single points.
+//! Many points at once, in blocks of rows that stay in the nearest cache, with one loop for each step. The bits are those of
+//! single points.
 
 use super::error::NotFinite;
 use super::formula::{self, Triple};
 use super::settings::Terminator;
 use super::shader::{Shader, SurfacePoint, View, turned};
-use super::source::{PointSource, Source, SpotSource};
-use super::term::{Highlight, LightTerm, PreparedPoint};
+use super::source::{Highlight, LightTerm, PointSource, PreparedPoint, Source, SpotSource};
 use crate::num::{Kernel, Lanes, dispatch};
 
 /// Points of surfaces, a row for each coordinate, in the frame of the settings.
@@ -16,14 +15,13 @@ pub struct SurfaceRows<'a> {
     pub positions: [&'a [f32]; 3],
     /// x, y and z of normals.
     pub normals: [&'a [f32]; 3],
-    /// x, y and z of the unit normals of their faces, for the terminator, if there are any.
+    /// x, y and z of the unit normals of their faces, for the terminator.
     pub faces: Option<[&'a [f32]; 3]>,
 }
 
 impl Shader<f32> {
-    /// Shades rows of points: the bits of [`shade`](Self::shade) for each, or those of [`shade_on`](Self::shade_on) with
-    /// the normals of faces, linear and before the tone rule, into a row for each of red, green and blue. The longer the
-    /// rows the better; hundreds of points are enough.
+    /// Shades rows of points with the bits of [`shade_on`](Self::shade_on), linear and before the tone rule, into a row for each
+    /// of red, green and blue. The longer the rows the better; hundreds of points are enough.
     ///
     /// # Errors
     /// The first point without a finite colour.
@@ -47,7 +45,7 @@ impl Shader<f32> {
 
     fn point(&self, rows: &SurfaceRows, index: usize) -> SurfacePoint<f32> {
         SurfacePoint {
-            // A row that is not needed may be missing.
+            // Positions may be missing if they are not needed.
             position: rows.positions.map(|row| row.get(index).copied().unwrap_or(f32::NAN)),
             normal: rows.normals.map(|row| row[index]),
         }
@@ -72,16 +70,15 @@ struct Block {
     towards: [Row; 3],
     /// Attenuation and cone.
     factor: Row,
-    /// What the light's diffuse colour is multiplied by.
+    /// The factor of the light's diffuse colour.
     diffuse: Row,
-    /// What the light's specular colour is multiplied by.
+    /// The factor of the light's specular colour.
     specular: Row,
-    /// Only where the terminator asks for it.
+    /// Only for the terminator.
     face: [Row; 3],
     sum: [Row; 3],
 }
 
-/// All lanes of three rows as one vector each.
 #[inline(always)]
 fn get(rows: &[Row; 3], i: usize) -> Triple<f32> {
     [rows[0][i], rows[1][i], rows[2][i]]
@@ -97,7 +94,7 @@ fn set(rows: &mut [Row; 3], i: usize, [x, y, z]: Triple<f32>) {
 struct Shading<'a> {
     shader: &'a Shader<f32>,
     rows: &'a SurfaceRows<'a>,
-    /// Normals of faces, where the terminator asks for them.
+    /// Normals of faces, if the terminator needs them.
     faces: Option<[&'a [f32]; 3]>,
     out: [&'a mut [f32]; 3],
 }
@@ -189,7 +186,6 @@ impl Block {
         }
     }
 
-    /// What the surface reflects of one light.
     #[inline(always)]
     fn reflect_all(&mut self, shader: &Shader<f32>, term: &LightTerm<f32>, count: usize) {
         match &term.source {
@@ -211,7 +207,7 @@ impl Block {
         }
     }
 
-    /// Takes away what faces keep from their points. Not inlined: it is rarely asked for.
+    /// Applies the terminator. Not inlined: it is rarely needed.
     fn hide(&mut self, shader: &Shader<f32>, term: &LightTerm<f32>, count: usize) {
         for i in 0..count.min(LANES) {
             let normal = get(&self.normal, i);
@@ -226,7 +222,6 @@ impl Block {
         }
     }
 
-    /// Adds what one light gives to the sum.
     #[inline(always)]
     fn paint(&mut self, term: &LightTerm<f32>, count: usize) {
         let count = count.min(LANES);
@@ -250,7 +245,6 @@ impl Block {
         (get(&self.towards, i), self.factor[i])
     }
 
-    /// L and the attenuation of a light at a point.
     #[inline(always)]
     fn arrive(&mut self, point: &PointSource<f32>, count: usize) {
         for i in 0..count.min(LANES) {
@@ -260,11 +254,10 @@ impl Block {
         }
     }
 
-    /// The cone of a spot.
     #[inline(always)]
     fn aim(&mut self, spot: &SpotSource<f32>, count: usize) {
         let count = count.min(LANES);
-        // No light is reflected yet: the row is free.
+        // The row of diffuse factors is not in use yet.
         let powers = &mut self.diffuse;
         match &spot.concentration {
             Some(concentration) => {
@@ -298,7 +291,7 @@ impl Block {
             }
         }
         let Some((_, highlight)) = term.specular else { return };
-        // Each kind has a loop of its own: the choice is made here, not at every point.
+        // Each kind has a loop of its own: no choice at every point.
         match highlight {
             Highlight::Phong => self.cosines(shader, &Highlight::Phong, count, &at),
             Highlight::Blinn => self.cosines(shader, &Highlight::Blinn, count, &at),
@@ -325,7 +318,7 @@ impl Block {
         }
     }
 
-    /// Area lights have a closed form that is no row's work: point by point.
+    /// Area lights are computed point by point.
     fn reflect_area(&mut self, shader: &Shader<f32>, term: &LightTerm<f32>, count: usize) {
         for i in 0..count {
             let point = self.point(i);
@@ -337,7 +330,6 @@ impl Block {
         }
     }
 
-    /// One point of the block.
     fn point(&self, i: usize) -> PreparedPoint<f32> {
         PreparedPoint {
             position: get(&self.position, i),

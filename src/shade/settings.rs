@@ -1,45 +1,42 @@
-//! The settings of lighting.
+//! The settings of lighting: viewer, guards, depth cue, terminator, tone rule.
 
-use super::error::{Check, Place, ShadeError};
-use super::tone::ToneRule;
+use super::error::{Place, ShadeError};
+use crate::num::Real;
 use glam::DVec3;
 use serde::Deserialize;
 
 /// All settings of shading.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ShadeSettings {
-    /// Who looks.
+    /// The viewer.
     pub viewer: Viewer,
-    /// What the coordinates of points are counted from and in.
+    /// The coordinate system of points.
     pub frame: Frame,
-    /// Which of the guards are on.
+    /// The guards that are on.
     pub guards: Guards,
-    /// Fading with the distance to the viewer, if wanted.
+    /// Attenuation by the distance to the viewer.
     pub depth_cue: Option<DepthCue>,
-    /// Light the side that the viewer sees: the normal is turned where N·V < 0. A rasterizer that knows which way a
-    /// triangle faces hands over its normals already turned and leaves this off, for a normal interpolated near a
-    /// silhouette may point away from the viewer on a triangle that faces him.
+    /// Flip normals with N·V < 0. A rasterizer flips normals by the visible side of the face instead: a normal interpolated near
+    /// a silhouette may point away from the viewer.
     pub two_sided: bool,
-    /// What becomes of light that reaches a face from behind.
+    /// The treatment of light that reaches a face from behind.
     pub terminator: Terminator,
-    /// What becomes of colours out of range.
+    /// The treatment of colours out of range.
     pub tone: ToneRule,
 }
 
-/// What becomes of light on a point whose own normal N still turns to it while its face, with the normal N_g, does so
-/// hardly or not: N·L > 0 ≥ N_g·L. It needs normals of faces: see [`Shader::shade_on`](super::Shader::shade_on).
+/// The treatment of light that reaches a face from behind, N·L > 0 ≥ N_g·L for its normal N_g. It needs normals of faces:
+/// see [`Shader::shade_on`](super::Shader::shade_on).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Terminator {
-    /// It stays: only N counts. Right for smooth surfaces without shadows.
+    /// It is kept: only N counts. Right for smooth surfaces without shadows.
     #[default]
     Smooth,
-    /// It goes where N_g·L ≤ 0, as where a ray casts the face's own shadow: the border of light runs along the edges of
-    /// faces, and whole faces light up at once when the light turns.
+    /// It is removed, as by the face's own shadow: the border of light follows the edges of faces.
     Hard,
-    /// As [`Hard`](Self::Hard), but it goes gradually: times −g³ + g² + g for g = N_g·L/((N·L)(N_g·N)) < 1
-    /// (M. J.-Y. Chiang, Y. K. Li, B. Burley, *Taming the shadow terminator*, SIGGRAPH 2019 Talks). Applied to highlights too,
-    /// so that nothing of a light is left behind the face.
+    /// It is removed gradually, highlights too: times −g³ + g² + g for g = N_g·L/((N·L)(N_g·N)) < 1
+    /// (M. J.-Y. Chiang, Y. K. Li, B. Burley, *Taming the shadow terminator*, SIGGRAPH 2019 Talks).
     Soft,
 }
 
@@ -48,7 +45,7 @@ pub enum Terminator {
 pub enum Viewer {
     /// At a point of the world: V differs from point to point.
     At(DVec3),
-    /// Infinitely far away: V is this direction, from the surface to the viewer, everywhere.
+    /// Infinitely far away: V is this direction from the surface to the viewer.
     Towards(DVec3),
 }
 
@@ -59,7 +56,7 @@ impl Default for Viewer {
     }
 }
 
-/// Points are handed over as (world − origin)/unit, so that single precision serves meshes of any size at any place.
+/// Points are given as (world − origin)/unit, so that single precision serves meshes of any size and position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     /// The world position of (0, 0, 0).
@@ -69,7 +66,7 @@ pub struct Frame {
 }
 
 impl Default for Frame {
-    /// The world's own.
+    /// World coordinates.
     fn default() -> Self {
         Self { origin: DVec3::ZERO, unit: 1.0 }
     }
@@ -87,25 +84,23 @@ impl Frame {
     }
 }
 
-/// Fading with the distance d **to the viewer**: everything but ambient light is divided by d + k (F17; exercises
-/// 1.6.6 and 1.6.11). Fading with the distance to a light is its [`Attenuation`](super::Attenuation).
+/// Attenuation by the distance d **to the viewer**: all but ambient light is divided by d + k (F17; exercises 1.6.6, 1.6.11).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DepthCue {
     /// k, 0 or more.
     pub k: f64,
 }
 
-/// What the lectures' formulas leave out, each by name. All are on by default.
+/// Conditions that the lectures' formulas omit. All are on by default.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Guards {
-    /// No highlight where N·L ≤ 0: a light behind the face has none (F4).
+    /// No highlight where N·L ≤ 0 (F4).
     pub highlight: bool,
     /// Diffuse light is 0 where N·L < 0, not negative (F3).
     pub diffuse: bool,
-    /// A spot does not shine where D·L ≤ 0, nor with less than nothing (F12). Off, cosᵉ keeps the sign of cos.
+    /// A spot does not shine where D·L ≤ 0 (F12). Off, cosᵉ keeps the sign of cos.
     pub spot: bool,
-    /// Interpolated normals are made unit vectors again (F22). Shaders hold it of all normals that they are given; pictures lift
-    /// it only under Phong's shading of faces, where normals are interpolated.
+    /// Normals are made unit vectors again (F22). Pictures switch it off only for interpolated normals under Phong's shading.
     pub renormalise: bool,
     /// cosⁿ below the smallest normal number is 0.
     pub underflow: bool,
@@ -150,21 +145,76 @@ impl Guards {
 }
 
 impl ShadeSettings {
-    /// Whether every number makes sense.
+    /// Whether every number is valid.
     pub(super) fn check(&self) -> Result<(), ShadeError> {
-        let check = Check(Place::Settings);
-        check.position("origin", self.frame.origin)?;
-        check.positive("unit", self.frame.unit)?;
+        let place = Place::Settings;
+        place.position("origin", self.frame.origin)?;
+        place.positive("unit", self.frame.unit)?;
         match self.viewer {
-            Viewer::At(position) => check.position("viewer", position)?,
-            Viewer::Towards(direction) => check.direction("direction to the viewer", direction)?,
+            Viewer::At(position) => place.position("viewer", position)?,
+            Viewer::Towards(direction) => place.direction("direction to the viewer", direction)?,
         }
         match (self.depth_cue, self.viewer) {
-            (Some(DepthCue { k }), Viewer::At(_)) => check.not_negative("depth cue k", k),
+            (Some(DepthCue { k }), Viewer::At(_)) => place.not_negative("depth cue k", k),
             (Some(_), Viewer::Towards(_)) => {
-                Err(check.text("viewer", "infinitely far away".into(), "at a point, for depth cueing"))
+                Err(place.error("viewer", "infinitely far away".into(), "at a point, for depth cueing"))
             }
             (None, _) => Ok(()),
         }
     }
+}
+
+/// The rule that brings a colour into the range from 0 to 1 (F25; exercise 1.6.17b).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ToneRule {
+    /// Each component is clamped to 0…1: the hue of a bright colour changes.
+    #[default]
+    Clamp,
+    /// A colour with a component over 1 is divided by its largest: the hue stays. Then clamped at 0.
+    #[serde(rename = "max")]
+    DivideByMax,
+}
+
+impl ToneRule {
+    /// The name used in scenes and on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            ToneRule::Clamp => "clamp",
+            ToneRule::DivideByMax => "max",
+        }
+    }
+
+    /// The colour, each component in 0…1.
+    ///
+    /// ```
+    /// use crease::shade::ToneRule;
+    ///
+    /// assert_eq!(ToneRule::Clamp.apply([0.9, 1.25, 0.5]), [0.9, 1.0, 0.5]);
+    /// assert_eq!(ToneRule::DivideByMax.apply([0.9, 1.25, 0.5]), [0.72, 1.0, 0.4]);
+    /// ```
+    #[inline(always)]
+    pub fn apply<R: Real>(self, colour: [R; 3]) -> [R; 3] {
+        let [r, g, b] = colour;
+        let scaled = match self {
+            ToneRule::Clamp => colour,
+            ToneRule::DivideByMax => {
+                let largest = larger(larger(r, g), larger(b, R::ONE));
+                [r / largest, g / largest, b / largest]
+            }
+        };
+        let [r, g, b] = scaled;
+        [clamped(r), clamped(g), clamped(b)]
+    }
+}
+
+#[inline(always)]
+fn larger<R: Real>(a: R, b: R) -> R {
+    if a > b { a } else { b }
+}
+
+#[inline(always)]
+fn clamped<R: Real>(x: R) -> R {
+    let x = if x < R::ZERO { R::ZERO } else { x };
+    if x > R::ONE { R::ONE } else { x }
 }

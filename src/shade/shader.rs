@@ -1,21 +1,18 @@
-//! What a scene needs, worked out once, and the light on a point.
+//! Lights and a material resolved to the terms that they need, and the light on a point.
 
-use super::error::{Check, NotFinite, Place, ShadeError};
+use super::error::{NotFinite, Place, ShadeError};
 use super::formula::{self, Triple, rounded, unit};
 use super::light::Light;
-use super::material::{EnergyGain, Material};
-use super::settings::{Frame, Guards, ShadeSettings, Terminator, Viewer};
-use super::source::{Source, in_frame};
-use super::term::{Highlight, Incoming, LightTerm, PreparedPoint};
-use super::tone::ToneRule;
+use super::material::Material;
+use super::settings::{Frame, Guards, ShadeSettings, Terminator, ToneRule, Viewer};
+use super::source::{Highlight, Incoming, LightTerm, PreparedPoint, Source, in_frame};
+
 use crate::num::{LinearRgb, Power, Real, Underflow};
 use glam::DVec3;
 
-/// Lights, one material and the settings, resolved to what this combination needs: a term that is not there is not
-/// computed, and what is the same everywhere is computed once.
+/// Lights, one material and the settings, resolved to the terms that this combination needs.
 ///
-/// `Shader<f32>` is for pictures, `Shader<f64>` for probes: the same formulas. It is cheap to make and to share
-/// between threads; make one for each material.
+/// `Shader<f32>` is for pictures, `Shader<f64>` for probes: the same formulas. Make one for each material.
 ///
 /// ```
 /// use crease::num::LinearRgb;
@@ -35,7 +32,7 @@ pub struct Shader<R> {
     /// Σ I_a K_a.
     pub(super) ambient: Triple<R>,
     pub(super) lights: Vec<LightTerm<R>>,
-    /// The viewer, where anything depends on him.
+    /// The viewer, if a term depends on the view direction.
     pub(super) view: Option<View<R>>,
     /// cosⁿ of highlights.
     pub(super) power: Power<R>,
@@ -47,13 +44,12 @@ pub struct Shader<R> {
     pub(super) tone: ToneRule,
     pub(super) exponent: f64,
     pub(super) viewer: View<R>,
-    gain: Option<EnergyGain>,
 }
 
 /// A point of a surface, in the frame of the settings.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SurfacePoint<R> {
-    /// Where it is. Not read if the shader doesn't [need positions](Shader::needs_positions).
+    /// Its position. Not read if the shader doesn't [need positions](Shader::needs_positions).
     pub position: [R; 3],
     /// Its normal, of any length if the guard `renormalise` is on, and of length 1 otherwise.
     pub normal: [R; 3],
@@ -62,13 +58,11 @@ pub struct SurfacePoint<R> {
 /// The direction to the viewer.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum View<R> {
-    /// V everywhere.
     Same(Triple<R>),
-    /// The eye.
     From(Triple<R>),
 }
 
-/// Guards as numbers that a cosine is compared with, so that they cost no branch.
+/// Guards as numbers to compare cosines with, without a branch.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limits<R> {
     /// A diffuse cosine is at least this.
@@ -90,35 +84,32 @@ impl<R: Real> Limits<R> {
 }
 
 impl<R: Real> Shader<R> {
-    /// Resolves what lights and a material need.
     ///
     /// # Errors
-    /// Numbers that make no sense: what is infinite or NaN, directions of length 0, negative coefficients, colours,
-    /// exponents and attenuations, cut-off angles that are no cone's, depth cueing without a viewer at a finite
-    /// distance, lights or viewers too far from the scene for squares of distances, and colours beyond the range of `R`.
+    /// Invalid numbers: not finite, negative, a direction of length 0, an angle out of range, depth cueing without a viewer at a
+    /// finite distance, lights or viewers too far from the scene, and colours beyond the range of `R`.
     pub fn new(lights: &[Light], material: &Material, settings: &ShadeSettings) -> Result<Self, ShadeError> {
         Self::with(lights, material, settings, |term| !term.is_dark())
     }
 
-    /// The same with the lights that are wanted: those that add nothing change no colour.
+    /// The same with the terms that are wanted.
     pub(super) fn with(
         lights: &[Light],
         material: &Material,
         settings: &ShadeSettings,
         wanted: fn(&LightTerm<R>) -> bool,
     ) -> Result<Self, ShadeError> {
-        material.check()?;
-        material.check_range::<R>()?;
+        material.check::<R>()?;
         settings.check()?;
         let viewer = match settings.viewer {
-            Viewer::At(eye) => View::From(in_frame(eye, &settings.frame, Check(Place::Settings), "viewer")?),
+            Viewer::At(eye) => View::From(in_frame(eye, &settings.frame, Place::Settings, "viewer")?),
             Viewer::Towards(direction) => View::Same(rounded(unit(direction))),
         };
         let mut ambient = LinearRgb::BLACK;
         let mut terms = Vec::new();
         for (number, light) in lights.iter().enumerate() {
             light.check(number)?;
-            Check(Place::Light(number)).in_range::<R>("colour", light.colour())?;
+            Place::Light(number).in_range::<R>("colour", light.colour())?;
             match Source::new(light, number, &settings.frame, settings.guards)? {
                 None => ambient += light.colour() * material.ambient.merged(),
                 Some(source) => terms.push(LightTerm::new(number, source, light, material, settings)),
@@ -144,7 +135,6 @@ impl<R: Real> Shader<R> {
             tone: settings.tone,
             exponent: material.exponent,
             viewer,
-            gain: material.gain(),
         })
     }
 
@@ -164,34 +154,20 @@ impl<R: Real> Shader<R> {
         self.tone
     }
 
-    /// A warning about a material that reflects more light than it gets (F1).
-    pub fn energy_gain(&self) -> Option<EnergyGain> {
-        self.gain
-    }
-
     /// The light that a point sends to the viewer: linear red, green, blue, before the tone rule (F8, F15, F16).
     ///
     /// # Errors
-    /// If it is not finite: a point light at the point itself, an attenuation out of range, a NaN that was handed in.
+    /// If it is not finite: a point light at the point itself, an attenuation out of range, NaN in the input.
     pub fn shade(&self, point: &SurfacePoint<R>) -> Result<[R; 3], NotFinite> {
-        self.shade_prepared(point, self.prepared(point, None))
+        self.shade_on(point, None)
     }
 
-    /// The same on a face with this unit normal, which decides with [`ShadeSettings::terminator`] what light reaches the
-    /// point; with [`Terminator::Smooth`] it is the same number as without.
+    /// The same on a face with this unit normal, if any, to which [`ShadeSettings::terminator`] applies.
     ///
     /// # Errors
     /// As [`shade`](Self::shade).
-    pub fn shade_on(&self, point: &SurfacePoint<R>, face: [R; 3]) -> Result<[R; 3], NotFinite> {
-        self.shade_prepared(point, self.prepared(point, Some(face)))
-    }
-
-    fn shade_prepared(
-        &self,
-        point: &SurfacePoint<R>,
-        prepared: PreparedPoint<R>,
-    ) -> Result<[R; 3], NotFinite> {
-        let colour = self.sum(&prepared, false, |_, _, _| {});
+    pub fn shade_on(&self, point: &SurfacePoint<R>, face: Option<[R; 3]>) -> Result<[R; 3], NotFinite> {
+        let colour = self.sum(&self.prepared(point, face), false, |_, _, _| {});
         if colour.iter().all(|component| component.is_finite()) {
             Ok(colour)
         } else {
@@ -233,7 +209,7 @@ impl<R: Real> Shader<R> {
         [diffuse, specular].map(|term| term.unwrap_or([R::ZERO; 3]))
     }
 
-    /// A point with its normal as it is used, V and the distance to the viewer; and the normal of its face, if it matters.
+    /// A point with its used normal, V, the distance to the viewer, and the normal of its face if the terminator needs it.
     #[inline(always)]
     pub(super) fn prepared(&self, point: &SurfacePoint<R>, face: Option<Triple<R>>) -> PreparedPoint<R> {
         let (view, view_distance) = match self.view {
@@ -246,7 +222,7 @@ impl<R: Real> Shader<R> {
         PreparedPoint { position: point.position, normal, view, view_distance, face }
     }
 
-    /// The share of light from a direction that reaches a point of a face.
+    /// The share of light from a direction that the terminator keeps.
     #[inline(always)]
     pub(super) fn reaching(&self, face: Triple<R>, normal: Triple<R>, towards: Triple<R>) -> R {
         let face_light = formula::dot(face, towards);
@@ -280,7 +256,6 @@ impl<R: Real> Shader<R> {
         incoming.factor() * self.power.of(cosine)
     }
 
-    /// N·L (F3).
     #[inline(always)]
     pub(super) fn diffuse_cosine(&self, normal: Triple<R>, towards: Triple<R>) -> R {
         formula::at_least(formula::dot(normal, towards), self.limits.diffuse)
@@ -332,7 +307,7 @@ impl<R: Real> Shader<R> {
 }
 
 impl<R: Real> View<R> {
-    /// V and the distance to the viewer; 0 if he is at infinity.
+    /// V and the distance to the viewer; 0 at infinity.
     #[inline(always)]
     pub(super) fn at(&self, position: Triple<R>) -> (Triple<R>, R) {
         match *self {

@@ -1,14 +1,15 @@
-//! Lights as a shader needs them: in the frame and the precision of its points, everything constant worked out.
+//! Lights in the frame and the precision of a shader, and the terms of one light on one material.
 
 use super::area::AreaSource;
-use super::error::{Check, Place, ShadeError};
-use super::formula::{self, Triple, rounded, unit};
+use super::error::{Place, ShadeError};
+use super::formula::{self, Triple, half_vector, rounded, unit};
 use super::light::{Attenuation, Cone, Light};
-use super::settings::{Frame, Guards};
-use crate::num::{Power, Real, Underflow};
+use super::material::{Material, Reflection};
+use super::settings::{Frame, Guards, ShadeSettings, Viewer};
+use crate::num::{LinearRgb, Power, Real, Underflow};
 use glam::DVec3;
 
-/// Where light comes from, and how much.
+/// The direction and amount of light at a point.
 #[derive(Clone, Debug)]
 pub(super) enum Source<R> {
     /// L, everywhere the same.
@@ -18,7 +19,6 @@ pub(super) enum Source<R> {
     Area(AreaSource),
 }
 
-/// A light at a point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PointSource<R> {
     position: Triple<R>,
@@ -28,7 +28,6 @@ pub(super) struct PointSource<R> {
     inverse_square_range: Option<R>,
 }
 
-/// The cone of a spot.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SpotSource<R> {
     /// D, from the light.
@@ -42,12 +41,11 @@ pub(super) struct SpotSource<R> {
 }
 
 impl<R: Real> Source<R> {
-    /// Whether L is the same everywhere.
     pub(super) fn is_directional(&self) -> bool {
         matches!(self, Self::Directional(_))
     }
 
-    /// None for ambient light, which comes from nowhere.
+    /// `None` for ambient light.
     pub(super) fn new(
         light: &Light,
         number: usize,
@@ -77,7 +75,7 @@ impl<R: Real> PointSource<R> {
         let [constant, linear, quadratic] = attenuation.coefficients();
         let range = attenuation.range() / frame.unit;
         Ok(Self {
-            position: in_frame(position, frame, Check(Place::Light(number)), "position")?,
+            position: in_frame(position, frame, Place::Light(number), "position")?,
             attenuation: (attenuation != Attenuation::None).then(|| {
                 [constant, linear * frame.unit, quadratic * frame.unit * frame.unit].map(|k| R::of(k))
             }),
@@ -121,7 +119,7 @@ impl<R: Real> SpotSource<R> {
         -formula::dot(self.axis, towards)
     }
 
-    /// What the exponent is applied to: |D·L|, so that a spot without guard keeps its sign.
+    /// The base of the power: |D·L|; a spot without guard keeps the sign.
     #[inline(always)]
     pub(super) fn base(cosine: R) -> R {
         cosine.abs()
@@ -141,7 +139,6 @@ impl<R: Real> SpotSource<R> {
         }
     }
 
-    /// The whole factor at once.
     #[inline(always)]
     pub(super) fn at(&self, towards: Triple<R>) -> R {
         let cosine = self.cosine(towards);
@@ -157,16 +154,143 @@ impl<R: Real> SpotSource<R> {
 pub(super) fn in_frame<R: Real>(
     position: DVec3,
     frame: &Frame,
-    check: Check,
+    place: Place,
     field: &'static str,
 ) -> Result<Triple<R>, ShadeError> {
     let local = frame.to_local(position);
-    // A quarter of the exponents: the square has half of them, and there is room for what points add.
+    // A quarter of the exponents: squares of distances take half of them.
     let farthest = libm::exp2(R::EXPONENTS.1 / 4.0);
     if local.abs().max_element() <= farthest {
         return Ok(rounded(local));
     }
     let expected = "nearer to the scene (within 2^31 of its sizes in single precision); for a light, or a viewer, \
                     as far away as this, give a direction";
-    Err(check.text(field, position.to_string(), expected))
+    Err(place.error(field, position.to_string(), expected))
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct LightTerm<R> {
+    pub(super) number: usize,
+    pub(super) kind: &'static str,
+    pub(super) source: Source<R>,
+    /// I·K_d, unless it is black.
+    pub(super) diffuse: Option<Triple<R>>,
+    /// I·K_s and the kind of cosine, unless there is no highlight.
+    pub(super) specular: Option<(Triple<R>, Highlight<R>)>,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Highlight<R> {
+    /// V·R.
+    Phong,
+    /// N·H with an H of each point's own.
+    Blinn,
+    /// N·H with the same H everywhere: light and viewer are at infinity.
+    BlinnSame(Triple<R>),
+}
+
+/// A point of a surface, prepared for all lights.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PreparedPoint<R> {
+    pub(super) position: Triple<R>,
+    pub(super) normal: Triple<R>,
+    /// V; not a direction if nothing needs it.
+    pub(super) view: Triple<R>,
+    /// The distance to the viewer; 0 if the viewer is at infinity.
+    pub(super) view_distance: R,
+    /// The normal of its face, if the terminator needs it.
+    pub(super) face: Option<Triple<R>>,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Incoming<R> {
+    /// L; for an area light the direction of its representative point.
+    pub(super) towards: Triple<R>,
+    /// The distance to the light; 0 for directional lights.
+    pub(super) distance: R,
+    /// The attenuation; for an area light what a surface facing it receives.
+    pub(super) attenuation: R,
+    /// The factor of a spot's cone.
+    pub(super) cone: Option<R>,
+    /// The diffuse irradiance of an area light, in place of f·N·L.
+    pub(super) irradiance: Option<R>,
+}
+
+impl<R: Real> Incoming<R> {
+    /// f: attenuation and cone together.
+    #[inline(always)]
+    pub(super) fn factor(&self) -> R {
+        match self.cone {
+            Some(cone) => self.attenuation * cone,
+            None => self.attenuation,
+        }
+    }
+}
+
+impl<R: Real> LightTerm<R> {
+    pub(super) fn new(
+        number: usize,
+        source: Source<R>,
+        light: &Light,
+        material: &Material,
+        settings: &ShadeSettings,
+    ) -> Self {
+        let coloured = |reflectance: LinearRgb| {
+            let product = light.colour() * reflectance;
+            (product != LinearRgb::BLACK).then(|| product.to_array().map(|c| R::of(c)))
+        };
+        let highlight = match (material.reflection, light, settings.viewer) {
+            (Reflection::Phong, ..) => Some(Highlight::Phong),
+            (Reflection::Blinn, &Light::Directional { towards, .. }, Viewer::Towards(view)) => {
+                half_vector(unit(towards), unit(view)).map(|half| Highlight::BlinnSame(rounded(half)))
+            }
+            (Reflection::Blinn, ..) => Some(Highlight::Blinn),
+        };
+        let diffuse = coloured(material.diffuse.merged());
+        let specular = coloured(material.specular.merged()).zip(highlight);
+        Self { number, kind: light.kind(), source, diffuse, specular }
+    }
+
+    pub(super) fn is_dark(&self) -> bool {
+        self.diffuse.is_none() && self.specular.is_none()
+    }
+
+    /// The light that arrives at a point. `direction` says whether L and the attenuation of an area light are needed.
+    #[inline(always)]
+    pub(super) fn incoming(&self, point: &PreparedPoint<R>, direction: bool) -> Incoming<R> {
+        let at_infinity = |towards| Incoming {
+            towards,
+            distance: R::ZERO,
+            attenuation: R::ONE,
+            cone: None,
+            irradiance: None,
+        };
+        match &self.source {
+            Source::Directional(towards) => at_infinity(*towards),
+            Source::Point(source) => {
+                let (towards, distance, attenuation) = source.at(point.position);
+                Incoming { distance, attenuation, ..at_infinity(towards) }
+            }
+            Source::Spot(source, spot) => {
+                let (towards, distance, attenuation) = source.at(point.position);
+                Incoming { distance, attenuation, cone: Some(spot.at(towards)), ..at_infinity(towards) }
+            }
+            Source::Area(area) => {
+                // Always in double precision, for angles of narrow edges and for clipping.
+                let [position, normal, view] = [point.position, point.normal, point.view]
+                    .map(|v| DVec3::from_array(v.map(Real::to_f64)));
+                let ((towards, distance), facing) = match direction {
+                    true => (area.towards(position, normal, view), area.facing(position)),
+                    false => ((DVec3::ZERO, 0.0), 0.0),
+                };
+                Incoming {
+                    towards: rounded(towards),
+                    distance: R::of(distance),
+                    attenuation: R::of(facing),
+                    cone: None,
+                    irradiance: Some(R::of(area.irradiance(position, normal))),
+                }
+            }
+        }
+    }
 }

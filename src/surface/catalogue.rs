@@ -88,7 +88,7 @@ impl Surface {
         }
     }
 
-    /// The box of a zero set. Surfaces with open sides end at its faces.
+    /// The box of a zero set; open surfaces end at its faces.
     pub(super) fn room(&self) -> Option<Room> {
         const OVER_RECTANGLE: [bool; 3] = [true, true, false];
         const TUBE: [bool; 3] = [false, true, false];

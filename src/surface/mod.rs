@@ -23,9 +23,8 @@ mod tests;
 
 pub use catalogue::Surface;
 pub use error::SurfaceError;
-pub use meshing::hash::GridHash;
+pub use meshing::pattern::GridHash;
 pub use meshing::pattern::{Pattern, Tessellation};
-pub use meshing::scattered::height_field;
 pub use rays::primitive::{Placed, Primitive};
 pub use rays::ray::{Hit, Ray};
 pub use shapes::bezier::{BezierPatch, teapot};

@@ -194,11 +194,11 @@ fn normals_on_collapsed_sides_are_the_limits() {
 #[test]
 fn settings_out_of_range_are_refused() {
     for bad in [0.0, -1.0, f64::NAN, 2.0] {
-        assert!(matches!(Superquadric::new(DVec3::ONE, bad, 1.0), Err(SurfaceError::OutOfRange { .. })));
+        assert!(matches!(Superquadric::new(DVec3::ONE, bad, 1.0), Err(SurfaceError::OutOfRange(_))));
     }
-    assert!(matches!(Catenoid::new(0.01, 3.0), Err(SurfaceError::OutOfRange { .. })));
+    assert!(matches!(Catenoid::new(0.01, 3.0), Err(SurfaceError::OutOfRange(_))));
     assert!(Wave::new(f64::INFINITY).is_err() && MonkeySaddle::new(0.0).is_err());
     let mut points = *BezierPatch::default().points();
     points[2][1].y = f64::NAN;
-    assert_eq!(BezierPatch::new(points), Err(SurfaceError::ControlPoint { row: 2, column: 1 }));
+    assert!(BezierPatch::new(points).unwrap_err().to_string().contains("row 2, column 1"));
 }

@@ -102,7 +102,7 @@ fn example_2(colour: LinearRgb) -> [Light; 2] {
     let position = DVec3::new(-40.0, 30.0, 0.0);
     [
         Light::Ambient { colour: WHITE },
-        Light::Point { position, colour, attenuation: Attenuation::Offset { k: 1.0 } },
+        Light::Point { position, colour, attenuation: Attenuation::Offset(1.0) },
     ]
 }
 
@@ -330,7 +330,7 @@ fn exercise_1_6_31_whose_distance_is_misprinted() {
             position: DVec3::new(-50.0, 30.0, 0.0),
             colour: YELLOW,
             // k = 1 is not stated, only used.
-            attenuation: Attenuation::Offset { k: 1.0 },
+            attenuation: Attenuation::Offset(1.0),
         },
     ];
     let colour = LinearRgb::new(0.5, 1.0, 0.7);

@@ -17,13 +17,12 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
     frame: None,
 };
 
-/// The lamp's height over the floor and its strength; the k that keeps it from overflowing.
+/// The lamp's height over the floor, its strength, and the k that avoids overflow.
 const HEIGHT: f64 = 0.5;
 const STRENGTH: f64 = 1.5;
 const K: f64 = 1.0;
 /// The lamp's colour. Its components differ so much that clamping changes the hue.
 const WARM: LinearRgb = LinearRgb::new(1.0, 0.6, 0.2);
-/// The window's side.
 const WINDOW: f64 = 6.0;
 
 fn run(setup: &Setup) -> Result<Outcome> {
@@ -43,12 +42,12 @@ fn run(setup: &Setup) -> Result<Outcome> {
     Ok(out.finish(Verdict::HoldsOnlyIf(out.text("holds-only-if")), effect))
 }
 
-/// A floor under three rules of attenuation. Returns the effect that the experiment reports, and the largest luminance under 1/d².
+/// A floor under three rules of attenuation. Returns the reported effect, and the largest luminance under 1/d².
 fn attenuation(size: u32, out: &mut Recorder) -> Result<(Effect, f64)> {
     let floor = |rule| floor(rule, LinearRgb::grey(STRENGTH), ToneRule::Clamp, size);
     let square = floor(Attenuation::InverseSquare)?;
-    let quadratic = floor(Attenuation::Quadratic { constant: 1.0, linear: 1.0, quadratic: 1.0 })?;
-    let offset = floor(Attenuation::Offset { k: K })?;
+    let quadratic = floor(Attenuation::Quadratic([1.0, 1.0, 1.0]))?;
+    let offset = floor(Attenuation::Offset(K))?;
     let [of_square, of_quadratic, of_offset] = [&square, &quadratic, &offset].map(share);
     let radius = libm::pow(STRENGTH * HEIGHT, 2.0 / 3.0) - HEIGHT * HEIGHT;
     let pixel = WINDOW / f64::from(size);
@@ -99,8 +98,8 @@ fn depth_cueing(size: u32, out: &mut Recorder) -> Result<()> {
     let [of_plain, of_cued] = [&plain, &cued].map(|image| plate_value(image, 0) / plate_value(image, 2));
     let [near, far] = [0, 2].map(|plate| DEPTHS[plate] * obliqueness(plate_pixel([size; 2], plate), size));
     let law = (far + CUE.k) / (near + CUE.k);
-    // A corner moved by 1/256 pixel moves the place seen by 2/(256 size) of half the window. There, less than 0.7 of it off the
-    // middle, the share by which distance changes is less than 0.7 tan², tan² = 1/4; two plates.
+    // A corner moved by 1/256 pixel moves the point by 2/(256 size) of half the window, and its distance by less than 0.7 tan² of
+    // that, tan² = 1/4; two plates.
     let tolerance = law * (1.0 / (256.0 * f64::from(size)) + 1e-5);
     out.measure("depth-cue", "", of_cued, Check::Near(law, tolerance));
     out.set("law", law);
@@ -112,7 +111,6 @@ fn depth_cueing(size: u32, out: &mut Recorder) -> Result<()> {
     Ok(())
 }
 
-/// A floor seen from above with a lamp over its middle.
 fn floor(rule: Attenuation, colour: LinearRgb, tone: ToneRule, size: u32) -> Result<Image> {
     let half = 0.5 * WINDOW;
     let body = TriangleMesh::grid([1, 1], Diagonal::Rising, |u, v| {
@@ -123,17 +121,14 @@ fn floor(rule: Attenuation, colour: LinearRgb, tone: ToneRule, size: u32) -> Res
     draw(vec![body.object(chalk())], &[light], front(WINDOW), settings)
 }
 
-/// The luminance of a white floor.
 fn luminances(image: &Image) -> impl Iterator<Item = f64> {
     linear(image).iter().map(|colour| f64::from(colour[0]))
 }
 
-/// By how much more than 1 light may be that is 1 by the law. Positions are 100 units from the viewer; interpolated in single
-/// precision from three corners, with weights rounded three times and their sum once, they are off by 4 · 100 u, u = 2⁻²⁴. So is
-/// the distance d to the lamp above, of which 1/(d + k) changes by the share 1/(h + k); a dozen roundings of the light come to that.
+/// The rounding of light that is 1 by the law. Positions 100 units from the viewer are off by 4 · 100 u, u = 2⁻²⁴; so is the
+/// distance d to the lamp, of which 1/(d + k) changes by the share 1/(h + k); and a dozen roundings of the light.
 const ROUNDING: f64 = (4.0 * 100.0 / (HEIGHT + K) + 12.0) / (1 << 24) as f64;
 
-/// The share of pixels over 1.
 fn share(image: &Image) -> f64 {
     luminances(image).filter(|&value| value > 1.0 + ROUNDING).count() as f64 / image.coverage.len() as f64
 }
@@ -206,7 +201,6 @@ fn plates(depth_cue: Option<DepthCue>, size: u32) -> Result<Image> {
     draw(bodies.iter().map(|body| body.object(chalk())).collect(), &[light], camera, settings)
 }
 
-/// The pixel in the middle of a plate.
 fn plate_pixel([width, height]: [u32; 2], plate: usize) -> [u32; 2] {
     [(f64::from(width) * (0.5 + 0.5 * (plate as f64 - 1.0) * 0.6)) as u32, height / 2]
 }
@@ -217,7 +211,6 @@ fn obliqueness(pixel: [u32; 2], size: u32) -> f64 {
     (1.0 + x * x + y * y).sqrt()
 }
 
-/// The luminance in the middle of a plate.
 fn plate_value(image: &Image, plate: usize) -> f64 {
     colour_at(image, plate_pixel(image.size, plate)).x
 }

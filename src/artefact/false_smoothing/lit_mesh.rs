@@ -8,7 +8,6 @@ use crate::normals::Groups;
 pub(super) const FULL_ANGLE: f64 = 60.0;
 const FULL_LIGHT: f64 = 0.5;
 
-/// A mesh with its camera and light.
 pub(super) struct LitMesh {
     pub(super) mesh: Mesh,
     pub(super) camera: Camera,
@@ -18,9 +17,7 @@ pub(super) struct LitMesh {
 
 /// Its pictures with one kind of normals.
 pub(super) struct Rendering {
-    /// Under Phong's shading.
     pub(super) lit: Image,
-    /// Under flat shading.
     flat: Image,
     /// Between the normals of pixels and those of their faces.
     pub(super) deviation: NormalDeviation,
@@ -87,12 +84,10 @@ impl Rendering {
         over as f64 / self.corners.len().max(1) as f64
     }
 
-    /// The luminance in the middle of the picture.
     pub(super) fn middle(&self) -> f64 {
         LinearRgb::from(centre(&self.lit).to_array()).luminance()
     }
 
-    /// The same of the faces.
     pub(super) fn true_middle(&self) -> f64 {
         LinearRgb::from(centre(&self.flat).to_array()).luminance()
     }

@@ -3,16 +3,13 @@
 use super::super::prelude::*;
 use std::f64::consts::TAU;
 
-/// The cube from −1 to 1.
 pub(super) fn cube() -> Result<Mesh> {
     let mut faces = Faces::new();
     BOX_FACES.iter().for_each(|face| faces.push(face));
     build(box_corners(DVec3::splat(2.0)), faces)
 }
 
-/// The teeth of the gear.
 const TEETH: u32 = 12;
-/// The vertices of its bore.
 pub(super) const BORE: u32 = 4 * TEETH;
 
 /// A gear about the z axis with a bore: flat faces, all of whose edges are sharp, but those along the bore.
@@ -44,8 +41,7 @@ pub(super) fn gear() -> Result<Mesh> {
     build(positions, faces)
 }
 
-/// A sheet folded along lines upwards: strips of the width 1 along the profile, so many of them, each leaning by one of these
-/// angles in turn. It hangs about the origin with its middle.
+/// A sheet folded along upright lines: so many strips of width 1, each leaning by one of these angles in turn, about the origin.
 pub(super) fn folded(leans: &[Degrees], strips: u32) -> Result<Mesh> {
     const HALF: f64 = 2.2;
     let mut profile = vec![DVec2::ZERO];

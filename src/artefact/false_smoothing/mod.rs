@@ -104,7 +104,6 @@ fn from_above() -> Camera {
     Camera { eye: DVec3::new(0.0, 70.0, 100.0), ..front(6.0) }
 }
 
-/// The pictures of a mesh, averaged and split.
 fn show(names: [&'static str; 2], [smooth, sharp]: [Rendering; 2], out: &mut Recorder) -> Effect {
     let means = [smooth.deviation.mean, sharp.deviation.mean];
     let effect = out.effect("pixels", "°", means, Threshold::half_step_of_tilt(), 100.0);
@@ -138,7 +137,6 @@ fn separates_gear(parameters: &Parameters) -> bool {
     (8.0..60.0).contains(&parameters.crease.0) && parameters.weight != Weight::Quadric
 }
 
-/// The error on the gear by crease angle.
 fn chart(gear: &LitMesh, weight: Weight, out: &mut Recorder) {
     let points = (0..=36).map(|k| {
         let crease = Degrees(5.0 * f64::from(k));

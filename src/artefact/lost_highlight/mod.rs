@@ -22,8 +22,7 @@ const CLOSE: f64 = 1.1;
 /// Pictures of one turn by a segment.
 const FRAMES: u32 = 8;
 
-/// Whether a vertex so far from the highlight has less of it than where it is steepest, at e^(−1/2) of its height: a highlight
-/// narrower than that angle is lost there, a wider one dulled.
+/// Whether a vertex at this angle from a highlight has less than e^(−1/2) of its height: the highlight is lost, not only dulled.
 fn is_lost(angle: f64, exponent: f64) -> bool {
     libm::pow(libm::cos(angle), exponent) <= libm::exp(-0.5)
 }
@@ -59,12 +58,11 @@ fn peak(image: &Image) -> Result<f64> {
     Ok(Highlight::of(image)?.peak)
 }
 
-/// The share of its light that a true peak may lose if it lies in the middle between four pixels.
+/// The share of its light that a true peak loses in the middle between four pixels.
 #[derive(Clone, Copy)]
 struct Loss(f64);
 
 impl Loss {
-    /// Whether pixels resolve the peak. Otherwise the true peak falls between pixels, and what others lack is unknown.
     fn is_small(self) -> bool {
         self.0 < 0.2
     }
@@ -80,8 +78,7 @@ impl Loss {
         }
     }
 
-    /// The light missing at a peak under Gouraud's shading and under Phong's; the true peak is 1. The nearest vertex is at an
-    /// angle from it.
+    /// The light missing at a peak of 1 under Gouraud's shading and Phong's, with the nearest vertex at an angle from it.
     fn missing(self, images: [&Image; 2], angle: f64, out: &Recorder) -> Result<Effect> {
         let bad = self.reported((1.0 - peak(images[0])? - of_diffuse(angle)).max(0.0));
         // No diffuse light is missing: the normals in the middle face the light.
@@ -111,12 +108,10 @@ fn plate(&Parameters { size, exponent, .. }: &Parameters, out: &mut Recorder) ->
     Ok(())
 }
 
-/// The turning sphere.
 struct Sphere {
     size: u32,
     segments: u32,
     exponent: f64,
-    /// The angle of a segment.
     delta: f64,
 }
 
@@ -135,7 +130,6 @@ impl Sphere {
         turns.map(|turn| Ok([Degrees::from(Radians(turn)).0, peak(&self.draw(turn, shading)?)?])).collect()
     }
 
-    /// Measures and pictures, and the effect that the experiment reports.
     fn record(&self, out: &mut Recorder) -> Result<Effect> {
         let &Self { size, exponent, delta, .. } = self;
         let sphere = Shape::Surface(Primitive::from(crate::surface::Sphere::default()));
@@ -147,7 +141,6 @@ impl Sphere {
         let (gouraud, phong) = (self.peaks(Shading::Gouraud)?, self.peaks(Shading::Phong)?);
         let loss = Loss(1.0 - law(libm::asin(between_pixels(size)), exponent));
         let flickers = [flicker(&gouraud), flicker(&phong)];
-        // The peak of diffuse light falls to the cosine of half a segment, whatever the highlight does.
         let beyond = flickers.map(|flicker| (flicker - of_diffuse(0.5 * delta)).max(0.0));
         let displacement = Highlight::change(&quarter, &truth)?.displacement;
         self.measure(Highlight::change(&worst, &truth)?.peak_ratio, displacement, flickers, loss, out);
@@ -170,14 +163,15 @@ impl Sphere {
         &self,
         peak_ratio: f64,
         displacement: f64,
-        [gouraud, phong]: [f64; 2],
+        flickers: [f64; 2],
         loss: Loss,
         out: &mut Recorder,
     ) {
+        let [gouraud, phong] = flickers;
         let &Self { size, exponent, delta, .. } = self;
         let radius = f64::from(size) / WINDOW;
         let of_nearest = law(delta / 2.0, exponent);
-        // A pixel's centre is up to 0.71 pixels from a vertex, from which light falls along edges to the next one.
+        // A pixel's centre is up to 0.71 pixels from a vertex.
         let tolerance = 0.75 / (2.0 * libm::sin(delta / 2.0) * radius);
         // On facets of few pixels that would allow almost anything.
         let unless =

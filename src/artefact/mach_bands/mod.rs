@@ -20,7 +20,7 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
     takes: &[ParameterName::Size, ParameterName::Segments, ParameterName::Light],
     // Of fewer facets no edge may be visible; those of four times as many more would be a few pixels wide.
     segments: 6..=128,
-    // So few that bands are seen with the naked eye; with an odd number of facets in the light no two neighbours are alike.
+    // So few that bands are visible; with an odd number of facets in the light no two neighbours are alike.
     defaults: Parameters { segments: 10, light: Degrees(30.0), ..Parameters::USUAL },
     run,
     frame: None,
@@ -47,8 +47,8 @@ fn run(setup: &Setup) -> Result<Outcome> {
     let bad = edges.worse.found.measured.abs();
     let effect = out.effect("finer", "1/R", [bad, edges.of_fine.abs()], threshold(&tube, &out), 3.5);
     // Another shading need not make bands vanish, but visibly smaller.
-    let of_shading = |bad: f64, cured: f64, tube: &Tube, out: &Recorder| {
-        out.effect("shading", "1/R", [bad, cured], threshold(tube, out), 1.5)
+    let of_shading = |numbers: [f64; 2], tube: &Tube, out: &Recorder| {
+        out.effect("shading", "1/R", numbers, threshold(tube, out), 1.5)
     };
     let step = Effect {
         name: out.text("flat-effect"),
@@ -57,10 +57,9 @@ fn run(setup: &Setup) -> Result<Outcome> {
         present: Threshold::half_step(),
         ..effect.clone()
     };
-    let of_other = of_shading(bad, edges.better.measured.abs(), &tube, &out);
+    let of_other = of_shading([bad, edges.better.measured.abs()], &tube, &out);
     let grazing = Jumps::measure(Tube::under(GRAZING, segments)?, GRAZING)?;
-    let of_grazing =
-        of_shading(grazing.largest_of_phong(), grazing.largest_of_gouraud(), &grazing.tube, &out);
+    let of_grazing = of_shading(grazing.largest(), &grazing.tube, &out);
     pictures::record_charts(&lines, &of_other, &mut out);
     predicted_overshoot::charts(&tube, light, &mut out)?;
     pictures::record_grazing(&grazing.tube, GRAZING, &of_grazing, &mut out)?;
@@ -102,19 +101,14 @@ impl Edges {
             tube.largest(light, |theta| (line.slope_jump(tube, theta).0, law(theta, light, delta)))
         };
         let (gouraud, phong) = (largest(&lines.gouraud, gouraud_jump), largest(&lines.phong, phong_jump));
+        let of_gouraud =
+            Worse { name: "Gouraud", shading: Shading::Gouraud, law: gouraud_jump, found: gouraud };
+        let of_phong = Worse { name: "Phong", shading: Shading::Phong, law: phong_jump, found: phong };
         let is_gouraud_worse = gouraud.measured.abs() > phong.measured.abs();
-        let (worse, better) = match is_gouraud_worse {
-            true => {
-                let (name, shading) = ("Gouraud", Shading::Gouraud);
-                (Worse { name, shading, law: gouraud_jump, found: gouraud }, phong)
-            }
-            false => {
-                let (name, shading) = ("Phong", Shading::Phong);
-                (Worse { name, shading, law: phong_jump, found: phong }, gouraud)
-            }
-        };
+        let (worse, better) = if is_gouraud_worse { (of_gouraud, of_phong) } else { (of_phong, of_gouraud) };
         out.set("worse", worse.name);
-        out.set("better", if is_gouraud_worse { "Phong" } else { "Gouraud" });
+        out.set("better", better.name);
+        let better = better.found;
         // At the same edge, which the finer one has too.
         let (at, fine_line) = (worse.found.theta, fine.profile(light, worse.shading)?);
         let (of_fine, by_fine) = fine_line.slope_jump(fine, at);
@@ -131,8 +125,8 @@ impl Edges {
     }
 }
 
-/// The jump of slope above which a luminance that is straight over facets is off a round one by half a step of 8 bits: in the
-/// middle of a facet of the width w it is w/8 times the jump.
+/// The jump of slope above which a luminance that is straight over a facet of width w is off a round one by half a step of 8
+/// bits: in the middle it is off by w/8 times the jump.
 fn threshold(tube: &Tube, out: &Recorder) -> Threshold {
     Threshold {
         value: 8.0 * Threshold::HALF_STEP / (2.0 * libm::sin(0.5 * tube.delta())),
@@ -167,8 +161,7 @@ fn half(Degrees(angle): Degrees) -> f64 {
     Radians::from(Degrees(angle / 2.0)).0
 }
 
-/// Phong's slope jump over Gouraud's at the edge where it is worst, half-way between the viewer and the light, and how far
-/// roundings may move that.
+/// Phong's slope jump over Gouraud's half-way between the viewer and the light, where it is worst, and its rounding.
 fn ratio(light: Degrees, segments: u32) -> Result<(f64, f64)> {
     let tube = Tube::new(segments, half(light))?;
     let jump = |shading| tube.profile(light, shading).map(|line| line.slope_jump(&tube, half(light)));
@@ -180,8 +173,7 @@ fn ratio(light: Degrees, segments: u32) -> Result<(f64, f64)> {
 /// How far halving leaves the angle open.
 const RESOLVED: f64 = 20.0 / 2048.0;
 
-/// The angle of the light at which Phong's jump is as large as Gouraud's, in degrees, by halving; and how far roundings may
-/// move the ratio there.
+/// The angle of the light at which Phong's jump is as large as Gouraud's, in degrees, by halving; and the rounding of the ratio.
 fn border(segments: u32) -> Result<(f64, f64)> {
     let (mut low, mut high, mut open) = (60.0, 80.0, 0.0);
     for _ in 0..10 {

@@ -26,7 +26,7 @@ pub(super) fn record(
     Ok(())
 }
 
-/// The slope jumps of Phong's and Gouraud's shading at the edges of a cylinder: place across the picture, and jump.
+/// The slope jumps of Phong's and Gouraud's shading at the edges of a cylinder: position across the picture, and jump.
 pub(super) struct Jumps {
     pub(super) tube: Tube,
     phong: Vec<[f64; 2]>,
@@ -39,12 +39,9 @@ impl Jumps {
         Ok(Self { tube, phong, gouraud })
     }
 
-    pub(super) fn largest_of_phong(&self) -> f64 {
-        largest(&self.phong)
-    }
-
-    pub(super) fn largest_of_gouraud(&self) -> f64 {
-        largest(&self.gouraud)
+    /// The largest jump of Phong's and of Gouraud's shading.
+    pub(super) fn largest(&self) -> [f64; 2] {
+        [&self.phong, &self.gouraud].map(|jumps| jumps.iter().map(|jump| jump[1]).fold(0.0, f64::max))
     }
 
     /// Maps of the jumps, and the pictures, in which they are hardly visible.
@@ -62,15 +59,10 @@ impl Jumps {
     }
 }
 
-fn largest(jumps: &[[f64; 2]]) -> f64 {
-    jumps.iter().map(|jump| jump[1]).fold(0.0, f64::max)
-}
-
 /// Half the width of the bars in maps of jumps, in pixels.
 const HALF_BAR: f64 = 2.5;
 
-/// Where the slope jumps: a bar at each edge that is measured, as light as the jump is large. Facets next to which nothing is
-/// measured are omitted.
+/// A bar at each measured edge, as light as its jump is large. Facets without a measured edge are omitted.
 fn jump_map(drawn: &Image, tube: &Tube, light: Degrees, jumps: &[[f64; 2]], full: f64) -> Image {
     let pixel = WINDOW / f64::from(drawn.size[0]);
     let (from, to) = tube.near_edges(light);

@@ -1,9 +1,8 @@
-//! The overshoot at edges that a model of lateral inhibition predicts. It says nothing of what observers report.
+//! The overshoot at edges that a model of lateral inhibition predicts.
 
 use super::super::outcome::Curve;
 use super::super::prelude::*;
-use super::tube::{Law, flat_step, gouraud_jump, phong_jump};
-use super::tube::{Tube, WINDOW, is_drawn};
+use super::tube::{Law, Tube, WINDOW, flat_step, gouraud_jump, is_drawn, phong_jump};
 use crate::metric::{DifferenceOfGaussians, MetricError, PIXELS_PER_DEGREE, Profile};
 
 /// Width in pixels of the scanline that the model is applied to, whatever the size of the pictures: 15° of the field of view.
@@ -11,36 +10,24 @@ const WIDTH: u32 = 1024;
 /// Pixels to either side that the model's answer depends on, at its default widths.
 const REACH: f64 = 8.0;
 
-/// The model's answers along a scanline.
-struct Answers {
-    points: Vec<[f64; 2]>,
-}
-
 /// Pixels of a radius.
 fn radius() -> f64 {
     f64::from(WIDTH) / WINDOW
 }
 
-impl Answers {
-    fn of(tube: &Tube, light: Degrees, shading: Shading) -> Result<Self> {
-        let image = tube.draw([WIDTH, 1], light, shading)?;
-        let runs = Profile::of_row(&image, Samples::One, 0)?;
-        let profile = runs.first().ok_or(MetricError::Empty)?;
-        Ok(Self { points: DifferenceOfGaussians::default().along(profile) })
-    }
+/// The model's answers along a scanline, by pixel.
+fn answers(tube: &Tube, light: Degrees, shading: Shading) -> Result<Vec<[f64; 2]>> {
+    let image = tube.draw([WIDTH, 1], light, shading)?;
+    let runs = Profile::of_row(&image, Samples::One, 0)?;
+    let profile = runs.first().ok_or(MetricError::Empty)?;
+    Ok(DifferenceOfGaussians::default().along(profile))
+}
 
-    /// The largest answer within two pixels of an edge, with its sign.
-    fn at(&self, theta: f64) -> f64 {
-        let edge = 0.5 * f64::from(WIDTH) + radius() * libm::sin(theta);
-        let near = self.points.iter().filter(|[x, _]| (x - edge).abs() <= 2.0).map(|[_, answer]| *answer);
-        near.max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0)
-    }
-
-    /// The answers by place across the picture, in radii.
-    fn across(&self) -> Vec<[f64; 2]> {
-        let place = |&[x, answer]: &[f64; 2]| [(x - 0.5 * f64::from(WIDTH)) / radius(), answer];
-        self.points.iter().map(place).filter(|&[x, _]| is_drawn(x)).collect()
-    }
+/// The largest answer within two pixels of an edge, with its sign.
+fn answer_at(answers: &[[f64; 2]], theta: f64) -> f64 {
+    let edge = 0.5 * f64::from(WIDTH) + radius() * libm::sin(theta);
+    let near = answers.iter().filter(|[x, _]| (x - edge).abs() <= 2.0).map(|[_, answer]| *answer);
+    near.max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0)
 }
 
 /// The model's answer at an edge in closed form, and its tolerance.
@@ -56,9 +43,8 @@ impl Prediction {
         Self { answer, open: 0.12 * answer.abs() + 2.0 * f64::from(f32::EPSILON) }
     }
 
-    /// Next to the edge Phong's shading bends, to which the answer is −Y″ (σs² − σc²)/2: as the normal turns along the chord of
-    /// a facet of the width w, by α′ = sin Δ/w at its ends and α″ = ±2 sin Δ (1 − cos Δ)/w². On the edge that is the mean of both
-    /// sides, and two pixels off more of one.
+    /// Adds the answer to Phong's curvature next to the edge, −Y″ (σs² − σc²)/2: the normal turns along the chord of a facet of
+    /// width w by α′ = sin Δ/w at its ends and α″ = ±2 sin Δ (1 − cos Δ)/w². On the edge that is the mean of both sides.
     fn with_bends(self, theta: f64, light: Degrees, delta: f64) -> Self {
         let [centre, surround] = DifferenceOfGaussians::default().widths();
         let (sine, cosine) = libm::sincos(theta - Radians::from(light).0);
@@ -82,8 +68,8 @@ pub(super) fn measure(tube: &Tube, fine: &Tube, light: Degrees, out: &mut Record
         out.set(name, Value::number(value));
     }
     let mut measure = |name, tube: &Tube, shading, law: &dyn Fn(f64) -> Prediction| {
-        let answers = Answers::of(tube, light, shading)?;
-        let found = tube.largest(light, |theta| (answers.at(theta).abs(), law(theta).answer.abs()));
+        let answers = answers(tube, light, shading)?;
+        let found = tube.largest(light, |theta| (answer_at(&answers, theta).abs(), law(theta).answer.abs()));
         let check = match tube.narrowest() * radius() > 2.0 * REACH {
             true => Check::Near(found.law, law(found.theta).open),
             false => Check::Untested("narrow-facets"),
@@ -107,7 +93,10 @@ pub(super) fn measure(tube: &Tube, fine: &Tube, light: Degrees, out: &mut Record
 /// The answers across the picture: of slopes that jump, and of steps, which are many times larger.
 pub(super) fn charts(tube: &Tube, light: Degrees, out: &mut Recorder) -> Result<()> {
     let curve = |name, shading, out: &Recorder| -> Result<Curve> {
-        Ok(out.curve(name, Drawn::Curve, Answers::of(tube, light, shading)?.across()))
+        // By position across the picture, in radii.
+        let place = |[x, answer]: [f64; 2]| [(x - 0.5 * f64::from(WIDTH)) / radius(), answer];
+        let points = answers(tube, light, shading)?.into_iter().map(place).filter(|&[x, _]| is_drawn(x));
+        Ok(out.curve(name, Drawn::Curve, points.collect()))
     };
     let slopes = vec![
         curve("gouraud", Shading::Gouraud, out)?,

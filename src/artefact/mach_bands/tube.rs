@@ -10,8 +10,7 @@ pub(super) const WINDOW: f64 = 2.2;
 const LINE: u32 = 16_384;
 /// Edges farther round are seen so much from the side that their facets have few pixels.
 const FARTHEST: Degrees = Degrees(60.0);
-/// Over how much of a facet slopes are taken, in radians: over more, Phong's luminance is no polynomial of fourth degree; over
-/// less, roundings count.
+/// The part of a facet that slopes are taken over, in radians: Phong's luminance is a polynomial of fourth degree there.
 const SPAN: f64 = 0.1;
 
 /// A prism with N sides of radius 1 about the y axis, with the cylinder's own normals.
@@ -38,8 +37,7 @@ impl Tube {
         Ok(Self { mesh, normals, segments, start })
     }
 
-    /// With an edge where the light ends. There the cylinder itself has a band; a facet across that border would have another
-    /// one at each of its sides under Gouraud's shading, in place of that.
+    /// With an edge where the light ends: a facet across that border would have two bands under Gouraud's shading.
     pub(super) fn under(light: Degrees, segments: u32) -> Result<Self> {
         Self::new(segments, Radians::from(light).0 - (PI / 2.0).copysign(light.0))
     }
@@ -84,8 +82,8 @@ impl Tube {
         (0..self.segments).map(turned).filter(is_lit)
     }
 
-    /// From where to where across the picture, in radii, the facets next to those edges lie, but for a little at both ends, where
-    /// differences would reach beyond; everywhere if there is no such edge.
+    /// The range across the picture, in radii, of the facets next to those edges, without a little at both ends; everything if there
+    /// is no such edge.
     pub(super) fn near_edges(&self, light: Degrees) -> (f64, f64) {
         let edges: Vec<f64> = self.edges(light).collect();
         let from = edges.iter().copied().fold(f64::INFINITY, f64::min) - self.delta();
@@ -172,15 +170,14 @@ impl Profile {
         let weights = slope_weights(edge, &pixels.map(Self::x));
         let slope: f64 =
             pixels.iter().zip(&weights).map(|(&pixel, weight)| weight * self.values[pixel]).sum();
-        // Samples are of single precision, each rounded by itself: three standard deviations of a few roundings of numbers below 1.
-        // Vertices snap to 256ths of pixels, which makes the facet wider or narrower.
+        // Three standard deviations of roundings of samples in single precision. Vertices snap to 256ths of pixels.
         let of_samples =
             f64::from(f32::EPSILON) * weights.iter().map(|weight| weight * weight).sum::<f64>().sqrt();
         let snapped = WINDOW / f64::from(LINE) / 256.0;
         [slope, of_samples + slope.abs() * snapped / (next - edge).abs()]
     }
 
-    /// Every so many pixels up to a little more than 60° round, as points of a chart: slopes beyond would dwarf all others.
+    /// Every so many pixels up to a little more than 60° round, as points of a chart.
     pub(super) fn points(&self, every: usize, value: impl Fn(&[f64], usize) -> f64) -> Vec<[f64; 2]> {
         let inside = |&pixel: &usize| is_drawn(Self::x(pixel));
         let pixels = (0..self.values.len()).step_by(every).filter(inside);

@@ -142,8 +142,7 @@ const EYE: f64 = 2.0;
 /// By how much the right side is turned away from the viewer, about the upright axis.
 const AWAY: Degrees = Degrees(60.0);
 
-/// Edges foreshorten: the shortest is three quarters as long as seen from in front, so corners that snap move its colours by so
-/// many times as much.
+/// The shortest edge has three quarters of its frontal length: snapped corners move its colours by so many times as much.
 const FORESHORTENED: f64 = 4.0 / 3.0;
 
 fn camera() -> Camera {
@@ -162,10 +161,9 @@ fn change(diamond: &Polygon, size: u32, interpolation: Interpolation) -> Result<
     Ok((colour(90.0)? - colour(0.0)?).abs().max_element())
 }
 
-/// The change under scanlines, in triangles, and in triangles by perspective, against the law: of the ends of a line at depths
-/// d ± s, the middle has the colours in parts of (d ∓ s)/2d when they are mixed by distances in the picture. That is the line
-/// from corner 3 to corner 1 in one position; in the other scanlines run from corner 2 to corner 4, while the triangles' edge
-/// is upright and has one depth.
+/// The change under scanlines, in triangles, and in triangles by perspective, against the law: the middle of a line with ends at
+/// depths d ± s mixes their colours in parts of (d ∓ s)/2d. That is the line from corner 3 to corner 1; in the other position
+/// scanlines run from corner 2 to corner 4, and the triangles' upright edge has one depth.
 fn measure_oblique(diamond: &Polygon, size: u32, tolerance: f64, out: &mut Recorder) -> Result<()> {
     let triangles = diamond.cut(false)?;
     let [c1, c2, c3, c4] = Polygon::LECTURES.map(DVec3::from);

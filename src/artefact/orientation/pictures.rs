@@ -3,10 +3,8 @@
 use super::super::prelude::*;
 use super::polygon::{Polygon, sin_cos};
 
-/// Full scale of the maps of differences.
 pub(super) const FULL: f64 = 0.4;
 
-/// The pictures that are compared.
 pub(super) struct Pictures {
     /// Under scanlines: not turned, turned by 45° and by 90°, and the last turned back.
     upright: Image,
@@ -72,8 +70,7 @@ fn halves(upper: &Image, lower: &Image) -> Image {
 /// The turn that pixels are exchanged by, none of them between others.
 const QUARTER: Degrees = Degrees(90.0);
 
-/// For each interpolation, how far the picture of a quarter turn, turned back, is from that of none (root mean square over
-/// pixels and components).
+/// For each interpolation, the root mean square difference of the unturned picture and that of a quarter turn, turned back.
 pub(super) fn measure(polygon: &Polygon, size: u32, out: &mut Recorder) -> Result<()> {
     let tolerance = polygon.tolerance(size);
     for (name, interpolation) in [
@@ -116,8 +113,7 @@ fn law(polygon: &Polygon, upright: &Image, back: &Image, tolerance: f64) -> f64 
     (squares / f64::from(count.max(1))).sqrt()
 }
 
-/// A picture of something turned by an angle, turned back: every pixel is where its centre came from, bilinear between the
-/// four pixels about it, and background if one of those is.
+/// A picture turned back by an angle: bilinear between the four pixels about a pixel's origin, background if one of them is.
 pub(super) fn turned_back(image: &Image, angle: Degrees) -> Image {
     let (sin, cos) = sin_cos(angle);
     let [width, height] = image.size;

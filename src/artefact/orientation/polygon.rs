@@ -3,7 +3,6 @@
 use super::super::prelude::*;
 use crate::mesh::triangulate;
 
-/// The most corners that a polygon may have.
 const MOST_CORNERS: usize = 1024;
 
 /// A plane polygon with a colour at each corner, about the origin; its farthest corner is at 1.
@@ -25,8 +24,7 @@ impl Polygon {
     /// The lectures' diamond, or the first face of a mesh that has four corners or more, or its first.
     ///
     /// # Errors
-    /// A polygon that visits a place twice, crosses itself, or is thinner than two pixels of a picture of this size: scanlines
-    /// have no law there.
+    /// A polygon that visits a place twice, crosses itself, or is thinner than two pixels of a picture of this size.
     pub(super) fn of(own: Option<&UserMesh>, size: u32) -> Result<Self> {
         let Some(own) = own else {
             let corners = vec![DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y];
@@ -90,8 +88,8 @@ impl Polygon {
         Ok(Self { corners, colours, mesh, normals })
     }
 
-    /// The same cut into triangles, one way or the other: a convex polygon into a fan about its first corner or its second, any
-    /// other by Delaunay's rule, or so with a diagonal turned.
+    /// The same cut into triangles, one way or the other: convex polygons into a fan about the first or second corner, others by
+    /// Delaunay's rule, or so with a diagonal turned.
     pub(super) fn cut(&self, other_way: bool) -> Result<Self> {
         let count = self.corners.len() as u32;
         let triangles = if self.is_convex() {
@@ -118,7 +116,6 @@ impl Polygon {
         triangles(self) == triangles(other)
     }
 
-    /// Whether three corners run counter-clockwise.
     fn turns_left(&self, [a, b, c]: [u32; 3]) -> bool {
         let [a, b, c] = [a, b, c].map(|corner| self.corners[corner as usize]);
         (b - a).perp_dot(c - b) > 0.0
@@ -183,8 +180,8 @@ impl Polygon {
 
     /// The tolerance of colours in a picture of this size.
     ///
-    /// Corners are moved by up to 1/512 of a pixel each way, over colours that change along edges; and from one edge of a narrow
-    /// corner to the next within a fifth of the picture's side. Colours themselves are of single precision: a few roundings.
+    /// Corners move by up to 1/512 of a pixel each way, over colours that change along edges, or across a narrow corner within a
+    /// fifth of the picture's side. Colours are of single precision: a few roundings.
     pub(super) fn tolerance(&self, size: u32) -> f64 {
         let [change, shortest] = self.steepest(size);
         let snapped = 4.0 * change / (256.0 * shortest.min(0.2 * f64::from(size)));
@@ -198,8 +195,7 @@ impl Polygon {
         if shortest < 1.0 { Check::Untested("short-edges") } else { Check::Near(law, tolerance) }
     }
 
-    /// Where the horizontal line through a place leaves the polygon, turned with the place by an angle, to the left and to the
-    /// right, with the colours there: by cutting each edge.
+    /// The ends of the scanline through a place of the polygon turned by an angle, left and right, with the colours there.
     fn ends(&self, place: DVec2, angle: Degrees) -> [Option<(f64, DVec3)>; 2] {
         let (sine, cosine) = sin_cos(angle);
         let turn = DVec2::new(cosine, sine);
@@ -221,8 +217,7 @@ impl Polygon {
         ends
     }
 
-    /// Whether the law jumps at the scanline of a place in a picture of so many pixels: an edge lies along it, or the tip of a
-    /// notch on it, which snapping may move above it or below.
+    /// Whether the law jumps at the scanline of a place: an edge lies along it, or the tip of a notch that snapping may move.
     pub(super) fn jumps(&self, place: DVec2, angle: Degrees, size: u32, tolerance: f64) -> bool {
         let (sine, cosine) = sin_cos(angle);
         // A 128th of a pixel upwards in the picture.
@@ -246,7 +241,6 @@ impl Polygon {
     }
 }
 
-/// A triangle from each of its corners on.
 fn rotations([a, b, c]: [u32; 3]) -> impl Iterator<Item = [u32; 3]> {
     [[a, b, c], [b, c, a], [c, a, b]].into_iter()
 }
@@ -271,13 +265,11 @@ fn flattened(points: &[DVec3]) -> Option<Vec<DVec2>> {
     Some(from_mean.iter().map(|p| DVec2::new(p.dot(x), p.dot(y))).collect())
 }
 
-/// The first two corners at one place.
 fn same_place(points: &[DVec3]) -> Option<[usize; 2]> {
     let pairs = (0..points.len()).flat_map(|i| (i + 1..points.len()).map(move |j| [i, j]));
     pairs.into_iter().find(|&[i, j]| points[i] == points[j])
 }
 
-/// The first two edges that cross.
 fn crossing(corners: &[DVec2]) -> Option<[usize; 2]> {
     let count = corners.len();
     let edge = |k: usize| [corners[k], corners[(k + 1) % count]];
@@ -296,8 +288,7 @@ fn mean_width(corners: &[DVec2]) -> f64 {
     area / (2.0 * corners.iter().map(|corner| corner.length()).fold(0.0, f64::max))
 }
 
-/// A polygon with the origin in it: its mean, or where that lies outside, the middle of the largest of its triangles. The
-/// farthest corner is at 1.
+/// A polygon about its mean, or if that lies outside, about the middle of its largest triangle. The farthest corner is at 1.
 fn centred(corners: Vec<DVec2>) -> Result<Vec<DVec2>> {
     let pairs = || corners.iter().zip(corners.iter().cycle().skip(1));
     let is_left =

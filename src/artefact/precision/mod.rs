@@ -9,8 +9,7 @@ use super::prelude::*;
 use crate::metric::normal_deviation;
 use crate::normals::encoding::{Encoding, Snorm};
 use crate::num::steepest_slope;
-use sphere::Scene;
-use sphere::{SPECULAR, bound, material, needed};
+use sphere::{SPECULAR, bound, look, material, needed};
 use std::f64::consts::FRAC_1_SQRT_2;
 
 static TEXTS: Catalogue = catalogue!("texts");
@@ -39,22 +38,23 @@ fn run(setup: &Setup) -> Result<Outcome> {
         ("distance", Value::number(AWAY)),
     ];
     let mut out = Recorder::new(&TEXTS, &values);
-    let (scene, spheres) = (Scene { size }, Spheres::new(segments));
+    let spheres = Spheres::new(segments);
     let largest = spheres.measure_stored_normals(&mut out);
-    let reference = scene.light(&spheres.own.object(material(exponent)), Shading::Phong)?;
-    let lit = |mesh: &TriangleMesh| scene.light(&mesh.object(material(exponent)), Shading::Phong);
+    let lit =
+        |mesh: &TriangleMesh| look(&mesh.object(material(exponent)), Shading::Phong, Show::Shaded, size);
+    let reference = lit(&spheres.own)?;
     let error = |image: &Image| largest_error(image, &reference);
     let (eight, sixteen) = (lit(&spheres.eight)?, lit(&spheres.sixteen)?);
     let (of_eight, of_sixteen) = (error(&eight)?, error(&sixteen)?);
     out.measure("change-over-bound", "", of_eight / bound(exponent, largest), Check::AtMost(1.0));
     out.measure("change", "", of_eight, Check::None);
-    let changes = spheres.measure_changes(&scene, exponent, largest, &mut out)?;
+    let changes = spheres.measure_changes(size, exponent, largest, &mut out)?;
     // Cosines of two pictures, each rounded to single precision, times n.
     let most = bound(exponent, SIXTEEN) + 1e-5 + 1.2e-7 * exponent;
     out.measure("change-sixteen", "", of_sixteen, Check::AtMost(most));
     spheres.measure_far_faces(segments, &mut out);
     slivers::record(&mut out);
-    spheres.measure_pixels(&scene, exponent, &mut out)?;
+    spheres.measure_pixels(size, exponent, &mut out)?;
     let effect = out.effect("bits", "", [of_eight, of_sixteen], Threshold::half_step(), 20.0);
     out.bad("eight-bits", &effect, eight);
     out.cured("sixteen-bits", &effect, sixteen);
@@ -68,8 +68,7 @@ fn run(setup: &Setup) -> Result<Outcome> {
     Ok(out.finish(verdict, effect))
 }
 
-/// By the largest changes of diffuse light and of the highlight, and the largest errors of normals of 8 bits and of twice 16, in
-/// degrees.
+/// By the largest changes of diffuse light and highlight, and the largest errors in degrees of normals of 8 and twice 16 bits.
 fn verdict(
     [of_diffuse, of_highlight]: [f64; 2],
     exponent: f64,
@@ -93,7 +92,6 @@ fn nearest_of_127(normal: DVec3) -> DVec3 {
     (normal * 127.0).round().normalize()
 }
 
-/// The sphere with normals of different precision.
 struct Spheres {
     /// With its own normals in single precision.
     own: TriangleMesh,
@@ -111,7 +109,6 @@ impl Spheres {
         Self { eight, sixteen: stored(Encoding::OCTAHEDRAL_16), far: own.far_away(AWAY), own }
     }
 
-    /// The errors of normals of 8 bits at the vertices. Returns the largest in degrees.
     fn measure_stored_normals(&self, out: &mut Recorder) -> f64 {
         let [mean, largest] = self.own.angles(&self.eight);
         let [mean_law, largest_law] = self.own.angles(&self.own.with_normals(nearest_of_127));
@@ -122,18 +119,17 @@ impl Spheres {
         largest
     }
 
-    /// The changes of each kind of light by itself, as strong as can be, by normals of 8 bits. Returns those of diffuse light and
-    /// of Blinn's highlight.
+    /// The changes of each kind of light by normals of 8 bits. Returns those of diffuse light and of Blinn's highlight.
     fn measure_changes(
         &self,
-        scene: &Scene,
+        size: u32,
         exponent: f64,
         largest: f64,
         out: &mut Recorder,
     ) -> Result<[f64; 2]> {
         let change = |shares: [f64; 2], reflection: Reflection| -> Result<f64> {
             let material = Material { reflection, ..shiny(shares, exponent) };
-            let lit = |mesh: &TriangleMesh| scene.light(&mesh.object(material), Shading::Phong);
+            let lit = |mesh: &TriangleMesh| look(&mesh.object(material), Shading::Phong, Show::Shaded, size);
             largest_error(&lit(&self.eight)?, &lit(&self.own)?)
         };
         let diffuse = change([1.0, 0.0], Reflection::Blinn)?;
@@ -149,8 +145,7 @@ impl Spheres {
     /// The error of the faces' normals far from the origin.
     fn measure_far_faces(&self, segments: u32, out: &mut Recorder) {
         let law = self.own.rounded_faces(AWAY);
-        // Of vertices that lie mirrored to both sides of the middle, one in four is rounded by itself. The root of a mean of so
-        // many squares scatters by half of one over the root of their number; three times that.
+        // One in four of mirrored vertices is rounded by itself: three times the scatter of a root of a mean of so many squares.
         let quarter = f64::from(segments / 2 + 1);
         let check = match segments {
             // And terms of second order in the angle.
@@ -161,16 +156,16 @@ impl Spheres {
     }
 
     /// The mean errors of the pixels' normals.
-    fn measure_pixels(&self, scene: &Scene, exponent: f64, out: &mut Recorder) -> Result<()> {
+    fn measure_pixels(&self, size: u32, exponent: f64, out: &mut Recorder) -> Result<()> {
         let exact = Object::new(Shape::Surface(Primitive::from(Sphere::default())), material(exponent));
-        let truth = scene.normals(&exact, Shading::Exact)?;
+        let truth = look(&exact, Shading::Exact, Show::Normals, size)?;
         for (name, mesh) in [
             ("pixels-eight", &self.eight),
             ("pixels-sixteen", &self.sixteen),
             ("pixels-single", &self.own),
             ("pixels-far", &self.far),
         ] {
-            let normals = scene.normals(&mesh.object(material(exponent)), Shading::Phong)?;
+            let normals = look(&mesh.object(material(exponent)), Shading::Phong, Show::Normals, size)?;
             out.measure(name, "°", normal_deviation(&normals, &truth)?.mean, Check::None);
         }
         Ok(())

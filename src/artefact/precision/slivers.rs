@@ -13,8 +13,7 @@ fn errors() -> [Vec<[f64; 2]>; 2] {
     [0, 1].map(|way| SLIVERS.map(|ratio| [ratio, sliver(ratio)[way]]).to_vec())
 }
 
-/// The error of the normal of a triangle that is so much lower than long, over some positions: by plain single precision, and
-/// as this library computes it; NaN if it refused.
+/// The largest error of normals of slivers of this ratio: by plain single precision, and as this library computes it or NaN.
 fn sliver(ratio: f64) -> [f64; 2] {
     let mut worst = [0.0_f64; 2];
     for k in 0..400 {
@@ -49,7 +48,6 @@ fn rounding(ratio: f64) -> f64 {
     Degrees::from(Radians(0.5 * f64::from(f32::EPSILON) / ratio)).0
 }
 
-/// Measures and chart of the errors.
 pub(super) fn record(out: &mut Recorder) {
     let [plain, careful] = errors();
     out.measure("needle-plain", "°", plain[4][1], Check::None);
@@ -64,8 +62,7 @@ pub(super) fn record(out: &mut Recorder) {
     out.chart("needles", [Axis::Log; 2], curves);
 }
 
-/// Across the plate and along its slivers, in whole numbers. A sliver's corners are sums of multiples of them below 2²⁴: single
-/// precision holds them exactly, so that the plate is flat to the last digit and every error is one of arithmetic.
+/// Across the plate and along its slivers, in whole numbers: corners are exact in single precision, and the plate is flat.
 const ACROSS: DVec3 = DVec3::new(18.0, 16.0, 13.0);
 const ALONG: DVec3 = DVec3::new(3001.0, -4999.0, 2003.0);
 /// How many times [`ALONG`] a sliver is long: about 300 000 times its height.
@@ -77,7 +74,6 @@ const LIGHT: f64 = 4.0;
 struct Normals {
     /// By products and differences in single precision.
     plain: Vec<DVec3>,
-    /// As this library computes them.
     careful: Vec<DVec3>,
 }
 

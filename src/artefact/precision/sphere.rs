@@ -8,26 +8,13 @@ use glam::Vec3;
 const WINDOW: f64 = 0.25;
 /// The part of the sphere that is modelled: so many radians to all sides of +z, more than the window shows.
 pub(super) const REACH: f64 = 0.16;
+
 /// A close look at the middle of the sphere, light and viewer in front.
-pub(super) struct Scene {
-    pub(super) size: u32,
-}
-
-impl Scene {
-    pub(super) fn light(&self, object: &Object, shading: Shading) -> Result<Image> {
-        self.paint(object, shading, Show::Shaded)
-    }
-
-    pub(super) fn normals(&self, object: &Object, shading: Shading) -> Result<Image> {
-        self.paint(object, shading, Show::Normals)
-    }
-
-    fn paint(&self, object: &Object, shading: Shading, show: Show) -> Result<Image> {
-        // A little off the axis, so that the highlight does not sit on a vertex.
-        let light = far_light(DVec3::new(0.05, 0.03, 1.0));
-        let settings = RenderSettings { show, ..settings([self.size; 2], shading) };
-        draw(vec![object.clone()], &[light], front(WINDOW), settings)
-    }
+pub(super) fn look(object: &Object, shading: Shading, show: Show, size: u32) -> Result<Image> {
+    // A little off the axis, so that the highlight does not sit on a vertex.
+    let light = far_light(DVec3::new(0.05, 0.03, 1.0));
+    let settings = RenderSettings { show, ..settings([size; 2], shading) };
+    draw(vec![object.clone()], &[light], front(WINDOW), settings)
 }
 
 impl TriangleMesh {
@@ -42,14 +29,12 @@ impl TriangleMesh {
         })
     }
 
-    /// The same with other normals.
     pub(super) fn with_normals(&self, change: impl Fn(DVec3) -> DVec3) -> Self {
         let changed = |normal: &[f32; 3]| change(Vec3::from(*normal).as_dvec3()).as_vec3().to_array();
         Self { normals: self.normals.iter().map(changed).collect(), ..self.clone() }
     }
 
-    /// The mesh after its positions have been stored in single precision far from the origin, with normals computed from
-    /// what was left of them.
+    /// The mesh with positions that were stored in single precision far from the origin, and normals computed from them.
     pub(super) fn far_away(&self, away: f64) -> Self {
         let offset = DVec3::new(away, 0.9 * away, 0.8 * away);
         let stored = |p: &[f32; 3]| (Vec3::from(*p).as_dvec3() + offset).as_vec3().as_dvec3() - offset;
@@ -84,8 +69,8 @@ impl TriangleMesh {
         (squares / self.face_normals.len() as f64).sqrt()
     }
 
-    /// What that is by theory for positions rounded at this distance. A normal leans by the gradient of the errors' heights over
-    /// the face, Σ e_k ∇λ_k with |∇λ_k| = side_k/(2A); errors have the variance u²/12 and know nothing of one another.
+    /// The same by theory for positions rounded at this distance: a normal leans by the gradient Σ e_k ∇λ_k of independent errors of
+    /// the variance u²/12 with |∇λ_k| = side_k/(2A).
     pub(super) fn rounded_faces(&self, away: f64) -> f64 {
         let step = f64::from((away as f32).next_up()) - f64::from(away as f32);
         let square = |triangle: &[u32; 3]| {
@@ -102,7 +87,6 @@ impl TriangleMesh {
 pub(super) const DIFFUSE: f64 = 0.3;
 pub(super) const SPECULAR: f64 = 0.7;
 
-/// The material of the pictures.
 pub(super) fn material(exponent: f64) -> Material {
     shiny([DIFFUSE, SPECULAR], exponent)
 }
@@ -117,7 +101,6 @@ pub(super) fn bound(exponent: f64, degrees: f64) -> f64 {
     (DIFFUSE + SPECULAR * steepest_slope(exponent)) * Radians::from(Degrees(degrees)).0
 }
 
-/// The angle between two directions, in degrees.
 pub(super) fn angle(a: DVec3, b: DVec3) -> f64 {
     Degrees::from(Radians(libm::atan2(a.cross(b).length(), a.dot(b)))).0
 }

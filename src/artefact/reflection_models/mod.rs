@@ -1,15 +1,11 @@
 //! Phong's and Blinn's highlights.
 
-// A sphere with nothing but a highlight, and light from behind it, which leaves a highlight on the dark side.
-mod ball;
-// The ratio of length to width of a highlight on the sphere.
-mod highlight_width;
+// A sphere with nothing but a highlight: light from behind it, and the ratio of length to width of the highlight.
+mod highlights;
 
 use super::prelude::*;
 use crate::shade::{Guards, blinn_exponent};
-use ball::{BEHIND, record_light_behind};
-use ball::{GRAZING, WINDOW, ball};
-use highlight_width::HalfWidths;
+use highlights::{BEHIND, GRAZING, HalfWidths, WINDOW, ball, record_light_behind};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 static TEXTS: Catalogue = catalogue!("texts");
@@ -29,7 +25,7 @@ const FACTOR: f64 = 5.0;
 
 fn run(setup: &Setup) -> Result<Outcome> {
     let Parameters { size, exponent, .. } = setup.parameters;
-    let [blinn, phong] = highlight_width::in_front(exponent);
+    let [blinn, phong] = highlights::in_front(exponent);
     let values = [
         ("exponent", exponent.into()),
         ("blinn-exponent", blinn_exponent(exponent).into()),
@@ -96,9 +92,9 @@ fn grazing_light(size: u32, exponent: f64, out: &mut Recorder) -> Result<()> {
     let ball = |reflection, exponent| ball(reflection, exponent, GRAZING, Guards::default(), size);
     let (phong, blinn) = (ball(Reflection::Phong, exponent)?, ball(Reflection::Blinn, four)?);
     let widths = HalfWidths::of_phong(exponent);
-    let of_phong = widths.measure("width-phong", &phong, highlight_width::phong_at(exponent), out);
+    let of_phong = widths.measure("width-phong", &phong, highlights::phong_at(exponent), out);
     let widths = HalfWidths::of_blinn(four);
-    let of_blinn = widths.measure("width-blinn", &blinn, highlight_width::blinn_at(four), out);
+    let of_blinn = widths.measure("width-blinn", &blinn, highlights::blinn_at(four), out);
     let present = Threshold { value: 0.1, why: out.text("why-width") };
     let effect = out.effect("width", "", [of_phong, of_blinn], present, FACTOR);
     out.bad("phong-grazing", &effect, phong);

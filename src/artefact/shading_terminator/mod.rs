@@ -5,8 +5,7 @@ mod scene;
 
 use super::prelude::*;
 use crate::shade::Terminator;
-use scene::Prism;
-use scene::{HEIGHT, LEVEL, concerned, mean_where, paint, picture, share, towards};
+use scene::{HEIGHT, LEVEL, Prism, concerned, mean_where, paint, picture, share, towards};
 
 static TEXTS: Catalogue = catalogue!("texts");
 
@@ -51,7 +50,6 @@ fn run(setup: &Setup) -> Result<Outcome> {
     Ok(out.finish(verdict, popping))
 }
 
-/// The cost of the softening term on coarse and fine facets.
 struct Cost {
     effect: Effect,
     coarse: Image,

@@ -53,7 +53,6 @@ pub(super) fn concerned(mesh: &TriangleMesh, towards: DVec3, size: u32) -> Resul
     Ok(pairs.map(is_concerned).collect())
 }
 
-/// The share of ones.
 pub(super) fn share(map: &[Option<f64>]) -> f64 {
     let covered: Vec<f64> = map.iter().flatten().copied().collect();
     covered.iter().sum::<f64>() / covered.len().max(1) as f64
@@ -66,7 +65,6 @@ pub(super) fn mean_where(map: &[Option<f64>], values: &[Option<f64>]) -> f64 {
     meant.iter().sum::<f64>() / meant.len().max(1) as f64
 }
 
-/// Pictures of a film.
 const PICTURES: u32 = 8;
 
 /// A prism of radius 1 about the y axis with the cylinder's normals, an edge towards the viewer.
@@ -87,8 +85,7 @@ impl Prism {
         TAU / f64::from(self.segments)
     }
 
-    /// How far the light turns between the two pictures that are measured: a 45th of a facet's angle, for that angle is all that
-    /// it takes to light a facet softly.
+    /// The turn of the light between the two measured pictures: a 45th of a facet's angle, which lights a facet softly.
     pub(super) fn turn(&self) -> Degrees {
         Degrees(360.0 / f64::from(self.segments) / 45.0)
     }
@@ -98,8 +95,7 @@ impl Prism {
         Degrees(4.0 * self.turn().0)
     }
 
-    /// Whether a place across the prism is concerned: the cosine, which is linear between edges, is positive on a facet turned
-    /// away. `None` outside the prism.
+    /// Whether a place across the prism has a positive cosine on a facet turned away; `None` outside the prism.
     fn is_concerned(&self, x: f64, light: f64) -> Option<bool> {
         let of_facet = |facet: u32| {
             let edge = |k: u32| f64::from(facet + k) * self.delta();
@@ -115,8 +111,7 @@ impl Prism {
         (0..self.segments).find_map(of_facet)
     }
 
-    /// The share of the prism's pixels that are concerned, by the formulas at their centres, and that of those which snapping to
-    /// 256ths of pixels and single precision leave open.
+    /// The share of concerned pixels by the formulas, and the share that snapping and single precision leave undetermined.
     pub(super) fn share_law(&self, light: Degrees) -> (f64, f64) {
         const SINGLE: f64 = 1e-6;
         let light = Radians::from(light).0;
@@ -141,7 +136,6 @@ impl Prism {
         Degrees(Degrees::from(Radians(FRAC_PI_2 - 0.5 * self.delta())).0 + more)
     }
 
-    /// One row across the prism.
     fn row(&self, light: Degrees, terminator: Terminator) -> Result<Vec<f64>> {
         let image = paint(&self.mesh(), towards(light, LEVEL), terminator, [self.size, 1])?;
         Ok(linear(&image).iter().map(|colour| f64::from(colour[0])).collect())
@@ -174,7 +168,6 @@ impl Prism {
         Ok(self.facet().map(|(k, _)| (before[k] - after[k]).abs()).fold(0.0, f64::max))
     }
 
-    /// The same by the formulas.
     pub(super) fn pop_law(&self, terminator: Terminator) -> f64 {
         let half = 0.5 * self.turn().0;
         let change = |(_, x): (usize, f64)| {
@@ -184,7 +177,6 @@ impl Prism {
         self.facet().map(change).fold(0.0, f64::max)
     }
 
-    /// The light at a place of that facet.
     fn law(&self, x: f64, light: Degrees, terminator: Terminator) -> f64 {
         let delta = self.delta();
         // 0 at the edge in the middle, 1 at the other.
@@ -202,7 +194,6 @@ impl Prism {
         }
     }
 
-    /// The light on one facet as the light turns.
     pub(super) fn chart(&self, out: &mut Recorder) -> Result<()> {
         let pixel = self.facet().last().map_or(0, |(pixel, _)| pixel);
         let mut curves = Vec::new();

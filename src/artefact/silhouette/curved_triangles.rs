@@ -4,15 +4,10 @@ use super::super::prelude::*;
 use crate::mesh::{Topology, Weld, triangulate};
 use crate::num::UnitVec3;
 
-/// The mesh with every triangle as a Bézier triangle of third order, cut into parts² flat ones (A. Vlachos et al., *Curved
-/// PN triangles*, I3D 2001): at the corners it has the mesh's positions, and its edges leave at right angles to the
-/// normals there. Faces of more corners are cut into triangles first.
-///
-/// Where the two sides of an edge have different normals, which the paper leaves open as a crack, the edge leaves each end
-/// at right angles to both: along the crease. So the edges of a box stay straight, the rim of a cylinder becomes round,
-/// and the surface has no cracks, for both sides compute the same edge.
-///
-/// Normals are interpolated linearly as they are on the flat triangles, so that only the shape differs from them.
+/// The mesh with every triangle as a Bézier triangle of third order, cut into parts² flat ones (A. Vlachos et al., *Curved PN
+/// triangles*, I3D 2001). Its edges leave corners at right angles to the normals there. Where the two sides of an edge have
+/// different normals, the edge leaves at right angles to both, along the crease: both sides compute the same edge, without
+/// cracks.
 pub(super) fn curved(mesh: &Mesh, field: &NormalField, parts: u32) -> TriangleMesh {
     let edges = Edges { mesh, field, topology: Topology::build(mesh, Weld::default()) };
     let (mut positions, mut normals, mut triangles) = (Vec::new(), Vec::new(), Vec::new());
@@ -93,7 +88,6 @@ impl Edges<'_> {
     }
 }
 
-/// A Bézier triangle of third order.
 struct Patch {
     corners: [DVec3; 3],
     /// Next to corner i on the edges to the following corner and to the one before.
@@ -112,8 +106,7 @@ impl Patch {
         Self { corners: points, edges: controls, middle: of_edges + (of_edges - of_corners) * 0.5 }
     }
 
-    /// The point at shares of the three corners, which add up to 1. Terms are added in an order that gives a point of an
-    /// edge the same bits from both sides.
+    /// The point at shares of the three corners. The order of terms gives a point of an edge the same bits from both sides.
     fn at(&self, share: [f64; 3]) -> DVec3 {
         let corner = |i: usize| self.corners[i] * (share[i] * share[i] * share[i]);
         let edge = |i: usize, step: usize| {

@@ -3,14 +3,12 @@
 use super::super::prelude::*;
 use crate::metric::{Contour, ContourDistance, contour_distance};
 
-/// A camera and a light.
 pub(super) struct View {
     pub(super) size: u32,
     pub(super) camera: Camera,
     pub(super) light: Light,
 }
 
-/// An outline, drawn larger than the pictures.
 pub(super) struct Outline {
     contour: Contour,
     /// Its pixels in one of the pictures.

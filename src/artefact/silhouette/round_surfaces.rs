@@ -70,7 +70,6 @@ fn measure_ball(
     Ok([of_coarse.hausdorff, of_fine.hausdorff])
 }
 
-/// The same of the torus.
 fn measure_torus(
     torus: &RoundSurface,
     [segments, fine]: [u32; 2],
@@ -107,7 +106,6 @@ fn for_error(error: f64, radius: f64) -> u32 {
     least.floor() as u32 + 1
 }
 
-/// The area of an n-gon over that of its circle.
 pub(super) fn area_ratio(segments: u32) -> f64 {
     let turn = TAU / f64::from(segments);
     libm::sin(turn) / turn
@@ -166,8 +164,7 @@ impl RoundSurface {
         self.outline(segments, Shading::Flat)?.distance(circle)
     }
 
-    /// The fewest segments whose outline is measured to be right to half a pixel, near those that should be, in addition to what outlines
-    /// of pixels are off even with so many segments that their polygon is a circle to a hundredth of a pixel.
+    /// The fewest segments with an outline that is right to half a pixel, in addition to the error of an outline of many segments.
     fn found_enough(&self, expected: u32, circle: &Outline) -> Result<u32> {
         let of_pixels = self.error(8 * expected, circle)?.hausdorff;
         let (mut low, mut high) = (3, 2 * expected);
@@ -178,7 +175,6 @@ impl RoundSurface {
         Ok(high)
     }
 
-    /// Errors by the number of segments.
     fn chart(&self, circle: &Outline, radius: f64, out: &mut Recorder) -> Result<()> {
         const SEGMENTS: [u32; 11] = [4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128];
         let (mut farthest, mut means) = (Vec::new(), Vec::new());

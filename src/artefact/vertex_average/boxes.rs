@@ -1,8 +1,7 @@
 //! A cube and a long box, whose six faces can be cut in 64 ways, and what weightings make of them.
 
 use super::super::prelude::*;
-use super::surfaces::View;
-use super::surfaces::{FLAT, ROUND};
+use super::surfaces::{FLAT, ROUND, View};
 
 /// The sides of the cube and of the long box.
 pub(super) const CUBE: DVec3 = DVec3::ONE;
@@ -48,7 +47,6 @@ pub(super) fn show(of_cube: &Effect, weight: Weight, view: &View, out: &mut Reco
     Ok(())
 }
 
-/// A box whose corners are smoothed.
 fn draw_box(sides: DVec3, cut: u32, weight: Weight, view: &View) -> Result<Image> {
     let mesh = cut_box(sides, cut)?;
     let field = smooth(&mesh, weight);
@@ -70,7 +68,6 @@ pub(super) fn cut_box(sides: DVec3, cut: u32) -> Result<Mesh> {
     build(box_corners(sides), faces)
 }
 
-/// Angles in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Range {
     pub(super) least: f64,
@@ -92,8 +89,7 @@ impl Range {
     }
 }
 
-/// How far averaged normals at the corners of a box are from the diagonals between its faces, in degrees, over all
-/// corners and all cuts.
+/// The angles between averaged normals at the corners of a box and the diagonals, over all corners and all cuts.
 pub(super) fn measured(sides: DVec3, weight: Weight) -> Result<Range> {
     let mut angles = Vec::new();
     for cut in 0..CUTS {
@@ -108,8 +104,7 @@ pub(super) fn measured(sides: DVec3, weight: Weight) -> Result<Range> {
     Ok(Range::of(angles.into_iter()))
 }
 
-/// The same by the formulas: each of the three faces at a corner counts as one triangle or as two. `None` for weights that
-/// are no sum over triangles.
+/// The same by the formulas: each face at a corner counts as one triangle or two. `None` for weights that are no sum.
 pub(super) fn law(sides: DVec3, weight: Weight) -> Option<Range> {
     // Of the faces at right angles to each axis, cut past the corner and through it.
     let [x, y, z] = sides.to_array();

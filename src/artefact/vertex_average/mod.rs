@@ -7,8 +7,7 @@ mod boxes;
 
 use super::prelude::*;
 use boxes::{CUBE, LONG};
-use surfaces::View;
-use surfaces::{FLAT, MEANS, ROUND, name};
+use surfaces::{FLAT, MEANS, ROUND, View, name};
 
 static TEXTS: Catalogue = catalogue!("texts");
 

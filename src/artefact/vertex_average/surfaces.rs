@@ -83,7 +83,6 @@ pub(super) fn chart(view: &View, out: &mut Recorder) -> Result<()> {
     Ok(())
 }
 
-/// A mesh of a surface with camera and light.
 pub(super) struct LitSurface {
     mesh: Mesh,
     primitive: Primitive,
@@ -93,14 +92,12 @@ pub(super) struct LitSurface {
     size: u32,
 }
 
-/// The parameters of its pictures.
 pub(super) struct View {
     pub(super) size: u32,
     pub(super) light: Degrees,
     pub(super) exponent: f64,
 }
 
-/// Errors of normals in degrees.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Errors {
     pub(super) rms: f64,
@@ -178,7 +175,6 @@ pub(super) const MEANS: [(Weight, &str); 6] = [
 pub(super) const FLAT: Weight = Weight::Angle;
 pub(super) const ROUND: Weight = Weight::Max;
 
-/// The name of a weight.
 pub(super) fn name(weight: Weight, out: &Recorder) -> Value {
     let known = MEANS.iter().find(|(known, _)| *known == weight);
     known.map_or_else(|| weight.name().into(), |(_, key)| out.text(key).into())

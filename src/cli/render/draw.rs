@@ -82,7 +82,7 @@ fn image(file: &SceneFile, settings: &RenderSettings, request: &Request) -> Resu
     render(&scene, settings).map_err(|error| {
         let lights = file.lights.as_ref().map_or(0, Vec::len);
         let of_input = |error: RenderError| match error {
-            RenderError::NoSurface(_) | RenderError::Uncoloured(_) => Failure::advised(error),
+            RenderError::Lacks { .. } => Failure::advised(error),
             error => Failure::input(error),
         };
         blame(request.args, &error, lights).map_or_else(|| of_input(error), Failure::usage)

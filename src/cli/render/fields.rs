@@ -208,12 +208,10 @@ fn attenuation(text: &str) -> Result<Attenuation, String> {
     match text.split_once(':') {
         None if text == "none" => Ok(Attenuation::None),
         None if text == "inverse-square" => Ok(Attenuation::InverseSquare),
-        Some(("inverse-square", range)) => Ok(Attenuation::InverseSquareWithin { range: number(range)? }),
-        Some(("offset", k)) => Ok(Attenuation::Offset { k: number(k)? }),
+        Some(("inverse-square", range)) => Ok(Attenuation::InverseSquareWithin(number(range)?)),
+        Some(("offset", k)) => Ok(Attenuation::Offset(number(k)?)),
         _ => match vector(text) {
-            Ok(DVec3 { x: constant, y: linear, z: quadratic }) => {
-                Ok(Attenuation::Quadratic { constant, linear, quadratic })
-            }
+            Ok(coefficients) => Ok(Attenuation::Quadratic(coefficients.to_array())),
             Err(_) => {
                 Err("none, inverse-square, inverse-square:RANGE, offset:K or KC,KL,KQ was expected".into())
             }
@@ -250,7 +248,7 @@ mod tests {
         let lamp = Light::Point {
             position: DVec3::Y,
             colour: LinearRgb::grey(2.0),
-            attenuation: Attenuation::Quadratic { constant: 1.0, linear: 0.5, quadratic: 0.25 },
+            attenuation: Attenuation::Quadratic([1.0, 0.5, 0.25]),
         };
         assert_eq!(light("point colour=2 attenuation=1,0.5,0.25 position=0,1,0"), Ok(lamp));
         for (text, kind) in [

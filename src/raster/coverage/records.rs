@@ -1,4 +1,4 @@
-//! The triangles that are seen in a tile, with what their corners carry.
+//! The visible triangles of a tile, with the values at their corners.
 
 use crate::num::LinearRgb;
 use crate::raster::coverage::setup::double_area;
@@ -15,22 +15,17 @@ use glam::{DVec3, Vec3};
 /// A triangle that is seen, or a piece of one.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Record {
-    /// Its corners on the picture.
     pub(crate) x: [i32; 3],
     pub(crate) y: [i32; 3],
     /// Their [nearness](crate::raster::view::screen_transform::View::nearness), in perspective.
     pub(crate) nearness: [f32; 3],
     /// What is interpolated, at each corner: a normal or a colour.
     pub(crate) values: [Vec3; 3],
-    /// Its vertices.
     pub(crate) vertices: [u32; 3],
     /// The triangle, among those of its object.
     pub(crate) triangle: u32,
-    /// The face that it is part of.
     pub(crate) face: u32,
-    /// The number of the object in the scene.
     pub(crate) object: u32,
-    /// Whether its front is seen.
     pub(crate) front: bool,
     /// Whether its normals are those of the other side.
     pub(crate) turned: bool,
@@ -67,7 +62,6 @@ impl Record {
         Self { nearness: [1.0; 3], object: object as u32, front: true, ..Self::default() }
     }
 
-    /// The nearness of its point at a sample.
     pub(crate) fn nearness_at(&self, [x, y]: [i32; 2]) -> f32 {
         let parts = parts(self.x.map(|corner| corner - x), self.y.map(|corner| corner - y));
         let sum = |of: [f32; 3]| {
@@ -77,8 +71,7 @@ impl Record {
     }
 }
 
-/// Twice the signed areas of the parts into which the origin cuts a triangle, opposite to each corner: the shares of its
-/// corners. Exact in doubles for coordinates of 25 bits.
+/// Twice the signed areas of the triangles between the origin and the side opposite to each corner. Exact for 25 bits.
 #[inline(always)]
 pub(crate) fn parts(x: [i32; 3], y: [i32; 3]) -> [f64; 3] {
     let at = |k: usize| (f64::from(x[k]), f64::from(y[k]));
@@ -102,7 +95,6 @@ pub(crate) enum ValueKind {
 }
 
 impl ValueKind {
-    /// What an object needs under these settings.
     pub(crate) fn new(job: &Job, object: &Prepared) -> Self {
         let (shading, show) = (job.settings.shading, job.settings.show);
         let flat = shading == Shading::Flat;
@@ -124,8 +116,7 @@ impl ValueKind {
     }
 }
 
-/// The values at the corners of a piece, which are means of those at the corners of the whole. Interpolating them over
-/// the piece is interpolating over the whole.
+/// The values at the corners of a piece: means of those at the corners of the whole triangle.
 pub(crate) fn piece_values(values: [Vec3; 3], piece: &Piece, interpolation: Interpolation) -> [Vec3; 3] {
     piece.shares.map(|Shares { scene, picture }| {
         let shares = if interpolation == Interpolation::Perspective { scene } else { picture };
@@ -133,7 +124,6 @@ pub(crate) fn piece_values(values: [Vec3; 3], piece: &Piece, interpolation: Inte
     })
 }
 
-/// The corners of a visible face.
 pub(crate) fn face_corners<'a>(
     object: &'a Prepared,
     drawn: &'a DrawnObject,
@@ -147,11 +137,9 @@ pub(crate) fn face_corners<'a>(
         (_, TriangleList::Whole(triangles)) => (3 * face, &triangles[face as usize]),
         _ => (0, &[]),
     };
-    let corner = move |(k, &vertex)| Corner { number: first + k as u32, vertex, turned };
-    vertices.iter().enumerate().map(corner)
+    vertices.iter().enumerate().map(move |(k, &vertex)| Corner { number: first + k as u32, vertex, turned })
 }
 
-/// The corners of a visible triangle.
 #[inline(always)]
 pub(crate) fn triangle_corners(drawn: &DrawnObject, record: &Record) -> [Corner; 3] {
     let numbers = drawn.list.corners(record.triangle);
@@ -166,7 +154,6 @@ pub(crate) fn mean_colour(colours: &[LinearRgb], corners: impl ExactSizeIterator
     single(sum * (1.0 / count))
 }
 
-/// A colour in single precision.
 pub(crate) fn single(colour: LinearRgb) -> Vec3 {
     DVec3::from(colour.to_array()).as_vec3()
 }

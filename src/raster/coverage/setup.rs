@@ -8,8 +8,7 @@ pub(crate) const TILE: usize = 64;
 /// Pixels along the side of a block, and of the window in which small triangles are drawn.
 pub(crate) const SIDE: usize = 4;
 
-/// Twice the signed area of a triangle in squares of 1/256 pixel: positive if it runs clockwise as seen (y is down).
-/// Exact: the products have at most 48 bits.
+/// Twice the signed area of a triangle in squares of 1/256 pixel: positive if clockwise (y is down). Exact: 48 bits.
 #[inline(always)]
 pub(crate) fn double_area([a, b, c]: &[ScreenVertex; 3]) -> f64 {
     let (x1, y1) = (f64::from(b.x - a.x), f64::from(b.y - a.y));
@@ -17,17 +16,14 @@ pub(crate) fn double_area([a, b, c]: &[ScreenVertex; 3]) -> f64 {
     x1 * y2 - x2 * y1
 }
 
-/// A triangle prepared for one sample of each pixel of a tile. Coordinates are pixels of the tile.
-///
-/// With whole numbers `I` and others `F`, or with rows of them for many triangles.
+/// A triangle prepared for one sample of each pixel of a tile, in pixels of the tile; or rows of many triangles.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Setup<I = i32, F = f32> {
-    /// Each edge's function at pixel (0, 0), divided by 256 and rounded down, and its growth per pixel to the right and
-    /// down. A sample is covered where all three are 0 or more.
+    /// Each edge's function at pixel (0, 0), divided by 256 and rounded down, and its growth per pixel to the right and down. A
+    /// sample is covered where all three are 0 or more.
     pub(crate) edge: [I; 3],
     pub(crate) right: [I; 3],
     pub(crate) down: [I; 3],
-    /// Depth at pixel (0, 0) and its growth.
     pub(crate) depth: F,
     pub(crate) depth_right: F,
     pub(crate) depth_down: F,
@@ -42,12 +38,9 @@ pub(crate) struct Setup<I = i32, F = f32> {
 const FAR: f64 = (1 << 30) as f64;
 
 impl Setup {
-    /// Prepares a triangle of non-zero area for the tile whose pixel (0, 0) has its sample at `origin` (in 256ths of a
-    /// pixel of the picture).
-    ///
-    /// Edge functions are exact: 48 bits in doubles. As they change by multiples of 256 from sample to sample, dividing
-    /// by 256 and rounding down keeps their signs and lets 32 bits do for triangles of any size within the guard band.
-    /// There is no branch, so that many triangles can be prepared side by side.
+    /// Prepares a triangle of non-zero area for the tile with the sample of pixel (0, 0) at `origin` (in 256ths of a pixel of the
+    /// picture). Edge functions are exact in doubles, and change by multiples of 256 from sample to sample: divided by 256 and
+    /// rounded down they keep their signs and fit into 32 bits. There is no branch, for vector code.
     #[inline(always)]
     pub(crate) fn new([a, b, c]: [ScreenVertex; 3], origin: [i32; 2]) -> Self {
         let last = TILE as i32 - 1;
@@ -64,8 +57,7 @@ impl Setup {
         for i in 0..3 {
             let (from, to) = (&v[i], &v[(i + 1) % 3]);
             let (dx, dy) = (to.x - from.x, to.y - from.y);
-            // Top-left rule: a sample on an edge belongs to the triangle to the right of it or, if the edge is
-            // level, below it.
+            // Top-left rule: a sample on an edge belongs to the triangle to the right of it, or below a level edge.
             let is_top_left = (dy < 0) | ((dy == 0) & (dx > 0));
             let at_origin = f64::from(dx) * f64::from(origin[1] - from.y)
                 - f64::from(dy) * f64::from(origin[0] - from.x)
@@ -80,7 +72,6 @@ impl Setup {
         Self { edge, right, down, depth, depth_right, depth_down, depth_range, x, y }
     }
 
-    /// Whether no pixel of the tile can be covered.
     #[inline(always)]
     pub(crate) fn is_empty(&self) -> bool {
         let last = TILE as i32 - 1;
@@ -101,10 +92,8 @@ fn select(first: bool, a: ScreenVertex, b: ScreenVertex) -> ScreenVertex {
     }
 }
 
-/// Depth at a sample and its growth per pixel to the right and down.
-///
-/// Starts from the corner that is first in (y, x): then neither the way round nor the corner that a face begins with
-/// changes a bit, and of two faces with the same corners the first one wins everywhere.
+/// Depth at a sample and its growth per pixel to the right and down. It is computed from the corner that is first in (y, x), so
+/// that the order of corners changes no bit.
 #[inline(always)]
 pub(crate) fn depth_plane([a, b, c]: &[ScreenVertex; 3], area: f64, origin: [i32; 2]) -> [f32; 3] {
     let before = |a: &ScreenVertex, b: &ScreenVertex| (a.y < b.y) | ((a.y == b.y) & (a.x < b.x));
@@ -159,7 +148,6 @@ impl CornerRows {
 }
 
 impl Setup<[i32; GROUP], [f32; GROUP]> {
-    /// Prepares a group of triangles.
     #[inline(always)]
     pub(crate) fn prepare(&mut self, corners: &CornerRows, origin: [i32; 2]) {
         for lane in 0..GROUP {
@@ -180,17 +168,16 @@ impl Setup<[i32; GROUP], [f32; GROUP]> {
         }
     }
 
-    /// Which pixels each covers of the 4 × 4 that begin at the first that it may cover, a bit for each, row by row;
-    /// [`LARGE`] for triangles that may cover others too.
+    /// The covered pixels of the 4 × 4 from the first that each triangle may cover, a bit for each, row by row; [`LARGE`] for
+    /// triangles that may cover others too.
     #[inline(always)]
     pub(crate) fn masks(&self, masks: &mut [u32; GROUP]) {
-        // The sign of each edge's complement, from the last pixel to the first: lane by lane, so that all lanes go on
-        // side by side.
+        // The sign of each edge's complement, from the last pixel to the first.
         masks.fill(0);
         let mut edge = [[0; GROUP]; 3];
         for (i, edge) in edge.iter_mut().enumerate() {
             for (lane, edge) in edge.iter_mut().enumerate() {
-                // Within the tile below 2³¹, as in `Setup::new`; what wraps is beyond it, and is masked out.
+                // Within the tile below 2³¹, as in `Setup::new`; pixels beyond may wrap and are masked out.
                 let right = self.right[i][lane].wrapping_mul(self.x[0][lane] + SIDE as i32 - 1);
                 let down = self.down[i][lane].wrapping_mul(self.y[0][lane] + SIDE as i32 - 1);
                 *edge = self.edge[i][lane].wrapping_add(right).wrapping_add(down);
@@ -223,7 +210,6 @@ impl Setup<[i32; GROUP], [f32; GROUP]> {
         }
     }
 
-    /// One of them.
     #[inline(always)]
     pub(crate) fn get(&self, lane: usize) -> Setup {
         Setup {

@@ -10,11 +10,10 @@ use crate::raster::view::project::{NOT_FINITE, ScreenVertex};
 use crate::raster::view::screen_transform::View;
 use rayon::prelude::*;
 
-/// Marks a triangle that has to be clipped before it is drawn; the other bits are its number, all objects counted
-/// through.
+/// Marks a triangle that has to be clipped; the other bits are its number among those of all objects.
 pub(crate) const CLIPPED: u32 = 1 << 31;
 
-/// What decides where triangles go.
+/// The view and settings that decide where triangles go.
 #[derive(Clone, Copy)]
 pub(crate) struct Binning<'a> {
     pub(crate) view: &'a View,
@@ -30,13 +29,11 @@ pub(crate) struct Bins {
 }
 
 impl Bins {
-    /// Whether a tile has no triangle.
     pub(crate) fn is_empty(&self, tile: usize) -> bool {
         self.parts.iter().all(|part| part.starts[tile] == part.starts[tile + 1])
     }
 }
 
-/// The triangles of some tiles' lists.
 struct Part {
     /// Where each tile's list begins, with the total at the end.
     starts: Vec<u32>,
@@ -44,7 +41,6 @@ struct Part {
     counts: Counts,
 }
 
-/// How many triangles met which fate.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Counts {
     pub(crate) drawn: u64,
@@ -52,7 +48,7 @@ pub(crate) struct Counts {
     pub(crate) culled: u64,
 }
 
-/// Most triangles of a part: their numbers and tiles stay in the second-level cache while they are counted and sorted.
+/// Most triangles of a part: their numbers and tiles fit into the second-level cache.
 const PART: usize = 1 << 16;
 /// Parts that even a small scene is divided into, so that there is work for all threads.
 const PARTS: usize = 16;
@@ -63,7 +59,6 @@ pub(crate) fn tiles(size: [u32; 2]) -> [usize; 2] {
 }
 
 impl Bins {
-    /// Sorts the triangles of all objects.
     pub(crate) fn new(objects: &[DrawnObject], binning: Binning) -> Self {
         let total: usize = objects.iter().map(|object| object.list.len()).sum();
         let length = total.div_ceil(PARTS).clamp(1024, PART);
@@ -111,7 +106,7 @@ impl Part {
 /// A counting sort by tile, which keeps the order within each.
 pub(crate) fn sort(found: &[(u32, TileBox)], [columns, rows]: [usize; 2]) -> (Vec<u32>, Vec<u32>) {
     let mut starts = vec![0_u32; columns * rows + 2];
-    // Two ahead: filling advances each start to the next one's place.
+    // Two ahead: filling advances each start to the next one.
     for &(_, tiles) in found {
         each_tile(tiles, columns, |tile| starts[tile + 2] += 1);
     }
@@ -229,11 +224,11 @@ pub(crate) struct Piece {
     pub(crate) vertices: [ScreenVertex; 3],
     /// The nearness of its corners, in perspective.
     pub(crate) nearness: [f32; 3],
-    /// What each of its corners has of the corners of the whole.
+    /// The shares of the whole triangle's corners in each of its corners.
     pub(crate) shares: [Shares; 3],
 }
 
-/// Clips triangles; keeps its memory.
+/// Clips triangles; reuses its memory.
 #[derive(Default)]
 pub(crate) struct Clipper {
     polygon: Vec<ClipVertex<Shares>>,
@@ -242,7 +237,7 @@ pub(crate) struct Clipper {
 }
 
 impl Clipper {
-    /// What is left of a triangle, as a fan.
+    /// The visible part of a triangle, as a fan.
     pub(crate) fn pieces(&mut self, object: &DrawnObject, triangle: u32, view: &View) -> &[Piece] {
         self.pieces.clear();
         let vertices = object.list.vertices(triangle);

@@ -9,15 +9,13 @@ use crate::raster::frame::job::Job;
 use crate::raster::view::project::ScreenVertex;
 use std::ops::Range;
 
-/// The triangles of a tile and the objects that rays are cast at, numbered through: first the triangles, then the
-/// pieces of those that are clipped, then the objects. These numbers are the owners of pixels.
+/// The owners of pixels in a tile, numbered through: triangles, pieces of clipped triangles, objects that rays are cast at.
 #[derive(Default)]
 pub(crate) struct TileList {
     /// As the bins have them.
     pub(crate) triangles: Vec<u32>,
     /// Each with its triangle's place in the list.
     pub(crate) pieces: Vec<(u32, Piece)>,
-    /// The objects' numbers in the scene.
     pub(crate) casts: Vec<usize>,
     clipper: Clipper,
 }
@@ -33,7 +31,6 @@ pub(crate) enum Owner {
 /// Records of one object that follow one another.
 #[derive(Clone, Debug)]
 pub(crate) struct Run {
-    /// Its number in the scene.
     pub(crate) object: usize,
     /// Its number among [`Job::drawn`]; `None` for analytic surfaces.
     pub(crate) drawn: Option<usize>,
@@ -58,24 +55,20 @@ impl TileList {
         }
     }
 
-    /// How many owners there may be.
     pub(crate) fn len(&self) -> usize {
         self.triangles.len() + self.pieces.len() + self.casts.len()
     }
 
-    /// The number of the first object that rays are cast at.
     pub(crate) fn first_cast(&self) -> usize {
         self.triangles.len() + self.pieces.len()
     }
 
-    /// The piece that an owner is, if it is one.
     #[inline(always)]
     pub(crate) fn piece(&self, owner: u32) -> Option<&Piece> {
         let piece = (owner as usize).checked_sub(self.triangles.len())?;
         self.pieces.get(piece).map(|(_, piece)| piece)
     }
 
-    /// What an owner is.
     pub(crate) fn look_up(&self, job: &Job, owner: u32) -> Owner {
         let number = owner as usize;
         if number >= self.first_cast() {
@@ -89,7 +82,6 @@ impl TileList {
         Owner::Triangle { object, triangle, corners }
     }
 
-    /// The record of one owner.
     pub(crate) fn record(&self, job: &Job, owner: u32) -> Record {
         match self.look_up(job, owner) {
             Owner::Triangle { object, triangle, corners } => {
@@ -111,14 +103,14 @@ impl TileList {
             owners.split_at(owners.partition_point(|&owner| (owner as usize) < self.triangles.len()));
         let number = |owner: u32| self.triangles[owner as usize] & !CLIPPED;
         let mut from = 0;
-        // Of whole triangles there are many: object by object, so that little is left to do for each.
+        // There are many whole triangles: object by object is faster.
         for (at, object) in job.drawn.iter().enumerate() {
             let end = match job.drawn.get(at + 1) {
                 None => whole.len(),
                 Some(next) => from + whole[from..].partition_point(|&owner| number(owner) < next.first),
             };
             if from < end {
-                // Written where they stay: appending to a list copies each once more.
+                // Written in place: appending would copy each once more.
                 records.resize(end, Record::cast(object.object));
                 for (record, &owner) in records[from..].iter_mut().zip(&whole[from..end]) {
                     let triangle = number(owner) - object.first;
@@ -201,7 +193,6 @@ impl Group {
         self.count += 1;
     }
 
-    /// Draws the group if it has so many.
     #[inline(always)]
     fn draw_if(
         &mut self,

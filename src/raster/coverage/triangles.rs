@@ -11,7 +11,6 @@ use rayon::prelude::*;
 
 /// The triangles of an object and where its vertices are on the picture.
 pub(crate) struct DrawnObject<'a> {
-    /// Its number in the scene.
     pub(crate) object: usize,
     /// The number of its first triangle, all objects counted through.
     pub(crate) first: u32,
@@ -52,15 +51,14 @@ impl<'a> DrawnObject<'a> {
         Some(Self { object, first, list, points, vertices, outside, map, mirrored })
     }
 
-    /// Whether each of so many faces shows the side that is kept, or one of the triangles that it is cut into does. Reported from
-    /// vertices that are not snapped, which small triangles need, and also behind the eye.
+    /// Whether each of so many faces, or a triangle of it, shows the side that is kept: from vertices that are not snapped.
     pub(crate) fn kept_faces(&self, count: usize, cull: Cull) -> Vec<bool> {
         let is_kept = |triangle: u32| {
             let [a, b, c] = self.list.vertices(triangle).map(|vertex| {
                 let ViewPoint { x, y, h, .. } = self.map.view(self.points.get(vertex));
                 DVec3::new(x, y, h)
             });
-            // Twice the area on the picture, times all three h: which side of its plane the eye is on. No product overflows.
+            // Twice the area on the picture, times all three h. No product overflows.
             let [a, b, c] = [a, b - a, c - a].map(|v| v * unit_scale(v.abs().max_element()));
             let volume = b.cross(c).dot(a);
             volume != 0.0 && cull.keeps((volume < 0.0) != self.mirrored)
@@ -73,14 +71,12 @@ impl<'a> DrawnObject<'a> {
         of_faces
     }
 
-    /// The corners of a triangle on the picture.
     #[inline(always)]
     pub(crate) fn screen(&self, triangle: u32) -> [ScreenVertex; 3] {
         self.list.vertices(triangle).map(|vertex| self.vertices[vertex as usize])
     }
 }
 
-/// A point of the plane of a triangle.
 pub(crate) struct PlanePoint {
     /// Its barycentric coordinates in the scene.
     pub(crate) weights: [f64; 3],
@@ -89,8 +85,7 @@ pub(crate) struct PlanePoint {
 }
 
 impl DrawnObject<'_> {
-    /// The point of a triangle's plane at a place of the picture, by edge functions in homogeneous coordinates, which hold
-    /// behind the eye as well (Olano & Greer 1997).
+    /// The point of a triangle's plane at a place of the picture, by homogeneous edge functions (Olano & Greer 1997).
     pub(crate) fn plane_point(&self, view: &View, triangle: [u32; 3], at: [f64; 2]) -> PlanePoint {
         let [mx, my] = view.middle();
         let ray = DVec3::new(at[0] - mx, at[1] - my, 1.0);
@@ -100,8 +95,7 @@ impl DrawnObject<'_> {
         let parts = normals.map(|normal| ray.dot(normal));
         let weights = shares(parts);
         let distance = if view.perspective {
-            // The determinant of the corners, by that one of them whose products have the least to lose. Their mean would be
-            // what is left of distances in front of the eye and behind it.
+            // The determinant of the corners, by the corner with the smallest products, which lose least.
             let products = [0, 1, 2].map(|k| corners[k] * normals[k]);
             let size = |product: &&DVec3| product.abs().element_sum();
             let least = products.iter().min_by(|a, b| size(a).total_cmp(&size(b)));
@@ -114,7 +108,6 @@ impl DrawnObject<'_> {
     }
 }
 
-/// Parts as shares of their sum.
 pub(crate) fn shares(parts: [f64; 3]) -> [f64; 3] {
     let sum: f64 = parts.iter().sum();
     parts.map(|part| part / sum)
@@ -136,7 +129,6 @@ impl TriangleList<'_> {
         }
     }
 
-    /// The vertices of a triangle.
     #[inline(always)]
     pub(crate) fn vertices(&self, triangle: u32) -> [u32; 3] {
         match self {
@@ -147,7 +139,6 @@ impl TriangleList<'_> {
         }
     }
 
-    /// The corner numbers of a triangle.
     #[inline(always)]
     pub(crate) fn corners(&self, triangle: u32) -> [u32; 3] {
         match self {
@@ -156,7 +147,6 @@ impl TriangleList<'_> {
         }
     }
 
-    /// The face that a triangle is part of.
     #[inline(always)]
     pub(crate) fn face(&self, triangle: u32) -> u32 {
         match self {
@@ -166,7 +156,6 @@ impl TriangleList<'_> {
     }
 }
 
-/// A corner of a face.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Corner {
     pub(crate) number: u32,

@@ -1,15 +1,10 @@
-//! Which triangle is seen at each pixel of a tile.
-//!
-//! A tile is 16 × 16 blocks of 4 × 4 pixels, and is stored block by block: what is computed side by side lies side by
-//! side, and a triangle of a few pixels touches few blocks.
+//! The visible triangle at each pixel of a tile of 16 × 16 blocks of 4 × 4 pixels, stored block by block.
 
 use crate::raster::coverage::setup::{GROUP, SIDE, Setup, TILE};
 
-/// Pixels of a block.
 pub(crate) const LANES: usize = SIDE * SIDE;
 /// Blocks along the side of a tile.
 pub(crate) const BLOCKS: usize = TILE / SIDE;
-/// Pixels of a tile.
 pub(crate) const PIXELS: usize = TILE * TILE;
 /// Colours of the pixels of a tile, a row for each component.
 pub(crate) type Colours = [Box<[f32; PIXELS]>; 3];
@@ -29,7 +24,6 @@ pub(crate) fn number([x, y]: [usize; 2]) -> usize {
     (y / SIDE * BLOCKS + x / SIDE) * LANES + y % SIDE * SIDE + x % SIDE
 }
 
-/// The nearest triangle at each pixel of a tile.
 pub(crate) struct Visible {
     /// Larger is nearer; −∞ where there is nothing.
     pub(crate) depth: Box<[f32; PIXELS]>,
@@ -47,10 +41,7 @@ impl Visible {
         self.owner.fill(NOTHING);
     }
 
-    /// Draws one of a group, of which is known which pixels it covers from its first on; gives what
-    /// [`draw`](Self::draw) gives.
-    ///
-    /// Where triangles are as small as pixels, most of a block would be computed for nothing.
+    /// Draws one of a group by its mask of covered pixels, with the bits of [`draw`](Self::draw).
     #[inline(always)]
     pub(crate) fn draw_small(
         &mut self,
@@ -66,7 +57,7 @@ impl Visible {
             let pixel = mask.trailing_zeros() as usize;
             mask &= mask - 1;
             let [x, y] = [x + pixel % SIDE, y + pixel / SIDE];
-            // Rounded as in a block: first to its corner, then to the pixel.
+            // Rounded as in a block: to its corner, then to the pixel.
             let [column, row] = [x, y].map(|n| (n & !(SIDE - 1)) as f32);
             let [from_column, from_row] = [x, y].map(|n| (n % SIDE) as f32);
             let corner = (group.depth[lane] + right * column) + down * row;
@@ -78,12 +69,12 @@ impl Visible {
         }
     }
 
-    /// Draws a triangle. Where it is as near as what is there, what is there stays: draw in ascending face index.
+    /// Draws a triangle. Of equally near ones the first stays: draw in ascending face index.
     #[inline(always)]
     pub(crate) fn draw(&mut self, setup: &Setup, owner: u32) {
         let lanes = BlockLanes::new(setup);
         let [x, y] = [setup.x, setup.y].map(|[first, last]| first as usize / SIDE..=last as usize / SIDE);
-        // With more than a few blocks it pays to ask first whether a block is touched at all.
+        // With more than a few blocks it pays to test blocks first.
         let is_large = (x.end() - x.start()) + (y.end() - y.start()) > 3;
         for row in y {
             for column in x.clone() {
@@ -97,10 +88,8 @@ impl Visible {
                 let depth = (setup.depth + setup.depth_right * corner[0] as f32)
                     + setup.depth_down * corner[1] as f32;
                 let at = (row * BLOCKS + column) * LANES;
-                let depths: &mut [f32; LANES] =
-                    (&mut self.depth[at..at + LANES]).try_into().expect("a block");
-                let owners: &mut [u32; LANES] =
-                    (&mut self.owner[at..at + LANES]).try_into().expect("a block");
+                let depths = (&mut self.depth[at..at + LANES]).try_into().expect("a block");
+                let owners = (&mut self.owner[at..at + LANES]).try_into().expect("a block");
                 lanes.draw(edge, depth, owner, depths, owners);
             }
         }
@@ -114,7 +103,7 @@ fn between(z: f32, [low, high]: [f32; 2]) -> f32 {
     if z < high { z } else { high }
 }
 
-/// What is the same for all blocks that a triangle touches: differences from a block's first pixel to each other.
+/// Differences from a block's first pixel to all others, the same for all blocks of a triangle.
 struct BlockLanes {
     edge: [[i32; LANES]; 3],
     depth: [f32; LANES],
@@ -153,7 +142,7 @@ impl BlockLanes {
         owners: &mut [u32; LANES],
     ) {
         for lane in 0..LANES {
-            // Within ±2³¹ by the bound in `Setup`; wrapping only spares the check.
+            // Within ±2³¹ by the bound in `Setup`; wrapping only omits the check.
             let side = edge[0].wrapping_add(self.edge[0][lane])
                 | edge[1].wrapping_add(self.edge[1][lane])
                 | edge[2].wrapping_add(self.edge[2][lane]);

@@ -37,8 +37,7 @@ impl fmt::Display for Unseen {
 }
 
 impl Scene<'_> {
-    /// The likely cause of a picture of this scene that covers no pixel, from positions. `None` if the camera
-    /// cannot be used or there is nothing to draw.
+    /// The likely cause of a picture that covers no pixel; `None` without a valid camera or anything to draw.
     pub fn unseen(&self, settings: &RenderSettings) -> Option<Unseen> {
         let is_solid = |shape: &Shape| matches!(shape, Shape::Surface(_));
         if settings.shading == Shading::Wireframe && self.objects.iter().all(|object| is_solid(&object.shape))

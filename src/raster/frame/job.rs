@@ -14,7 +14,6 @@ use crate::surface::Placed;
 use glam::{DMat3, DVec3, Vec3};
 use rayon::prelude::*;
 
-/// Everything that drawing a tile needs.
 pub(crate) struct Job<'a> {
     pub(crate) settings: &'a RenderSettings,
     pub(crate) view: View,
@@ -23,13 +22,11 @@ pub(crate) struct Job<'a> {
     pub(crate) frame: Frame,
     pub(crate) background: [f32; 3],
     pub(crate) objects: Vec<Prepared<'a>>,
-    /// The objects made of triangles, in order.
     pub(crate) drawn: Vec<DrawnObject<'a>>,
     /// Smallest and largest distance of a vertex along the axis, for [`Show::Depth`].
     pub(crate) distances: [f64; 2],
 }
 
-/// An object and what shading it needs.
 pub(crate) struct Prepared<'a> {
     pub(crate) shape: &'a Shape<'a>,
     /// How normals reach the scene; `None` if they are there already.
@@ -45,7 +42,8 @@ impl<'a> Job<'a> {
     pub(crate) fn new(scene: &'a Scene<'a>, settings: &'a RenderSettings) -> Result<Self, RenderError> {
         let [width, height] = settings.size;
         if !settings.size.iter().all(|side| (1..=LARGEST_SIDE).contains(side)) {
-            return Err(RenderError::Size(width, height));
+            let found = format!("the picture is {width} by {height} pixels; each side must be 1 to 16384");
+            return Err(RenderError::Invalid(found));
         }
         let view = View::new(&scene.camera, settings.size)?;
         // In single precision, in which it is drawn.
@@ -69,7 +67,8 @@ impl<'a> Job<'a> {
             let Some(ready) = ready else { continue };
             first += ready.list.len();
             if first > i32::MAX as usize {
-                return Err(RenderError::TooManyTriangles(first));
+                let found = format!("the scene has {first} triangles; 2147483647 is the most");
+                return Err(RenderError::Invalid(found));
             }
             check_range(&ready)?;
             drawn.push(ready);
@@ -88,15 +87,13 @@ impl<'a> Job<'a> {
         self.drawn.partition_point(|object| object.first <= triangle) - 1
     }
 
-    /// The objects that rays are cast at.
     pub(crate) fn cast_objects(&self) -> impl Iterator<Item = usize> {
         self.objects.iter().enumerate().filter(|(_, object)| object.is_cast).map(|(number, _)| number)
     }
 }
 
-/// Positions are given to shaders relative to the view's origin, in a power of two near the camera's distance from its
-/// target or, if it is far from it, near the size of what it shows: single precision then serves scenes of any size at any
-/// place.
+/// The frame of shaders: about the view's origin, in a power of two near the camera's distance from its target or, if it is far
+/// from it, near the size of the window. Single precision then serves scenes of any size and position.
 pub(crate) fn frame(scene: &Scene, view: &View) -> Frame {
     let distance = (scene.camera.target - scene.camera.eye).length();
     // The viewer stays within the 2³¹ units that shaders take in single precision.
@@ -106,7 +103,7 @@ pub(crate) fn frame(scene: &Scene, view: &View) -> Frame {
 }
 
 impl RenderSettings {
-    /// The guards of what is lit where rays are cast, or of faces: only normals that are interpolated are made unit vectors again.
+    /// The guards for objects that rays are cast at, or for faces: only interpolated normals may stay of any length.
     fn guards(&self, is_cast: bool) -> Guards {
         let interpolates = self.shading == Shading::Phong && !is_cast;
         Guards { renormalise: self.guards.renormalise || !interpolates, ..self.guards }
@@ -149,7 +146,7 @@ impl<'a> Prepared<'a> {
     ) -> Result<Self, RenderError> {
         check_lists(number, object, settings)?;
         let linear = DMat3::from_mat4(object.transform);
-        let singular = RenderError::Singular(number);
+        let singular = RenderError::singular(number);
         let matrix = normal_matrix(linear).filter(|_| object.transform.is_finite());
         let normals = Some(matrix.ok_or(singular.clone())?).filter(|_| linear != DMat3::IDENTITY);
         let is_cast = settings.shading == Shading::Exact || matches!(object.shape, Shape::Surface(_));
@@ -170,10 +167,13 @@ impl<'a> Prepared<'a> {
         let truth = surface.map(|primitive| Placed::new(primitive, object.transform)).transpose();
         let truth = truth.map_err(|_| singular)?;
         if settings.shading == Shading::Exact && truth.is_none() {
-            return Err(RenderError::NoSurface(number));
+            let lack = "exact shading needs an analytic surface, but this is a mesh; choose another shading";
+            return Err(RenderError::Lacks { object: number, lack });
         }
         if is_cast && settings.show == Show::Shaded && matches!(colour, ObjectColour::Given(_)) {
-            return Err(RenderError::Uncoloured(number));
+            let lack =
+                "an analytic surface has no vertex colours; use a material, or a mesh with another shading";
+            return Err(RenderError::Lacks { object: number, lack });
         }
         Ok(Self { shape: &object.shape, normals, colour, truth, is_cast })
     }
@@ -182,7 +182,7 @@ impl<'a> Prepared<'a> {
     #[inline(always)]
     pub(crate) fn corner_normal(&self, corner: Corner) -> Vec3 {
         match (self.shape, &self.normals) {
-            // What is single already stays so: this is most of what gathering costs.
+            // Single precision stays so: this is most of the cost of gathering.
             (Shape::Triangles(triangles), None) => {
                 side(Vec3::from(triangles.normals[corner.vertex as usize]), corner.turned)
             }
@@ -243,11 +243,10 @@ fn side<T: std::ops::Neg<Output = T>>(normal: T, turned: bool) -> T {
     if turned { -normal } else { normal }
 }
 
-/// Whether the lists of an object have matching lengths.
 fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Result<(), RenderError> {
-    let count = |what, found, per, expected| {
-        let error = RenderError::Count { object: number, what, found, per, expected };
-        if found == expected { Ok(()) } else { Err(error) }
+    let count = |what, found, per, expected| match found == expected {
+        true => Ok(()),
+        false => Err(RenderError::Invalid(format!("object {number}: {found} {what}, but {expected} {per}"))),
     };
     let vertices = match &object.shape {
         Shape::Mesh { mesh, normals } => {
@@ -284,7 +283,7 @@ fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Res
 
 /// Whether all triangles name vertices that exist.
 fn check_indices(triangles: &[[u32; 3]], count: usize) -> Result<(), RenderError> {
-    // The largest index first: a search that may stop anywhere takes several times as long.
+    // The largest index first: a search that stops early is slower.
     let parts = triangles.as_flattened().par_chunks(1 << 16);
     let largest = parts.map(|part| part.iter().fold(0, |largest, &index| index.max(largest))).max();
     if largest.is_none_or(|largest| (largest as usize) < count) {
@@ -292,7 +291,7 @@ fn check_indices(triangles: &[[u32; 3]], count: usize) -> Result<(), RenderError
     }
     let indices = triangles.as_flattened();
     let wrong = indices.iter().position(|&index| index as usize >= count).unwrap_or(0);
-    Err(RenderError::Index { what: "triangle", number: wrong / 3, index: indices[wrong], count })
+    Err(RenderError::index("triangle", wrong / 3, indices[wrong], count))
 }
 
 /// Whether all vertices have a finite place on the picture.
@@ -302,7 +301,8 @@ fn check_range(object: &DrawnObject) -> Result<(), RenderError> {
     }
     let vertex = object.vertices.iter().position(|vertex| vertex.outside & NOT_FINITE != 0).unwrap_or(0);
     let position = object.points.get(vertex as u32);
-    Err(RenderError::OutOfRange { object: object.object, vertex, position })
+    let place = format!("object {}: vertex {vertex} at {position}", object.object);
+    Err(RenderError::Invalid(format!("{place} has no finite place in front of the camera")))
 }
 
 /// The range of distances that [`Show::Depth`] spreads over.

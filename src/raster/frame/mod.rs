@@ -4,9 +4,7 @@
 pub(super) mod job;
 // One tile: visibility, colours, lines.
 pub(super) mod tile;
-// From linear colours to stored numbers.
-pub(super) mod output;
 // Why a picture is empty.
 pub(super) mod empty_picture;
-// From a scene to a picture.
+// From a scene to a picture of stored numbers.
 pub(super) mod render;

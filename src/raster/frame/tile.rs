@@ -1,4 +1,4 @@
-//! One tile: what is seen, its colours, its lines.
+//! One tile: visibility, colours, lines.
 
 use crate::num;
 use crate::raster::coverage::records::Record;
@@ -8,7 +8,7 @@ use crate::raster::coverage::tile_list::{DrawTriangles, Owner, Run, TileList};
 use crate::raster::coverage::visible_triangle::{Colours, NOTHING, PIXELS, Visible, number, place};
 use crate::raster::error::RenderError;
 use crate::raster::frame::job::Job;
-use crate::raster::lines::draw_lines::{LineJob, LineSet, Segment};
+use crate::raster::lines::{LineJob, LineSet, Segment};
 use crate::raster::settings::{Shading, Show};
 use crate::raster::shading::interpolate::VisibleSample;
 use crate::raster::shading::ray_cast::{Hits, cast};
@@ -24,10 +24,8 @@ pub(crate) struct Worker {
     record_of: Vec<u32>,
     /// The owners that are seen, ascending.
     owners: Vec<u32>,
-    /// A record of each.
     records: Vec<Record>,
     runs: Vec<Run>,
-    /// The samples at which something is seen.
     seen: Vec<VisibleSample>,
     /// Those of one of several objects.
     seen_of_run: Vec<VisibleSample>,
@@ -50,7 +48,6 @@ fn colours() -> Colours {
     [(); 3].map(|()| Box::new([0.0; PIXELS]))
 }
 
-/// A finished tile with something in it.
 pub(crate) struct Finished<'a> {
     /// Linear colours, the mean of the samples.
     pub(crate) colours: &'a Colours,
@@ -137,7 +134,6 @@ impl Worker {
         (owner != NOTHING).then(|| self.list.record(job, owner))
     }
 
-    /// Finds what is seen at one sample of each pixel.
     fn find_visible(&mut self, job: &Job, origin: [i32; 2]) {
         let Self { visible, list, hits, .. } = self;
         visible.clear();
@@ -148,10 +144,8 @@ impl Worker {
         }
     }
 
-    /// Lists what is seen and makes a record of each triangle that is.
-    ///
-    /// In a dense mesh every other pixel shows another triangle, which no branch predictor foresees: so first all owners
-    /// are marked, then the marked ones are numbered, then pixels take the numbers, all without asking.
+    /// Lists visible samples and makes a record of each visible triangle: first all owners are marked, then marked ones are numbered,
+    /// then pixels take the numbers, without branches that a predictor cannot foresee in a dense mesh.
     fn collect(&mut self, job: &Job, tile: [usize; 2]) {
         self.hide_outside(job, tile);
         let none = self.list.len();
@@ -186,7 +180,7 @@ impl Worker {
         self.seen.truncate(count);
     }
 
-    /// Takes away what lies beyond the picture's right and lower border.
+    /// Removes pixels beyond the picture's right and lower border.
     fn hide_outside(&mut self, job: &Job, tile: [usize; 2]) {
         let room = [0, 1].map(|axis| job.view.size[axis] as usize - tile[axis] * TILE);
         if room.iter().all(|&room| room >= TILE) {
@@ -200,7 +194,6 @@ impl Worker {
         }
     }
 
-    /// Colours of all samples.
     fn paint(&mut self, job: &Job, origin: [i32; 2]) -> Result<(), RenderError> {
         for (row, background) in self.colour.iter_mut().zip(job.background) {
             row.fill(background);
@@ -266,8 +259,8 @@ impl Worker {
         self.edged[pixel] |= set.is_wireframe;
     }
 
-    /// Whether what is seen at a sample is in front of a line. A line in a surface is not behind it: the surface is
-    /// taken at the line's own place, not at the sample's, with room for the snapping of corners.
+    /// Whether the visible surface at a sample is in front of a line. It is evaluated at the line's own place, with room for the
+    /// snapping of corners, so that it does not hide lines in it.
     fn hides(&self, job: &Job, owner: u32, place: [f64; 2], depth: f64) -> bool {
         /// Pixels that a corner may be off by snapping, with some room.
         const SNAPPED: f64 = 1.0 / 64.0;

@@ -14,8 +14,7 @@ use std::f64::consts::{FRAC_1_PI, FRAC_PI_2};
 /// Reflectance of what is no metal, seen from straight above: that of glass (glTF 2.0, appendix B).
 const DIELECTRIC: f64 = 0.04;
 
-/// The light that surfaces show is what falls on them over π, and a physical light of 1 lux is taken as such; a light
-/// of this crate that has intensity 1 is one that a white surface shows as 1.
+/// A white surface under 1 lux shows 1/π; under a light of this crate with intensity 1 it shows 1.
 const PER_LUX: f64 = FRAC_1_PI;
 
 /// A material; whether it is unlit.
@@ -43,18 +42,9 @@ pub(super) fn material(file: &FileMaterial) -> (Material, bool) {
 /// The largest that a highlight becomes at its peak: half of white, so that the shape beneath it still shows.
 const LARGEST_HIGHLIGHT: f64 = 0.5;
 
-/// glTF's metallic-roughness model by Blinn's.
-///
-/// - The exponent n is that of a highlight as wide ([`roughness_exponent`]); α = roughness².
-/// - K_s = F₀ (1 − α) (n + 8)/8, where F₀ is 0.04 mixed with the base colour by `metallic`: the smaller a highlight,
-///   the brighter, so that as much light is reflected (T. Akenine-Möller et al., *Real-Time Rendering*, 3rd ed., 2008,
-///   §7.6, eq. 7.49). The factor 1 − α stands for the N·L that the lectures' highlight lacks: the rougher a surface,
-///   the more of what it reflects goes everywhere. No component is above ½; where one would be, all are made less, so
-///   that gold stays golden.
-/// - K_d = base (1 − metallic (2 − α)/4). A metal has no diffuse reflection, but there are no surroundings here that it
-///   could mirror: a rough one, which scatters nearly as a matte surface does, has three quarters of its colour, a
-///   mirror half of it, as if the world around were an even grey. Where K_d + K_s would be above 1, K_d is less.
-/// - K_a = base.
+/// glTF's metallic-roughness model by Blinn's, as [`SceneFile::from_loaded`](crate::raster::SceneFile::from_loaded) describes. A
+/// smaller highlight is brighter (T. Akenine-Möller et al., *Real-Time Rendering*, 3rd ed., 2008, eq. 7.49); the factor 1 − α
+/// replaces the missing N·L; metals keep diffuse light, for they have no surroundings to mirror.
 fn metallic_roughness(base: LinearRgb, metallic: f64, roughness: f64) -> Material {
     let alpha = roughness * roughness;
     let exponent = roughness_exponent(roughness);
@@ -93,14 +83,13 @@ fn camera(file: &FileCamera, distance: impl Fn(DVec3) -> f64) -> Result<Camera, 
     })
 }
 
-/// A light of `KHR_lights_punctual`: 1/d², within its range if it has one; a spot fades from its inner to its outer
-/// cone. Its intensity is divided by π: as the standard has it, a white surface under 1 lux shows 1/π.
+/// A light of `KHR_lights_punctual`: 1/d² within its range; a spot fades from its inner to its outer cone.
 fn light(file: &FileLight) -> Light {
     let map = file.world_from_light;
     let (position, along) = (map.w_axis.truncate(), map.transform_vector3(DVec3::NEG_Z));
     let colour = LinearRgb::from(file.colour) * (file.intensity * PER_LUX);
     let attenuation = match file.range {
-        Some(range) => Attenuation::InverseSquareWithin { range },
+        Some(range) => Attenuation::InverseSquareWithin(range),
         None => Attenuation::InverseSquare,
     };
     match file.kind {
@@ -116,10 +105,10 @@ fn light(file: &FileLight) -> Light {
     }
 }
 
-/// The first camera of a file, with its description in the file. What cannot be used is skipped with a note.
+/// The first valid camera of a file, with its description there; others are noted.
 ///
 /// # Errors
-/// A first camera that cannot be used, unless pictures are taken with another one.
+/// An invalid first camera, unless pictures are taken with another one.
 pub(super) fn first_camera(
     appearance: &Appearance,
     distance: impl Fn(DVec3) -> f64,

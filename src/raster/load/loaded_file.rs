@@ -1,7 +1,9 @@
 //! A mesh or glTF file as a scene.
 
-use crate::io::{FileCamera, FileMaterial, FileNode, FileReflection, Format, Loaded, Note, Part};
-use crate::io::{Place, Problem, ReadError, Severity};
+use crate::io::{
+    FileCamera, FileMaterial, FileNode, FileReflection, Format, Loaded, Note, Part, Place, Problem,
+    ReadError, Severity,
+};
 use crate::mesh::{NONE, normal_matrix};
 use crate::num::{LinearRgb, three_digits};
 use crate::raster::load::appearance;
@@ -16,25 +18,21 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 impl SceneFile {
-    /// A file that is read, as a scene: every part at every place where it stands, in its materials. glTF brings its
-    /// first camera and its lights; what has none is framed by itself and lit by [`default_lights`].
+    /// A file as a scene: every instance of every part, in its materials. glTF has cameras and lights; other files are framed and
+    /// lit by [`default_lights`].
     ///
-    /// Materials follow from [`FileReflection`]'s terms.
-    /// - MTL: K_a = Ka (Kd where it is missing), K_d = Kd, K_s = Ks, n = Ns with (N·H)ⁿ. Faces without a material that a
-    ///   library defines are grey plastic.
-    /// - glTF: with α = roughness², the exponent of (N·H)ⁿ is n = 2/α² − 2, from 1 to 10⁴; K_s = F₀ (1 − α) (n + 8)/8, no
-    ///   component above ½, with F₀ between 0.04 and the base colour by `metallic`;
-    ///   K_d = base colour · (1 − metallic (2 − α)/4), since metals have nothing here to mirror, and less where K_d + K_s
-    ///   would be above 1; K_a = base colour. Intensities in lux or candela are divided by π, as that standard has it.
+    /// - Materials of MTL: K_a = Ka (Kd if it is missing), K_d = Kd, K_s = Ks, n = Ns with (N·H)ⁿ. Faces without one are grey plastic.
+    /// - glTF, with α = roughness²: n is [`roughness_exponent`](crate::shade::roughness_exponent); K_s = F₀ (1 − α) (n + 8)/8, at most
+    ///   ½, with F₀ between 0.04 and the base colour by `metallic`; K_d = base colour · (1 − metallic (2 − α)/4), at most 1 − K_s;
+    ///   K_a = base colour. Intensities in lux or candela are divided by π.
     ///
-    /// Images and transparency are not drawn, and the far distance of a camera is ignored; notes report both where they
-    /// matter. Colours of vertices show where they are [given](SceneObject::given): of materials, only in unlit ones.
+    /// Images and transparency are not drawn, and the far distance of a camera is ignored; notes report both. Colours of vertices
+    /// are shown where they are [given](SceneObject::given): of materials, only in unlit ones.
     ///
     /// [`default_lights`]: crate::raster::load::default_lights
     ///
     /// # Errors
-    /// If it has no faces, places beyond all measure, or a first camera that the format does not allow, unless
-    /// [`LoadOptions::from_elsewhere`].
+    /// If it has no faces, too many instances, or an invalid first camera, unless [`LoadOptions::from_elsewhere`].
     pub fn from_loaded(loaded: Loaded, options: &LoadOptions) -> Result<Self, ReadError> {
         let appearance = loaded.appearance();
         let Loaded { format, parts, mut nodes, mut notes, document, .. } = loaded;
@@ -109,8 +107,7 @@ impl SceneFile {
         })
     }
 
-    /// Adds the meshes of all parts that nodes show, one a material. Returns the objects of each part, without a name and
-    /// a transform.
+    /// Adds the meshes of all parts that nodes show, one a material. Returns each part's objects without name and transform.
     fn add_meshes(
         &mut self,
         nodes: &[FileNode],

@@ -2,7 +2,7 @@
 
 // Rotation by degrees.
 mod rotation;
-// A scene that owns its meshes.
+// A scene that owns its meshes, read from a file of any kind.
 mod scene_file;
 // Meshes with their normals, divided by material.
 mod scene_mesh;
@@ -14,10 +14,7 @@ mod loaded_file;
 mod recentre;
 // Scenes written in TOML.
 mod toml;
-// Reading a file of any kind.
-mod read;
 
-pub use read::load;
 pub use recentre::Recentring;
 pub use rotation::rotation;
-pub use scene_file::{LoadOptions, SceneFile, SceneMesh, SceneObject, SceneShape, default_lights};
+pub use scene_file::{LoadOptions, SceneFile, SceneMesh, SceneObject, SceneShape, default_lights, load};

@@ -6,11 +6,10 @@ use crate::raster::load::scene_file::SceneFile;
 use crate::shade::Light;
 use glam::{DMat4, DVec3};
 
-/// A camera that is this many times farther from the origin than it is from what it sees is rounded too coarsely to
-/// stand where it should: 2⁻²⁹ of the scene's size is far less than a pixel, and much more than this leaves nothing.
+/// Scenes that are farther from the origin than this many times their size are moved: cameras there are rounded too coarsely.
 const FARTHEST: f64 = (1 << 24) as f64;
 
-/// Sizes from 2⁻¹⁰⁰ to 2¹⁰⁰ are left as they are: squares, and products of squares, stay in range.
+/// Sizes from 2⁻¹⁰⁰ to 2¹⁰⁰ are unchanged: squares and their products stay in range.
 const LARGEST: f64 = (1_u128 << 100) as f64;
 
 /// The exponent of the largest power of two by which a scene is scaled: it and its inverse keep all of their digits.
@@ -40,9 +39,8 @@ pub struct Recentring {
 }
 
 impl Recentring {
-    /// For what has these bounds; `None`, as nearly always, if it can stay as it is: it has a size from 2⁻¹⁰⁰ to 2¹⁰⁰ and is
-    /// no farther from the origin than 2²⁴ times that; or if it is a single point. The scale is a power of two, from 2⁻¹⁰⁰⁰ to
-    /// 2¹⁰⁰⁰ and 1 where the size may stay: it rounds nothing.
+    /// For a scene of these bounds; `None`, as nearly always, for sizes from 2⁻¹⁰⁰ to 2¹⁰⁰ no farther from the origin than 2²⁴ times
+    /// that, and for a single point. The scale is a power of two from 2⁻¹⁰⁰⁰ to 2¹⁰⁰⁰: it rounds nothing.
     pub fn of((low, high): (DVec3, DVec3)) -> Option<Self> {
         // Halved before they are added: the bounds may reach the largest numbers there are.
         let (centre, half) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);
@@ -55,7 +53,7 @@ impl Recentring {
         Some(Self { centre, scale: scale.clamp(libm::ldexp(1.0, -MOST), libm::ldexp(1.0, MOST)) })
     }
 
-    /// Changes what takes a part to the old space so that it takes it to the new one: x ↦ (x − centre)·scale after the map.
+    /// Changes a map to the old space into one to the new space: x ↦ (x − centre)·scale after the map.
     pub fn apply(self, map: &mut DMat4) {
         for axis in [&mut map.x_axis, &mut map.y_axis, &mut map.z_axis] {
             *axis *= self.scale;
@@ -66,13 +64,9 @@ impl Recentring {
 }
 
 impl SceneFile {
-    /// Moves a scene that frames itself into the middle of its space, and makes it larger or smaller by a power of two,
-    /// if it is so large, so small or so far away that a camera in its own space could not show it. Positions then
-    /// resolve what they can: nothing is rounded that single faces are computed from.
-    ///
-    /// Returns a note with what was done. Does nothing, as nearly always, if the scene has a size from 2⁻¹⁰⁰ to 2¹⁰⁰ and
-    /// is no farther from the origin than 2²⁴ times that; nor if it has a camera or lights that stand somewhere, which
-    /// are positioned in the current space.
+    /// Moves a scene without a camera to the origin, and scales it by a power of two, if it is so large, small or far away that no
+    /// camera in its own space could show it (see [`Recentring::of`]). Returns a note with what was done. Does nothing if it has a
+    /// camera or lights with positions.
     pub fn recentre(&mut self) -> Option<Note> {
         let stands = |light: &Light| !matches!(light, Light::Ambient { .. } | Light::Directional { .. });
         if self.camera.is_some() || self.lights.iter().flatten().any(stands) {

@@ -31,9 +31,8 @@ fn linear(colours: &[[f32; 4]], format: Format) -> Vec<LinearRgb> {
     colours.par_iter().map(|&[r, g, b, _]| [r, g, b].map(decode).into()).collect()
 }
 
-/// The faces of a mesh by their label, in the order of the labels ([`NONE`] last): each a mesh of its own with the
-/// vertices that it uses, in their old order, and the normals of the whole. The mesh itself if all faces have the same
-/// label.
+/// The faces of each label as a mesh of its own with the vertices that it uses and the normals of the whole, in the order of
+/// labels ([`NONE`] last). The mesh itself if all faces have the same label.
 pub(super) fn by_label(whole: SceneMesh, label_of_face: &[u32]) -> Vec<(u32, SceneMesh)> {
     let first = label_of_face.first().copied().unwrap_or(NONE);
     if label_of_face.iter().all(|&label| label == first) {

@@ -7,7 +7,6 @@ use crate::raster::settings::Show;
 use crate::raster::shading::ray_cast::CastHit;
 use glam::{DVec3, Vec3};
 
-/// A sample that is seen.
 pub(crate) struct Sample<'a> {
     pub(crate) record: &'a Record,
     /// What its ray hit, if it was cast.
@@ -31,7 +30,6 @@ impl Sample<'_> {
         self.hit.map_or(self.record.turned, |hit| job.settings.two_sided && !hit.front)
     }
 
-    /// Distance along the camera's axis.
     fn distance(&self, job: &Job) -> f64 {
         let distance = match self.hit {
             Some(hit) => hit.position.as_dvec3().dot(job.view.axes[2]),
@@ -49,7 +47,6 @@ impl Sample<'_> {
 const FRONT: Vec3 = Vec3::new(0.25, 0.5, 1.0);
 const BACK: Vec3 = Vec3::new(0.6, 0.03, 0.02);
 
-/// The colour of a sample.
 pub(crate) fn colour(job: &Job, object: &Prepared, sample: &Sample) -> Vec3 {
     match job.settings.show {
         // Shaded samples do not come here: the values of their rows are their colours.

@@ -11,7 +11,6 @@ use crate::raster::view::screen_transform::{ObjectMap, REACH};
 use crate::shade::SurfaceRows;
 use glam::{DVec3, Vec3};
 
-/// An object and what lights it.
 #[derive(Clone, Copy)]
 pub(crate) struct Lit<'a> {
     pub(crate) job: &'a Job<'a>,
@@ -33,7 +32,6 @@ pub(crate) struct PointLight {
     memo: Box<[Known; MEMO]>,
 }
 
-/// A corner that has a point.
 #[derive(Clone, Copy)]
 struct Known {
     entry: u32,
@@ -42,8 +40,7 @@ struct Known {
     point: u32,
 }
 
-/// Corners remembered, by the low bits of their entries: neighbours share most of theirs, and one forgotten is only lit
-/// again.
+/// Corners remembered, by the low bits of their entries; a forgotten one is lit a second time.
 const MEMO: usize = 4096;
 const UNKNOWN: Known = Known { entry: 0, vertex: NONE, turned: false, point: 0 };
 
@@ -112,7 +109,6 @@ impl PointLight {
         self.light(lit)
     }
 
-    /// The light on one of the corners or faces asked for last.
     #[inline(always)]
     pub(crate) fn colour(&self, number: usize) -> Vec3 {
         let point = self.point_of[number] as usize;
@@ -127,7 +123,6 @@ impl PointLight {
         self.positions.iter_mut().chain(&mut self.normals).for_each(Vec::clear);
     }
 
-    /// Positions of the vertices, if anything depends on them.
     fn place(&mut self, lit: &Lit) {
         if lit.shaders.needs_positions() {
             let count = self.vertices.len();
@@ -196,7 +191,6 @@ struct FromOrigin<'a> {
     out: [&'a mut [f32]; 3],
 }
 
-/// Vertices computed side by side.
 const LANES: usize = 32;
 
 /// The largest coordinate in single precision that leaves room for sums over the corners of a face.

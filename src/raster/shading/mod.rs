@@ -4,10 +4,8 @@
 pub(super) mod surface_colour;
 // Light at corners and faces.
 pub(super) mod lighting;
-// Corner values interpolated to samples.
+// Corner values interpolated to samples, and the lectures' scanline algorithm.
 pub(super) mod interpolate;
-// The lectures' interpolation along edges and scanlines.
-pub(super) mod scanline;
 // Analytic surfaces by one ray a sample.
 pub(super) mod ray_cast;
 // Normals, depth, faces and deviation as colours.

@@ -11,7 +11,6 @@ pub(crate) struct Hits {
     at: Vec<CastHit>,
 }
 
-/// A point of an analytic surface.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct CastHit {
     /// Relative to the view's origin, in units of the frame.

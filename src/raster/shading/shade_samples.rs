@@ -11,10 +11,9 @@ use crate::raster::error::RenderError;
 use crate::raster::frame::job::{Job, Prepared};
 use crate::raster::settings::{Interpolation, Show};
 use crate::raster::shading::false_colour;
-use crate::raster::shading::interpolate::{BATCH, Interpolate, Positions, Row, VisibleSample};
+use crate::raster::shading::interpolate::{BATCH, Interpolate, Positions, Row, ScanPolygon, VisibleSample};
 use crate::raster::shading::lighting::{Lit, PointLight};
 use crate::raster::shading::ray_cast::{Hits, cast};
-use crate::raster::shading::scanline::ScanPolygon;
 use crate::raster::shading::surface_colour::{ObjectColour, Shaders};
 use crate::raster::view::fixed_point::{BITS, ONE};
 use crate::shade::SurfaceRows;
@@ -25,7 +24,6 @@ pub(crate) struct Painter {
     values: Box<[Row; 3]>,
     positions: Box<[Row; 3]>,
     colours: Box<[Row; 3]>,
-    /// Normals of faces.
     faces: Box<[Row; 3]>,
     light: PointLight,
     /// Polygons of the scanline algorithm, by ascending face.
@@ -118,7 +116,6 @@ impl Painter {
         }
     }
 
-    /// The colour of each visible face, under flat shading.
     fn light_faces(&mut self, lit: &Lit, records: &mut [Record]) -> Result<(), RenderError> {
         let corners = |record: &Record| face_corners(lit.object, lit.drawn, record);
         if !takes_mean(lit.job, lit.object) {
@@ -173,7 +170,6 @@ impl Painter {
         Ok(())
     }
 
-    /// Colours of the samples of one object.
     pub(crate) fn paint(
         &mut self,
         job: &Job,
@@ -250,7 +246,6 @@ impl Painter {
             .map_err(|error| RenderError::NotFinite { object, error })
     }
 
-    /// Shows samples in false colours.
     fn show_false_colours(&mut self, job: &Job, prepared: &Prepared, seen: &[VisibleSample], tile: &Tile) {
         for (lane, seen) in seen.iter().enumerate() {
             let at = |rows: &[Row; 3]| Vec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);
@@ -267,7 +262,6 @@ impl Painter {
         }
     }
 
-    /// Positions of samples, from their depths.
     fn take_positions(&mut self, job: &Job, seen: &[VisibleSample], tile: &Tile) {
         num::dispatch(Positions {
             rays: &job.rays,
@@ -279,7 +273,6 @@ impl Painter {
         });
     }
 
-    /// The values of corners, interpolated to the samples.
     fn take_values(&mut self, job: &Job, wanted: ValueKind, seen: &[VisibleSample], tile: &Tile) {
         let Tile { records, origin, .. } = *tile;
         if !wanted.varies() {
@@ -304,7 +297,6 @@ impl Painter {
         }
     }
 
-    /// Normals and positions that rays hit.
     fn take_hits(&mut self, hits: &Hits, seen: &[VisibleSample]) {
         for (lane, seen) in seen.iter().enumerate() {
             let hit = hits.at(seen.pixel);

@@ -6,7 +6,6 @@ use crate::shade::{
 };
 use glam::DVec3;
 
-/// The source of an object's colour.
 pub(crate) enum ObjectColour<'a> {
     /// Light on a material.
     Lit(Box<Shaders>),
@@ -30,15 +29,13 @@ impl Shaders {
         Ok(Self { single, double: Shader::new(lights, material, settings)? })
     }
 
-    /// Whether the colour of a point depends on where it is.
     pub(crate) fn needs_positions(&self) -> bool {
         self.single.needs_positions()
     }
 
     /// Shades rows of points, on faces with normals if there are any.
     ///
-    /// A point without a finite colour may have been rounded to where a lamp is: it is shaded again in double precision,
-    /// where `exactly` says that it is, in the frame of the settings, and refused only then.
+    /// A point may have been rounded to the position of a lamp: without a finite colour it is shaded in double precision at `exactly`.
     pub(crate) fn shade_rows(
         &self,
         rows: &SurfaceRows,
@@ -72,18 +69,11 @@ impl Shaders {
         exactly: impl FnOnce() -> DVec3,
     ) -> Result<[f32; 3], NotFinite> {
         let point = SurfacePoint { position, normal };
-        let single = match face {
-            Some(face) => self.single.shade_on(&point, face),
-            None => self.single.shade(&point),
-        };
-        single.or_else(|rounded| {
+        self.single.shade_on(&point, face).or_else(|rounded| {
             let wide = |v: [f32; 3]| v.map(f64::from);
             let point = SurfacePoint { position: exactly().to_array(), normal: wide(normal) };
-            let double = match face {
-                Some(face) => self.double.shade_on(&point, wide(face)),
-                None => self.double.shade(&point),
-            };
-            let colour = double?.map(|component| component as f32);
+            let double = self.double.shade_on(&point, face.map(wide))?;
+            let colour = double.map(|component| component as f32);
             if colour.iter().all(|component| component.is_finite()) { Ok(colour) } else { Err(rounded) }
         })
     }

@@ -14,8 +14,7 @@ pub enum Projection {
 
 /// A camera: right-handed, looking from `eye` at `target`, with square pixels.
 ///
-/// Everything is in units of the scene, in `f64`: positions are taken relative to the eye before anything is rounded
-/// to single precision, so a mesh 10⁷ units from the origin draws as well as one at the origin.
+/// Everything is in units of the scene, in `f64`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// The centre of projection, or any point of the picture's axis in front of which everything is seen.
@@ -57,8 +56,7 @@ pub enum CameraError {
 const FRAMING_ANGLE: Degrees = Degrees(30.0);
 /// How much wider than the mesh the picture of [`Camera::framing`] is.
 pub(crate) const MARGIN: f64 = 1.1;
-/// Near distance of [`Camera::framing`] as a share of that to the mesh's nearest point. Depth is stored as near over
-/// distance in floating point, which costs no precision when the near plane is close.
+/// Near distance of [`Camera::framing`] as a share of that to the mesh's nearest point: near planes cost no precision of depth.
 pub(crate) const NEAR_SHARE: f64 = 1.0 / 64.0;
 
 impl Camera {

@@ -16,15 +16,12 @@ pub(crate) trait Mix: Copy {
 /// Shares of a triangle's three corners in a point of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shares {
-    /// Barycentric coordinates in the scene.
     pub(crate) scene: [f64; 3],
-    /// Barycentric coordinates on the picture: of the triangle, or of what the near plane leaves of it, whose new
-    /// corners have the values of the scene.
+    /// Barycentric coordinates on the picture, of the triangle or of its part beyond the near plane.
     pub(crate) picture: [f64; 3],
 }
 
 impl Shares {
-    /// Those of a corner itself.
     pub(crate) fn of_corner(corner: usize) -> Self {
         let mut share = [0.0; 3];
         share[corner] = 1.0;
@@ -43,7 +40,6 @@ impl Mix for Shares {
     }
 }
 
-/// A corner of a polygon that is being clipped.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ClipVertex<A> {
     pub(crate) point: ViewPoint,
@@ -92,16 +88,14 @@ pub(crate) fn clip_line(view: &View, [mut a, mut b]: [ViewPoint; 2]) -> Option<[
     Some([a, b])
 }
 
-/// The shares of an edge's ends in the point where it leaves a half-space, by how far they are inside of it. Each keeps
-/// its digits however small it is: of an end 10²⁰ times as far out as the other that is what the place depends on.
+/// The shares of an edge's ends in the point where it leaves a half-space, by their distances inside of it. Both keep their digits.
 fn shares_of_ends([inner, outer]: [f64; 2]) -> [f64; 2] {
     // Halved: the sum of two large numbers is none any more.
     let (inner, outer) = (0.5 * inner, -0.5 * outer);
     [outer / (inner + outer), inner / (inner + outer)]
 }
 
-/// Where an edge leaves the half-space of a plane, by how far its ends are inside of it: exactly on the plane, whatever
-/// rounding did.
+/// The point where an edge leaves the half-space of a plane, exactly on the plane.
 fn crossing_point(view: &View, plane: usize, p: ViewPoint, q: ViewPoint, inside: [f64; 2]) -> ViewPoint {
     let [of_p, of_q] = shares_of_ends(inside);
     let mix = |a: f64, b: f64| a * of_p + b * of_q;
@@ -142,7 +136,6 @@ fn crossing<A: Mix>(
     ClipVertex { point, attribute: inner.attribute.mix(outer.attribute, scene, picture) }
 }
 
-/// A clipped corner on the picture.
 pub(crate) fn screen_vertex(view: &View, point: ViewPoint) -> ScreenVertex {
     let ([x, y], middle) = (view.on_picture(point), view.middle());
     let within = |place: f64, middle: f64| {

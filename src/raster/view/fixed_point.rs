@@ -4,17 +4,13 @@
 //! the picture's upper left corner. The guard band keeps it within ±2¹⁴ pixels of the picture's centre, so that an edge
 //! is at most 2²³ units long in x and in y, and everything that is computed from edges is exact.
 
-/// Bits below the pixel.
 pub(crate) const BITS: u32 = 8;
-/// One pixel.
 pub(crate) const ONE: i32 = 1 << BITS;
-/// Half a pixel.
 pub(crate) const HALF: i32 = ONE / 2;
 /// Half the width and height of the guard band, in pixels; also the largest size of a picture.
 pub(crate) const GUARD: i32 = 1 << 14;
 
-/// Adding 1.5 · 2⁵² leaves the nearest whole number, ties to even, in the low bits of an `f64`: in one instruction, where
-/// a cast has to look for what is out of range.
+/// Adding 1.5 · 2⁵² leaves the nearest whole number, ties to even, in the low bits of an `f64`, faster than a cast.
 const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 
 /// A whole number of at most 31 bits.
@@ -23,12 +19,10 @@ pub(crate) fn whole(number: f64) -> i32 {
     (number + TO_INTEGER).to_bits() as i32
 }
 
-/// Where places end that are out of the guard band: 2²³, so that differences of any two are 32-bit numbers. A picture's
-/// middle is at most half the band from its corner, so that what is within the band lies within this.
+/// The end of the range for places out of the guard band: differences of any two fit into 32 bits.
 const FARTHEST: f64 = (2 * GUARD * ONE) as f64;
 
-/// The nearest fixed-point number to a place in pixels, ties to even; out of the guard band an end of the range, also for
-/// NaN.
+/// The nearest fixed-point number to a place in pixels, ties to even; out of the guard band, and for NaN, an end of the range.
 #[inline(always)]
 pub(crate) fn snap(pixels: f64) -> i32 {
     let place = pixels * f64::from(ONE);

@@ -5,8 +5,7 @@ use crate::raster::view::camera::{Camera, MARGIN, NEAR_SHARE, Projection};
 use crate::surface::{Primitive, Surface, Tessellation};
 use glam::{DVec2, DVec3};
 
-/// The eye stays at least this share of the distance of [`Camera::framing`] away from the nearest point: a rod that
-/// points at the viewer would otherwise be seen from its tip.
+/// The least distance from the eye to the nearest point, as a share of that of [`Camera::framing`].
 const NEAREST: f64 = 0.25;
 
 /// Parts along each side of the net of points that approximates an analytic surface: it is at most 0.3 % smaller.
@@ -28,7 +27,6 @@ struct Extent {
     above: DVec2,
     /// Of the left and the lower one.
     below: DVec2,
-    /// The smallest depth.
     nearest: f64,
 }
 
@@ -51,19 +49,14 @@ impl Planes {
 }
 
 impl Scene<'_> {
-    /// A camera that looks the way of [`Camera::framing`] and has its angle, but stands so that the picture, of this
-    /// ratio of width to height, just holds what is there to be drawn and a margin of a tenth. `None` if there is
-    /// nothing to draw.
-    ///
-    /// Four planes through the eye bound what is seen. For each the point that lies farthest out is found; the eye is
-    /// then put where opposite planes touch theirs at once, or, in the direction that has room to spare, in the middle
-    /// between them. Vertices that no face uses do not count.
+    /// A camera with the direction and angle of [`Camera::framing`], so near that the picture, of this ratio of width to height, just
+    /// holds all that is drawn and a margin of a tenth. `None` if there is nothing to draw. The eye is where four planes through it
+    /// touch the points that lie farthest out.
     pub fn framing(&self, aspect: f64) -> Option<Camera> {
         Some(self.tight(self.bounds()?, aspect, Planes::of_point))
     }
 
-    /// The same for a turntable: all of the scene stays in the picture however it is turned about the upright axis
-    /// through the middle of its box.
+    /// The same for a turntable: the scene stays in the picture when it rotates about the upright axis through the middle of its box.
     pub fn framing_turned(&self, aspect: f64) -> Option<Camera> {
         let (low, high) = self.bounds()?;
         let (centre, half) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);
@@ -118,7 +111,6 @@ impl Scene<'_> {
     }
 }
 
-/// Points all over a surface.
 fn net(primitive: Primitive) -> Vec<DVec3> {
     let cut = Tessellation { segments: NET, ..Tessellation::default() };
     match Surface::Primitive(primitive).tessellate(&cut) {

@@ -68,7 +68,6 @@ fn project_all<T: Point>(points: &[T], map: &ObjectMap, view: &View, vertices: &
     outside.reduce(|| 0, |a, b| a | b)
 }
 
-/// Vertices computed side by side.
 const LANES: usize = 32;
 
 trait Point: Copy + Sync {
@@ -97,7 +96,6 @@ struct Project<'a, T> {
 }
 
 impl<T: Point> Kernel for Project<'_, T> {
-    /// The planes that any of them is outside of.
     type Output = u32;
 
     #[inline(always)]

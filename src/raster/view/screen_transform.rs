@@ -5,34 +5,29 @@ use crate::raster::view::camera::{Camera, CameraError, Projection};
 use crate::raster::view::fixed_point::GUARD;
 use glam::{DMat3, DMat4, DVec3, Vec3};
 
-/// The smallest depth in perspective: what single precision still divides by. Whatever is farther away than 10³⁷ near
-/// distances is equally far.
+/// The smallest depth in perspective, which single precision still divides by.
 const FARTHEST: f64 = f32::MIN_POSITIVE as f64;
 
 /// The largest depth in a parallel projection: single precision has room for differences of two.
 const DEEPEST: f64 = 1e38;
 
-/// A camera that is more than this many heights of what it shows away from its target sees it through so narrow an angle
-/// that depths from the eye would be nearly alike: they are counted from the target instead.
+/// Depths are counted from the target, not the eye, if it is farther away than this many heights of the window.
 const FAR: f64 = 64.0;
 
-/// How many times nearer than the target a near distance may be that depths are shares of: single precision has no more
-/// room on either side.
+/// The largest ratio of the target's distance to the near distance of depths, by the range of single precision.
 const MOST_RATIO: f64 = 1e30;
 
-/// As far away as single precision is asked for: a point that is farther has the same V, the same L and no visible
-/// light, but a square that overflows.
+/// The largest coordinate of shaded points: beyond it V and L are the same, but squares overflow.
 pub(crate) const REACH: f32 = (1_u64 << 50) as f32;
 
 /// A camera with a picture of a certain size.
 ///
-/// *View space* has its origin in the eye. Its first two coordinates are in pixels from the middle of the picture, to
-/// the right and down, times the third of [`ViewPoint`]; so they are linear in the scene.
+/// *View space* has its origin in the eye. Its first two coordinates are in pixels from the middle of the picture, to the right and
+/// down, times the third of [`ViewPoint`].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View {
     pub(crate) eye: DVec3,
-    /// The origin of the positions that are lit: the eye, or the target if the camera is [`FAR`] from it, since a step
-    /// of single precision from the eye would no longer be small compared with what is shown.
+    /// The origin of lit positions: the eye, or the target if the camera is [`FAR`] from it.
     pub(crate) origin: DVec3,
     /// How far along the axis the origin is.
     pub(crate) away: f64,
@@ -41,13 +36,11 @@ pub(crate) struct View {
     /// Pixels per unit of length: at distance 1 in perspective, anywhere in a parallel projection.
     pub(crate) scale: f64,
     pub(crate) near: f64,
-    /// The distance at which depth is 1 in perspective and 0 in a parallel projection, before the level is taken off: the
-    /// near one, unless that is next to nothing, or that of the target if the camera is [`FAR`] from it.
+    /// The distance at which depth is 1 in perspective and 0 in a parallel projection, without the level: near, or the target if the
+    /// camera is [`FAR`] from it.
     depth_from: f64,
-    /// What is taken off depth so that it keeps its digits: 0, or in a narrow perspective the depth of the target, 1. What
-    /// is more than 10⁷ times as far away as that is then equally far.
+    /// Subtracted from depth so that it keeps its digits: 0, or in a narrow perspective the depth of the target, 1.
     level: f64,
-    /// How far away the target is.
     distance: f64,
     /// How far behind a surface is little, at the most: a distance that a camera which is not far from its target has.
     pub(crate) reach: f64,
@@ -62,14 +55,12 @@ pub(crate) struct ViewPoint {
     pub(crate) x: f64,
     /// Pixels below the middle, times `h`.
     pub(crate) y: f64,
-    /// Distance along the axis.
     pub(crate) z: f64,
     /// The homogeneous coordinate: `z` in perspective, 1 else.
     pub(crate) h: f64,
 }
 
 impl View {
-    /// The view of a camera that is right.
     pub(crate) fn new(camera: &Camera, size: [u32; 2]) -> Result<Self, CameraError> {
         let axes = camera.axes()?;
         let half = 0.5 * f64::from(size[1]);
@@ -108,13 +99,11 @@ impl View {
         self.reach / FAR
     }
 
-    /// The middle of the picture, in pixels.
     pub(crate) fn middle(&self) -> [f64; 2] {
         self.size.map(|n| 0.5 * f64::from(n))
     }
 
-    /// Depth as it is compared: larger is nearer. In perspective [`nearness`](Self::nearness) less the level, which is
-    /// linear on the picture; else linear in z.
+    /// Depth to compare: larger is nearer. In perspective [`nearness`](Self::nearness) less the level, else linear in z.
     #[inline(always)]
     pub(crate) fn depth(&self, z: f64) -> f64 {
         match self.perspective {
@@ -142,15 +131,13 @@ impl View {
         [x + point.x / point.h, y + point.y / point.h]
     }
 
-    /// How far a point is inside each of the planes that are clipped to, negative outside: near, then the guard band's
-    /// left, right, upper and lower side.
+    /// The distance inside each clipping plane: near, then the guard band's left, right, upper and lower side.
     pub(crate) fn inside(&self, point: ViewPoint) -> [f64; 5] {
         let guard = f64::from(GUARD) * point.h;
         [point.z - self.near, guard + point.x, guard - point.x, guard + point.y, guard - point.y]
     }
 
-    /// The ray of a place on the picture: where it starts, relative to the eye, and its direction, whose component
-    /// along the axis is 1, both in the scene's axes.
+    /// The ray of a place on the picture: its start relative to the eye, and its direction with a component of 1 along the axis.
     pub(crate) fn ray(&self, [x, y]: [f64; 2]) -> (DVec3, DVec3) {
         let [right, up, forward] = self.axes;
         let [middle_x, middle_y] = self.middle();
@@ -188,8 +175,7 @@ const FAR_PIVOT: f64 = 1024.0;
 /// The way from an object's own space to view space and to the scene's axes about the view's origin.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ObjectMap {
-    /// A point of the object that is subtracted before anything else, so that an object far from its origin keeps its
-    /// digits.
+    /// A point of the object that is subtracted first, so that an object far from its origin keeps its digits.
     pivot: DVec3,
     to_view: DMat3,
     view_offset: DVec3,
@@ -219,8 +205,7 @@ impl ObjectMap {
         }
     }
 
-    /// The way of points near this one, which is the pivot, unless it is so far off that differences from it would lose
-    /// the digits of points near the eye: then the eye is.
+    /// The map with this point as the pivot, or the eye if the point is too far away.
     pub(crate) fn about(view: &View, transform: DMat4, point: DVec3) -> Self {
         let away = transform.transform_point3(point) - view.eye;
         if away.abs().max_element() <= FAR_PIVOT * view.distance {
@@ -230,7 +215,6 @@ impl ObjectMap {
         Self::new(view, transform, if eye.is_finite() { eye } else { DVec3::ZERO })
     }
 
-    /// A point of the object in view space.
     #[inline(always)]
     pub(crate) fn view(&self, point: DVec3) -> ViewPoint {
         let p = point - self.pivot;
@@ -252,9 +236,8 @@ impl ObjectMap {
     }
 }
 
-/// The same rays as [`View::ray`], in single precision for rows of pixels and in a unit of length of their own: a point
-/// at a distance is `start + distance · direction`, each linear on the picture. Points are relative to the view's origin, and
-/// so are distances, along the axis.
+/// The rays of [`View::ray`] in single precision and a unit of their own: a point at a distance is `start + distance · direction`,
+/// both linear on the picture, relative to the view's origin.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rays {
     /// At the picture's upper left corner, and per pixel to the right and down.

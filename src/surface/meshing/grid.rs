@@ -2,9 +2,8 @@
 
 use crate::mesh::DisjointSets;
 use crate::surface::error::{MOST_CELLS, SurfaceError, check_count};
-use crate::surface::meshing::hash::GridHash;
 use crate::surface::meshing::net::{Net, sample};
-use crate::surface::meshing::pattern::{Pattern, Tessellation};
+use crate::surface::meshing::pattern::{GridHash, Pattern, Tessellation};
 use crate::surface::shapes::bezier::BezierPatch;
 use crate::surface::shapes::chart::{Chart, Parametric, Sample};
 use glam::{DVec2, DVec3};
@@ -33,15 +32,13 @@ pub(crate) fn net(charts: &[&dyn Parametric], tessellation: &Tessellation) -> Re
     Ok(net)
 }
 
-/// A corner of a cell.
 #[derive(Clone, Copy)]
 struct Corner {
     vertex: u32,
     parameters: DVec2,
 }
 
-/// A grid over one chart. Vertex (i, j) is at u = i / segments, v = j / segments but for jitter; cell (i, j) has it at
-/// its lower left.
+/// A grid over one chart. Vertex (i, j) is at u = i / segments, v = j / segments but for jitter, at the lower left of cell (i, j).
 struct Grid {
     chart: Chart,
     segments: [u32; 2],
@@ -56,7 +53,6 @@ impl Grid {
         let segments = match pattern {
             Pattern::Stretched(ratio) => {
                 let [u, v] = segments.map(f64::from);
-                // The counts are checked against their limits afterwards; casts of too large numbers saturate.
                 [(u / ratio.sqrt()).round().max(1.0), (v * ratio.sqrt()).round()].map(|count| count as u32)
             }
             _ => segments,
@@ -73,7 +69,6 @@ impl Grid {
         check_count("cells", u.saturating_mul(v).saturating_mul(charts), 0..=MOST_CELLS)
     }
 
-    /// Columns of vertices.
     fn columns(&self) -> u32 {
         self.segments[0] + u32::from(!self.chart.wraps_u)
     }
@@ -83,21 +78,18 @@ impl Grid {
         self.chart.pole_low && j == 0 || self.chart.pole_high && j == self.segments[1]
     }
 
-    /// The place of each vertex, in their order.
     fn places(&self) -> Vec<(u32, u32)> {
         let rows = self.segments[1] + u32::from(!self.chart.wraps_v);
         let columns = |j: u32| if self.is_pole(j) { 1 } else { self.columns() };
         (0..rows).flat_map(|j| (0..columns(j)).map(move |i| (i, j))).collect()
     }
 
-    /// How many vertices there are.
     fn vertex_count(&self) -> u32 {
         let last_row = self.segments[1] - u32::from(self.chart.wraps_v);
         let last_column = self.columns() - 1;
         self.vertex(last_column, last_row) + 1
     }
 
-    /// The number of the vertex at a place.
     fn vertex(&self, i: u32, j: u32) -> u32 {
         let i = if self.is_pole(j) { 0 } else { i % self.columns() };
         let j = if self.chart.wraps_v { j % self.segments[1] } else { j };
@@ -135,7 +127,6 @@ impl Grid {
         Corner { vertex: self.vertex(i, j), parameters }
     }
 
-    /// The faces of a cell.
     fn cut(&self, i: u32, j: u32, face: &mut impl FnMut(&[Corner])) {
         let [a, b, c, d] = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| self.corner(i, j));
         if self.is_pole(j) {
@@ -154,9 +145,8 @@ impl Grid {
     }
 }
 
-/// Merges the vertices that two patches have at the same position of a common side: sides with the same four control points,
-/// in either direction. Patches that merely touch stay separate. The vertex of the first patch remains; where patches meet
-/// smoothly, as those of the teapot do, its normal is that of all.
+/// Merges the vertices on common sides of patches: sides with the same four control points, in either direction. The vertex of
+/// the first patch remains; where patches meet smoothly its normal is that of all.
 pub(crate) fn join(net: &mut Net, patches: &[BezierPatch], tessellation: &Tessellation) {
     if patches.len() < 2 {
         return;

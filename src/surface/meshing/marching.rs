@@ -2,21 +2,21 @@
 
 use crate::mesh::Faces;
 use crate::surface::error::{MOST_CELLS, SurfaceError, check_count};
-use crate::surface::meshing::hash::GridHash;
 use crate::surface::meshing::net::Net;
+use crate::surface::meshing::pattern::GridHash;
 use crate::surface::shapes::chart::Sample;
 use crate::surface::shapes::implicit::{Implicit, Room};
 use glam::{DVec3, UVec3};
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
-/// The six tetrahedra of a cube, one for each order in which to go along the axes from its lowest corner to its highest
-/// (H. W. Kuhn 1960). A corner of the cube is named by its bits, x lowest; all have the same orientation.
+/// The six tetrahedra of a cube, one for each order of the axes from its lowest corner to its highest (H. W. Kuhn 1960). Bits of
+/// a corner's number, x lowest, are its coordinates.
 const TETRAHEDRA: [[usize; 4]; 6] =
     [[0, 1, 3, 7], [0, 2, 6, 7], [0, 4, 5, 7], [0, 5, 1, 7], [0, 3, 2, 7], [0, 6, 4, 7]];
 
-/// The surface within its box, cut by a cubic lattice with so many cells along the longest side. Where the surface closes
-/// within the box the lattice is shifted by a random part of a cell, so that it meets no symmetry.
+/// The surface within its box, cut by a cubic lattice with so many cells along the longest side, which is shifted by a random part
+/// of a cell where the surface closes within the box.
 pub(crate) fn net(
     surface: &dyn Implicit,
     room: Room,
@@ -55,11 +55,10 @@ pub(crate) fn net(
     };
     let samples: Option<Vec<Sample>> = edges.par_iter().map(sample).collect();
     let reason = "the surface has no normal at a point where the lattice meets it";
-    let samples = samples.ok_or(SurfaceError::Pattern { pattern: "marching", reason })?;
+    let samples = samples.ok_or_else(|| SurfaceError::pattern("marching", reason))?;
     Ok(Net::without_parameters(samples, Faces::triangles(triangles.as_flattened().to_vec())))
 }
 
-/// The offset of a corner of a cube.
 fn offset(bits: usize) -> UVec3 {
     UVec3::new(bits as u32 & 1, bits as u32 >> 1 & 1, bits as u32 >> 2 & 1)
 }
@@ -111,8 +110,7 @@ impl Lattice {
     }
 }
 
-/// The triangles within a tetrahedron of lattice points, facing outside. Even permutations bring the corners that are alone
-/// or inside to the front and keep the orientation of the tetrahedron.
+/// The triangles within a tetrahedron, facing outside. Even permutations bring corners that are alone or inside to the front.
 fn cut(
     corners: [usize; 4],
     inside: &[bool],

@@ -1,9 +1,7 @@
 //! Meshing: tessellations with chosen irregularity.
 
-// The patterns and their settings.
+// The patterns, their settings and reproducible random numbers.
 pub(super) mod pattern;
-// Reproducible random numbers.
-pub(super) mod hash;
 // Faces over samples of a surface, and their dual.
 pub(super) mod net;
 // Grids of parameters, and their joints.

@@ -6,7 +6,6 @@ use crate::surface::shapes::chart::{Parametric, Sample};
 use glam::DVec2;
 use rayon::prelude::*;
 
-/// Faces over samples of a surface.
 #[derive(Default)]
 pub(crate) struct Net {
     pub(crate) samples: Vec<Sample>,
@@ -14,7 +13,6 @@ pub(crate) struct Net {
     /// The parameters of each corner, contiguous within a face also where a chart wraps; empty if the surface was not
     /// sampled by parameters.
     pub(crate) corner_parameters: Vec<DVec2>,
-    /// The first face of each chart.
     pub(crate) first_faces: Vec<usize>,
 }
 
@@ -24,18 +22,15 @@ impl Net {
         Self { samples, faces, ..Self::default() }
     }
 
-    /// Appends a face.
     pub(crate) fn push(&mut self, vertices: &[u32], parameters: impl Iterator<Item = DVec2>) {
         self.faces.push(vertices);
         self.corner_parameters.extend(parameters);
     }
 
-    /// The chart that a face lies on.
     pub(crate) fn chart_of(&self, face: usize) -> usize {
         self.first_faces.partition_point(|&first| first <= face) - 1
     }
 
-    /// Mean of the parameters of a face's corners.
     pub(crate) fn middle(&self, face: usize) -> DVec2 {
         let corners = &self.corner_parameters[self.faces.range(face)];
         corners.iter().sum::<DVec2>() / corners.len() as f64
@@ -52,18 +47,18 @@ impl Net {
     }
 }
 
-/// The point of a chart.
 pub(crate) fn sample(chart: &dyn Parametric, at: DVec2) -> Result<Sample, SurfaceError> {
     sample_at(at, chart.at(at.x, at.y))
 }
 
 /// The sample at these parameters, or an error if the surface has no normal there.
 pub(crate) fn sample_at(at: DVec2, sample: Option<Sample>) -> Result<Sample, SurfaceError> {
-    sample.ok_or(SurfaceError::NoNormal { u: at.x, v: at.y })
+    sample.ok_or_else(|| {
+        SurfaceError::Invalid(format!("the surface has no normal at u = {}, v = {}", at.x, at.y))
+    })
 }
 
-/// The dual of a net of triangles: one polygon around each vertex that is not on an open side, with corners above the middles
-/// of the triangles there.
+/// The dual of a net of triangles: a polygon around each vertex that is not on an open side, with corners above their middles.
 pub(crate) fn dual(
     triangles: &Net,
     sample: impl Fn(usize, DVec2) -> Result<Sample, SurfaceError> + Sync,

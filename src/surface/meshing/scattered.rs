@@ -1,17 +1,16 @@
 //! Delaunay triangulations of scattered points.
 
-use crate::mesh::{Faces, Mesh, MeshBuilder};
+use crate::mesh::Faces;
 use crate::num::unit_scale;
 use crate::surface::error::{MOST_CELLS, SurfaceError, check_count};
-use crate::surface::meshing::hash::GridHash;
 use crate::surface::meshing::net::{Net, sample_at};
+use crate::surface::meshing::pattern::GridHash;
 use crate::surface::shapes::chart::Sample;
 use crate::surface::shapes::height::Height;
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 use spade::{DelaunayTriangulation, Point2, Triangulation};
 
-/// Points over the rectangle of a height: as many as a grid of so many cells has, evenly spaced on the sides and random
-/// within.
+/// As many points as a grid has over the rectangle of a height: evenly spaced on the sides, random within.
 pub(crate) fn net(surface: &dyn Height, segments: [u32; 2], hash: GridHash) -> Result<Net, SurfaceError> {
     let [columns, rows] = segments;
     let cells = u64::from(columns) * u64::from(rows);
@@ -35,40 +34,13 @@ pub(crate) fn net(surface: &dyn Height, segments: [u32; 2], hash: GridHash) -> R
     Ok(Net { samples, faces, corner_parameters, first_faces: vec![0] })
 }
 
-/// The surface z = f(x, y) through scattered points, by the Delaunay triangulation of their x and y: triangles that face
-/// +z, over the convex hull of the points. Vertices keep the order of the points. No normals: only the points are
-/// known.
-///
-/// ```
-/// use crease::surface::height_field;
-/// use glam::DVec3;
-///
-/// let points = [[0.0, 0.0, 1.0], [4.0, 0.0, 2.0], [0.0, 3.0, 2.0], [1.0, 1.0, 5.0]].map(DVec3::from);
-/// assert_eq!(height_field(&points)?.face_count(), 3);
-/// # Ok::<(), crease::surface::SurfaceError>(())
-/// ```
-///
-/// # Errors
-/// [`SurfaceError::Scattered`] for a point that is not finite, one above another, and points of which no three make a
-/// triangle; [`SurfaceError::Segments`] for more than 2²⁴ points.
-pub fn height_field(points: &[DVec3]) -> Result<Mesh, SurfaceError> {
-    if let Some(point) = points.iter().position(|p| !p.is_finite()) {
-        return Err(SurfaceError::Scattered { point, reason: "its coordinates are not finite" });
-    }
-    check_count("points", points.len() as u64, 0..=MOST_CELLS)?;
-    let places: Vec<DVec2> = points.iter().map(|p| p.truncate()).collect();
-    let triangles = delaunay(&places)?;
-    let builder = MeshBuilder {
-        positions: points.to_vec(),
-        faces: Faces::triangles(triangles.as_flattened().to_vec()),
-        ..MeshBuilder::default()
-    };
-    Ok(builder.build().expect("the points are finite and the triangles theirs"))
+/// The error about a scattered point, counted from 0.
+fn invalid(point: usize, reason: &str) -> SurfaceError {
+    SurfaceError::Invalid(format!("point {point}: {reason}"))
 }
 
-/// Triangles of distinct points, counter-clockwise. Coordinates are scaled by a power of two to a size of about 1: the
-/// library's predicates are exact only well within the range of numbers.
-fn delaunay(places: &[DVec2]) -> Result<Vec<[u32; 3]>, SurfaceError> {
+/// Triangles of distinct points, counter-clockwise. Coordinates are scaled by a power of two to the range of exact predicates.
+pub(crate) fn delaunay(places: &[DVec2]) -> Result<Vec<[u32; 3]>, SurfaceError> {
     let scale = unit_scale(places.iter().fold(0.0, |most: f64, p| most.max(p.abs().max_element())));
     let scaled = |place: &DVec2| spade::mitigate_underflow(Point2::new(place.x * scale, place.y * scale));
     let sites: Vec<Point2<f64>> = places.iter().map(scaled).collect();
@@ -77,9 +49,9 @@ fn delaunay(places: &[DVec2]) -> Result<Vec<[u32; 3]>, SurfaceError> {
     order.sort_by(|&a, &b| key(a).partial_cmp(&key(b)).expect("finite numbers"));
     if let Some(pair) = order.windows(2).find(|pair| key(pair[0]) == key(pair[1])) {
         let reason = "another one has the same x and y; leave one out";
-        return Err(SurfaceError::Scattered { point: pair[0].max(pair[1]) as usize, reason });
+        return Err(invalid(pair[0].max(pair[1]) as usize, reason));
     }
-    let none = SurfaceError::Scattered { point: 0, reason: "no three points make a triangle" };
+    let none = invalid(0, "no three points make a triangle");
     let triangulation =
         DelaunayTriangulation::<Point2<f64>>::bulk_load_stable(sites).map_err(|_| none.clone())?;
     let mut triangles: Vec<[u32; 3]> =

@@ -3,26 +3,22 @@
 use crate::mesh::{Column, Columns, Mesh, MeshBuilder};
 use crate::surface::catalogue::Surface;
 use crate::surface::error::SurfaceError;
-use crate::surface::meshing::hash::GridHash;
 use crate::surface::meshing::net::{Net, dual, sample};
-use crate::surface::meshing::pattern::{Pattern, Tessellation};
+use crate::surface::meshing::pattern::{GridHash, Pattern, Tessellation};
 use crate::surface::meshing::{grid, icosphere, marching, scattered};
 use crate::surface::shapes::chart::Sample;
 
 impl Surface {
-    /// A mesh of the surface with its exact normals, one a vertex. Faces run counter-clockwise seen from where normals
-    /// point to; closed surfaces give closed meshes.
-    ///
+    /// A mesh of the surface with its exact normals, one a vertex; faces are counter-clockwise, closed surfaces give closed meshes.
     /// The same settings give the same bits on any machine at any number of threads.
     ///
     /// # Errors
-    /// For settings out of range, a pattern that the surface cannot be given, and too few or too many segments (2²⁴
-    /// cells).
+    /// For settings out of range, an impossible pattern, and too few or too many segments (2²⁴ cells).
     pub fn tessellate(&self, tessellation: &Tessellation) -> Result<Mesh, SurfaceError> {
         tessellation.check()?;
         let Tessellation { pattern, segments, seed, .. } = *tessellation;
         let hash = GridHash { seed };
-        let missing = |reason| SurfaceError::Pattern { pattern: pattern.name(), reason };
+        let missing = |reason| SurfaceError::pattern(pattern.name(), reason);
         let net = match pattern {
             Pattern::Icosphere(level) => {
                 let star = self.star_shaped().ok_or_else(|| missing("the surface is no stretched sphere"))?;

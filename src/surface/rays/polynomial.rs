@@ -18,12 +18,11 @@ impl Roots {
     }
 }
 
-/// The numbers in [low, high] at which a polynomial of degree 1 to 4 changes its sign or is zero at a turning point,
-/// ascending; coefficients from the constant up, the leading one not 0. No roots if a bound is not a number.
+/// The numbers in [low, high] at which a polynomial of degree 1 to 4 changes its sign or is zero at a turning point, ascending;
+/// coefficients from the constant up, the leading one not 0. No roots if a bound is NaN.
 ///
-/// Between the roots of its derivative a polynomial is monotone and has one root at most, which bracketed Newton
-/// steps find (C. Yuksel, *High-performance polynomial root finding for graphics*, Proc. ACM Comput. Graph. Interact.
-/// Tech. 5(3), 2022). No root is missed or found twice, but for pairs closer than the rounding of the value.
+/// Between the roots of its derivative a polynomial is monotone and has at most one root, which bracketed Newton steps find
+/// (C. Yuksel, *High-performance polynomial root finding for graphics*, Proc. ACM Comput. Graph. Interact. Tech. 5(3), 2022).
 pub(crate) fn roots_between(polynomial: &[f64], low: f64, high: f64) -> Roots {
     let mut found = Roots::default();
     let degree = polynomial.len() - 1;

@@ -13,9 +13,8 @@ use glam::{DMat3, DMat4, DVec3};
 /// A surface whose first hit by a ray can be computed.
 ///
 /// # Accuracy
-/// For a surface of size about 1 and a ray with exact coordinates from up to 1e6 away: the hit lies within 1e-15 of the
-/// surface with the exact normal of that point; the error of `t` is a few roundings plus 1e-15 over the cosine of the angle
-/// of incidence. Rays that graze a surface closer than that may hit it or not.
+/// For a surface of size about 1 and a ray from up to 1e6 away, the hit lies within 1e-15 of the surface; the error of `t` is a
+/// few roundings plus 1e-15 over the cosine of the angle of incidence.
 ///
 /// ```
 /// use crease::surface::{Primitive, Ray, Torus};
@@ -69,8 +68,7 @@ macro_rules! from {
 from!(Plane, Sphere, Ellipsoid, Cylinder, Cone, Torus);
 
 impl Primitive {
-    /// The first hit of a ray in front of its origin, on either side of the surface. A ray that starts on the surface may
-    /// or may not hit it there: start it a little way off, on the intended side.
+    /// The first hit of a ray in front of its origin, on either side; undetermined for rays that start on the surface.
     pub fn intersect(&self, ray: &Ray) -> Option<Hit> {
         each!(self, surface => surface.first_hit(ray))
     }
@@ -88,7 +86,6 @@ impl Primitive {
         }
     }
 
-    /// The surface, whichever it is.
     pub(crate) fn shape(&self) -> &dyn Shape {
         each!(self, surface => surface)
     }
@@ -106,8 +103,7 @@ impl Implicit for Primitive {
 
 /// A primitive under an affine map: moved, rotated, stretched, sheared or mirrored.
 ///
-/// Rays are mapped by the inverse, normals by the inverse transpose. Outward surfaces stay outward, also under a mirroring
-/// map.
+/// Rays are mapped by the inverse, normals by the inverse transpose. Outward surfaces stay outward.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placed {
     primitive: Primitive,
@@ -121,15 +117,20 @@ impl Placed {
     /// A primitive placed by a matrix, the last row of which is ignored.
     ///
     /// # Errors
-    /// [`SurfaceError::Singular`].
+    /// A singular map, or one that is not finite.
     pub fn new(primitive: Primitive, world_from_object: DMat4) -> Result<Self, SurfaceError> {
         let (linear, origin) = (DMat3::from_mat4(world_from_object), world_from_object.w_axis.truncate());
-        let normals = normal_matrix(linear).ok_or(SurfaceError::Singular)?;
-        let inverse = linear.inverse();
-        if !(inverse.is_finite() && origin.is_finite()) {
-            return Err(SurfaceError::Singular);
+        let normals = normal_matrix(linear);
+        let object_from_world = linear.inverse();
+        match normals.filter(|_| object_from_world.is_finite() && origin.is_finite()) {
+            Some(normals) => {
+                Ok(Self { primitive, world_from_object: linear, object_from_world, origin, normals })
+            }
+            None => {
+                let fact = "the transform is singular or not finite, so the surface has no normals under it";
+                Err(SurfaceError::Invalid(fact.into()))
+            }
         }
-        Ok(Self { primitive, world_from_object: linear, object_from_world: inverse, origin, normals })
     }
 
     /// The primitive.
@@ -137,10 +138,9 @@ impl Placed {
         &self.primitive
     }
 
-    /// The first hit of a ray, both in world space. `None` also for a ray that has coordinates beyond 1e90 in the
-    /// primitive's own space.
+    /// The first hit of a ray, both in world space; `None` also for coordinates beyond 1e90 in the primitive's own space.
     pub fn intersect(&self, ray: &Ray) -> Option<Hit> {
-        // The origin is subtracted first: the difference of two far points is exact, that of their images is not.
+        // The origin is subtracted first: the difference of two far points is exact.
         let map = self.object_from_world;
         let ray = Ray::new(map * (ray.origin() - self.origin), map * ray.direction())?;
         let hit = self.primitive.intersect(&ray)?;

@@ -8,8 +8,7 @@ const FURTHEST: f64 = 1e90;
 
 /// A half-line: all points origin + t·direction with t > 0.
 ///
-/// The direction may have any length but zero; parameters `t` are in units of it, so that they stay unchanged if a linear
-/// map moves ray and surface together.
+/// The direction may have any length but zero; parameters `t` are in units of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     origin: DVec3,
@@ -17,8 +16,7 @@ pub struct Ray {
 }
 
 impl Ray {
-    /// A ray; `None` if the direction is zero, if anything is not finite, or if a coordinate of the origin or of the
-    /// direction is beyond 1e90.
+    /// A ray; `None` if the direction is zero, or a coordinate is not finite or beyond 1e90.
     pub fn new(origin: DVec3, direction: DVec3) -> Option<Self> {
         let in_range = |v: DVec3| v.is_finite() && v.abs().max_element() <= FURTHEST;
         (in_range(origin) && in_range(direction) && direction != DVec3::ZERO)
@@ -59,32 +57,24 @@ pub struct Hit {
     pub front: bool,
 }
 
-/// The line of a ray relative to a centre, so that a ray from far away has no other error than that of its coordinates.
-/// Points are foot + s·direction; s is a length.
+/// The line of a ray relative to a centre, so that a far ray has no error but that of its coordinates.
 pub(crate) struct Line {
-    /// The point closest to the centre.
     pub(crate) foot: DVec3,
-    /// Of length 1.
     pub(crate) direction: DVec3,
     /// point × direction for any point of the line: its length is the distance from the centre.
     pub(crate) moment: DVec3,
-    /// The s of the ray's origin.
     start: f64,
-    /// Length of the ray's direction.
     speed: f64,
 }
 
 impl Line {
     /// The line of a ray, seen from a centre.
     ///
-    /// The moment's products cancel if a far ray passes nearby; as differences of products its components keep a relative
-    /// error of 2u, and so does the foot, direction × moment. (Shifting the origin to the foot by a multiple of the
-    /// direction, as in E. Haines et al., *Precision improvements for ray/sphere intersection*, Ray Tracing Gems, 2019,
-    /// leaves an error of u times the distance.)
+    /// The moment's products cancel if a far ray passes nearby; as exact differences of products its components keep a relative
+    /// error of 2u, and so does the foot, direction × moment.
     pub(crate) fn new(ray: &Ray, centre: DVec3) -> Self {
         let origin = ray.origin - centre;
-        // A power of two keeps all digits of the direction; dividing by its length would rotate the line a little, which
-        // far away is a shift.
+        // A power of two keeps all digits of the direction: dividing by its length would rotate the line a little.
         let scale = unit_scale(ray.direction.abs().max_element());
         let scaled = ray.direction * scale;
         let (direction, length) = num::direction(scaled);
@@ -98,7 +88,6 @@ impl Line {
         }
     }
 
-    /// A point, relative to the centre.
     pub(crate) fn at(&self, s: f64) -> DVec3 {
         self.foot + self.direction * s
     }

@@ -10,9 +10,8 @@ use std::sync::OnceLock;
 /// Bernstein polynomials.
 ///
 /// # Collapsed sides
-/// A side whose four control points coincide has no tangent. Next to the side v = 0, ∂u is v·∂u∂v to first order, so the
-/// direction of ∂u × ∂v tends to ∂u∂v × ∂v: that limit is the normal there, one for each u. If all agree (the top of the
-/// teapot's lid) the surface is smooth.
+/// A side whose four control points coincide has no tangent. Next to the side v = 0 the direction of ∂u × ∂v tends to ∂u∂v × ∂v,
+/// which is the normal there, one for each u.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BezierPatch {
     points: [[DVec3; 4]; 4],
@@ -33,11 +32,16 @@ impl BezierPatch {
     /// A patch of four rows of control points: u runs along a row, v from row to row.
     ///
     /// # Errors
-    /// [`SurfaceError::ControlPoint`] if a coordinate is not finite or beyond 1e60.
+    /// [`SurfaceError::Invalid`] if a coordinate is not finite or beyond 1e60.
     pub fn new(points: [[DVec3; 4]; 4]) -> Result<Self, SurfaceError> {
         let wrong = |p: &DVec3| !(p.is_finite() && p.abs().max_element() <= *LENGTHS.end());
         match points.as_flattened().iter().position(wrong) {
-            Some(index) => Err(SurfaceError::ControlPoint { row: index / 4, column: index % 4 }),
+            Some(index) => {
+                let place = format!("row {}, column {}", index / 4, index % 4);
+                Err(SurfaceError::Invalid(format!(
+                    "the control point in {place} is not finite or beyond 1e60"
+                )))
+            }
             None => Ok(Self { points }),
         }
     }
@@ -82,8 +86,7 @@ impl Parametric for BezierPatch {
     }
 }
 
-/// The cubic Bézier curve of four points and its derivative. The latter uses differences of the points, so it keeps its
-/// digits if they lie close together and is exactly zero if they coincide.
+/// The cubic Bézier curve of four points and its derivative, exactly zero if the points coincide.
 fn curve([a, b, c, d]: [DVec3; 4], t: f64) -> (DVec3, DVec3) {
     let s = 1.0 - t;
     let point = a * (s * s * s) + b * (3.0 * s * s * t) + c * (3.0 * s * t * t) + d * (t * t * t);
@@ -97,8 +100,8 @@ const FIGURES: &str = include_str!("../../../data/teapot.txt");
 /// The 32 patches of Newell's teapot, facing outward, with y up, the spout along +x, the bottom at y = 0 and the top of the lid
 /// at y = 3.15: rim 4, body 8, handle 4, spout 4, lid 8, bottom 4.
 ///
-/// Four components that intersect but share no edge: the pot, the lid, the handle and the spout. Within each the patches
-/// meet smoothly. Sides are collapsed at the top of the lid and in the middle of the bottom, see [`BezierPatch`].
+/// Four components intersect but share no edge: pot, lid, handle, spout. Within each the patches meet smoothly. Sides are
+/// collapsed at the top of the lid and in the middle of the bottom.
 pub fn teapot() -> &'static [BezierPatch] {
     static PATCHES: OnceLock<Vec<BezierPatch>> = OnceLock::new();
     PATCHES.get_or_init(|| read(FIGURES).expect("the figures that this program was built with are complete"))
@@ -127,7 +130,6 @@ fn read(figures: &str) -> Option<Vec<BezierPatch>> {
     (0..count).map(|_| patch()).collect()
 }
 
-/// The count that follows a name.
 fn heading<'a>(words: &mut impl Iterator<Item = &'a str>, name: &str) -> Option<usize> {
     if words.next()? == name { words.next()?.parse().ok() } else { None }
 }

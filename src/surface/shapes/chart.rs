@@ -42,13 +42,11 @@ pub trait Parametric: Sync {
     /// How the sides of the square lie.
     fn chart(&self) -> Chart;
 
-    /// The point of two parameters; where the chart wraps they may be any numbers. `None` where the surface has no
-    /// normal.
+    /// The point of two parameters, any numbers where the chart wraps; `None` where the surface has no normal.
     fn at(&self, u: f64, v: f64) -> Option<Sample>;
 }
 
-/// Sine and cosine of a part of a full turn. Quarter turns are exact, whole turns change no bit, and points at the same
-/// place of different octants have the same digits.
+/// Sine and cosine of a part of a full turn. Quarter turns are exact, and octants have the same digits.
 pub(crate) fn circle(turns: f64) -> (f64, f64) {
     let turns = turns - turns.round();
     let quarters = (4.0 * turns).round();

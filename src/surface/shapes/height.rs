@@ -89,10 +89,6 @@ surface_of_lengths! {
         /// The side of the square.
         size: "the size" = 2.0,
     }
-    /// The surface over a square of this size.
-    ///
-    /// # Errors
-    /// [`SurfaceError::OutOfRange`].
     new with Ok
 }
 
@@ -115,10 +111,6 @@ surface_of_lengths! {
         /// The side of the square.
         size: "the size" = 2.0,
     }
-    /// The surface over a square of this size.
-    ///
-    /// # Errors
-    /// [`SurfaceError::OutOfRange`].
     new with Ok
 }
 

@@ -7,12 +7,11 @@ use glam::DVec3;
 
 /// A surface that is the zero set of a function of space.
 pub trait Implicit: Sync {
-    /// A length that is negative inside (or behind), zero on the surface and positive outside. It is the signed
-    /// distance from the surface continued without its ends, unless the surface says otherwise.
+    /// The signed distance from the surface continued without its ends, unless the surface says otherwise: negative inside.
     fn value(&self, point: DVec3) -> f64;
 
-    /// The direction in which [`value`](Self::value) grows fastest: on the surface, its exact normal, outward or to the
-    /// front. `None` where there is no such direction: on the axis of a cylinder, in the centre of a sphere.
+    /// The direction in which [`value`](Self::value) grows fastest: on the surface, its exact normal. `None` where there is no such
+    /// direction, as on the axis of a cylinder.
     fn normal_at(&self, point: DVec3) -> Option<UnitVec3>;
 }
 

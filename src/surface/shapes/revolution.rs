@@ -8,19 +8,16 @@ use crate::surface::shapes::chart::{Chart, Parametric, Sample, circle, on_circle
 use crate::surface::shapes::implicit::{Cast, Implicit};
 use glam::{DVec2, DVec3};
 
-/// The part of a vector perpendicular to the axis.
 fn across(v: DVec3) -> DVec3 {
     DVec3::new(v.x, 0.0, v.z)
 }
 
-/// The distance of a point from the axis.
 fn axis_distance(point: DVec3) -> f64 {
     DVec2::new(point.x, point.z).length()
 }
 
 surface_of_lengths! {
-    /// The tube x² + z² = radius², |y| ≤ height/2, open at both ends and facing outward. By default of radius 1 and
-    /// height 2.
+    /// The tube x² + z² = radius², |y| ≤ height/2, open at both ends, facing outward; by default 1 and 2.
     ///
     /// Points: (radius·sin θ, (v − ½)·height, radius·cos θ) with θ = 2πu.
     Cylinder {
@@ -29,10 +26,6 @@ surface_of_lengths! {
         /// From end to end.
         height: "the height" = 2.0,
     }
-    /// A tube about the y axis.
-    ///
-    /// # Errors
-    /// [`SurfaceError::OutOfRange`].
     new with Ok
 }
 
@@ -59,8 +52,7 @@ impl Implicit for Cylinder {
 }
 
 impl Cast for Cylinder {
-    /// Roots of |p⊥ + s·d⊥|² = radius². By Lagrange's identity the discriminant is (radius·|d⊥|)² − (moment about
-    /// the axis)², a difference of squares.
+    /// Roots of |p⊥ + s·d⊥|² = radius². By Lagrange's identity the discriminant is (radius·|d⊥|)² − (moment about the axis)².
     fn crossings(&self, line: &Line) -> impl Iterator<Item = f64> {
         let speed = across(line.direction).length();
         let (reach, moment) = (self.radius * speed, line.moment.y.abs());
@@ -76,21 +68,17 @@ impl Cast for Cylinder {
 }
 
 surface_of_lengths! {
-    /// The cone whose base is the circle of a radius at y = −height/2 and whose tip is at y = +height/2; open at the base
-    /// and facing outward. By default of radius 1 and height 2.
+    /// The cone from the circle of a radius at y = −height/2 to its tip at y = +height/2, open at the base, facing outward; by
+    /// default 1 and 2.
     ///
-    /// Points: ((1 − v)·radius·sin θ, (v − ½)·height, (1 − v)·radius·cos θ) with θ = 2πu. At the tip the surface has no
-    /// normal; the one given there, and on all of the axis, is the limit of the mean over ever smaller circles: +y.
+    /// Points: ((1 − v)·radius·sin θ, (v − ½)·height, (1 − v)·radius·cos θ) with θ = 2πu. At the tip, and on the axis, the normal is
+    /// the limit of the mean over ever smaller circles: +y.
     Cone {
         /// The radius of the base.
         radius: "the radius" = 1.0,
         /// From the base to the tip.
         height: "the height" = 2.0,
     }
-    /// A cone about the y axis.
-    ///
-    /// # Errors
-    /// [`SurfaceError::OutOfRange`].
     new with Ok
 }
 
@@ -133,8 +121,8 @@ impl Cast for Cone {
         DVec3::Y * (self.height / 2.0)
     }
 
-    /// Roots of h²(x² + z²) − r²y² = 0 with slopes h and r as a unit vector. The discriminant B² − AC is
-    /// r²h²(Lx² + Lz²) − h⁴Ly² in terms of the line's moment L, also a difference of squares.
+    /// Roots of h²(x² + z²) − r²y² = 0 with slopes h and r as a unit vector. The discriminant B² − AC is r²h²(Lx² + Lz²) − h⁴Ly² in
+    /// terms of the line's moment L.
     fn crossings(&self, line: &Line) -> impl Iterator<Item = f64> {
         let DVec2 { x: h, y: r } = self.profile_normal();
         let form = |p: DVec3, q: DVec3| h * h * (p.x * q.x + p.z * q.z) - r * r * (p.y * q.y);
@@ -142,8 +130,7 @@ impl Cast for Cone {
         let (a, b, c) = (form(direction, direction), form(foot, direction), form(foot, foot));
         let (tilted, turned) = (r * axis_distance(moment), h * moment.y.abs());
         let root = h * ((tilted - turned) * (tilted + turned)).sqrt();
-        // The larger root has no cancellation; the other one follows from their product. The cone has one crossing
-        // only with a line along a generator, and with one through the tip.
+        // The larger root has no cancellation; the other one follows from their product. A line along a generator has one.
         let sum = -(b + root.copysign(b));
         let [one, other] = [sum / a, if sum == 0.0 { 0.0 } else { c / sum }];
         let crossings = [one.min(other), one.max(other)];
@@ -156,24 +143,19 @@ impl Cast for Cone {
 }
 
 surface_of_lengths! {
-    /// The catenoid √(x² + z²) = waist·cosh(y/waist), |y| ≤ height/2: the film between two rings, whose mean curvature is
-    /// zero. Faces away from the axis. By default of waist 0.5 and height 1.5.
+    /// The catenoid √(x² + z²) = waist·cosh(y/waist), |y| ≤ height/2: the film between two rings, of mean curvature zero, facing
+    /// away from the axis. By default of waist 0.5 and height 1.5.
     ///
     /// Points: (waist·cosh t·sin θ, waist·t, waist·cosh t·cos θ) with θ = 2πu and t = (v − ½)·height/waist. Its
-    /// [`value`](Implicit::value) is measured towards the axis, which is a little more than the distance.
+    /// [`value`](Implicit::value) is measured towards the axis.
     Catenoid {
         /// The smallest radius.
         waist: "the waist" = 0.5,
         /// From end to end.
         height: "the height" = 1.5,
     }
-    /// A catenoid about the y axis.
-    ///
-    /// # Errors
-    /// [`SurfaceError::OutOfRange`], also for a height above 200 waists.
     new with |catenoid: Self| {
         let found = catenoid.height / catenoid.waist;
-        // Beyond 200 waists the ends would be 10⁴⁰ times as wide as the waist.
         let error = || out_of_range("the height", format!("{found} waists"), "200 at most");
         if found <= 200.0 { Ok(catenoid) } else { Err(error()) }
     }
@@ -216,25 +198,18 @@ impl Implicit for Catenoid {
 surface_of_lengths! {
     /// The ring torus (√(x² + z²) − R)² + y² = r² about the y axis, facing outward. By default R = 1, r = 0.4.
     ///
-    /// Points: ((R + r cos φ) sin θ, r sin φ, (R + r cos φ) cos θ) with θ = 2πu around the axis and φ = 2πv around the
-    /// tube.
-    ///
-    /// A ray's crossings are the roots of a quartic, separated by the roots of its derivatives and found in between by
-    /// bracketed Newton steps, which neither misses nor invents one unless a ray grazes the surface within about
-    /// 10⁻¹⁵·R²/r; then Newton steps on the signed distance make them as exact as the surface's own equation.
+    /// Points: ((R + r cos φ) sin θ, r sin φ, (R + r cos φ) cos θ) with θ = 2πu and φ = 2πv. A ray's crossings are the roots of a
+    /// quartic, made exact by Newton steps on the signed distance.
     Torus {
         /// From the axis to the middle of the tube.
         major: "the ring's radius" = 1.0,
         /// The radius of the tube.
         minor: "the tube's radius" = 0.4,
     }
-    /// A torus by the radius of the ring, from the axis to the middle of the tube, and the smaller one of the tube.
-    ///
-    /// # Errors
-    /// [`SurfaceError::OutOfRange`], [`SurfaceError::SelfCrossing`].
     new with |torus: Self| {
         let Self { major, minor } = torus;
-        if minor < major { Ok(torus) } else { Err(SurfaceError::SelfCrossing { major, minor }) }
+        let error = || format!("the tube's radius {minor} is not smaller than the ring's radius {major}");
+        if minor < major { Ok(torus) } else { Err(SurfaceError::Invalid(error())) }
     }
 }
 

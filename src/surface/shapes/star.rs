@@ -7,10 +7,9 @@ use crate::surface::shapes::chart::{Chart, Parametric, Sample, on_sphere};
 use crate::surface::shapes::implicit::{Cast, Implicit};
 use glam::DVec3;
 
-/// A closed surface that each ray from the origin meets once, so that points on the sphere of directions map to it.
+/// A closed surface that each ray from the origin meets once.
 pub trait StarShaped: Sync {
-    /// The point of the surface in a direction of any length but zero. For stretched surfaces the direction counts before
-    /// stretching.
+    /// The point of the surface in a direction of any length but zero, before stretching.
     fn along(&self, direction: DVec3) -> Option<Sample>;
 }
 
@@ -22,10 +21,6 @@ surface_of_lengths! {
         /// The radius.
         radius: "the radius" = 1.0,
     }
-    /// A sphere of this radius about the origin.
-    ///
-    /// # Errors
-    /// [`SurfaceError::OutOfRange`].
     new with Ok
 }
 
@@ -56,8 +51,8 @@ impl StarShaped for Sphere {
 
 /// The ellipsoid (x/a)² + (y/b)² + (z/c)² = 1, facing outward. By default (a, b, c) = (1, 0.6, 0.4).
 ///
-/// Points: those of the unit [`Sphere`], times (a, b, c). Its [`value`](Implicit::value) is a lower bound of the distance:
-/// the value of the unit sphere at p/(a, b, c), times the shortest semi-axis.
+/// Points: those of the unit [`Sphere`], times (a, b, c). Its [`value`](Implicit::value), a lower bound of the distance, is that
+/// of the unit sphere at p/(a, b, c), times the shortest semi-axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ellipsoid {
     semi_axes: DVec3,
@@ -83,8 +78,7 @@ impl Ellipsoid {
         self.semi_axes
     }
 
-    /// The first hit of a ray: that of the unit sphere and the ray, both divided by the semi-axes, which leaves the
-    /// ray's parameter unchanged.
+    /// The first hit of a ray: that of the unit sphere with the ray divided by the semi-axes.
     pub(crate) fn first_hit(&self, ray: &Ray) -> Option<Hit> {
         let hit = Sphere::default().first_hit(&ray.mapped(|v| v / self.semi_axes))?;
         let position = hit.position * self.semi_axes;
@@ -116,10 +110,8 @@ impl StarShaped for Ellipsoid {
 /// east to west: below 1 towards a box, 1 an ellipsoid, above 1 towards an octahedron (A. H. Barr, *Superquadrics and
 /// angle-preserving transformations*, IEEE CG&A 1(1), 1981). By default (a, b, c) = (1, 1, 1) and n = e = 0.5.
 ///
-/// Points lie on rays from the origin, in the direction that the unit [`Sphere`] has there: more evenly than by Barr's own
-/// parameters. Where an exponent is below 1, six flat spots lie on the axes; where it is above 1, the curvature there is
-/// unbounded, though the normal has a limit. The [`value`](Implicit::value) is not a distance: it is how much longer the
-/// radius is than that of the surface, times the shortest semi-axis.
+/// Points lie on rays from the origin, in the directions of the unit [`Sphere`]. Where an exponent is above 1, the curvature on
+/// the axes is unbounded. The [`value`](Implicit::value) is the relative radius less 1, times the shortest semi-axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Superquadric {
     semi_axes: DVec3,
@@ -134,8 +126,7 @@ impl Default for Superquadric {
 }
 
 impl Superquadric {
-    /// A superellipsoid by its semi-axes and its two exponents of roundness, each from 0.1 to 1.9: there the surface has a
-    /// normal everywhere.
+    /// A superellipsoid by its semi-axes and its two exponents of roundness, each from 0.1 to 1.9.
     ///
     /// # Errors
     /// [`SurfaceError::OutOfRange`].
@@ -157,8 +148,7 @@ impl Superquadric {
         [self.north, self.east]
     }
 
-    /// |p| in the norm whose unit ball the surface bounds before stretching, and the gradient of that norm but for a
-    /// positive factor. A norm of a norm: first over x and z, then over that and y.
+    /// |p| in the norm with the unstretched surface as unit sphere, and its gradient but for a positive factor.
     fn norm(&self, p: DVec3) -> (f64, DVec3) {
         let (flat, slope) = power_norm(p.x, p.z, 2.0 / self.east);
         let (norm, outer) = power_norm(flat, p.y, 2.0 / self.north);
@@ -166,8 +156,7 @@ impl Superquadric {
     }
 }
 
-/// (|x|^k + |y|^k)^(1/k) and its gradient, in terms of quotients, so that nothing leaves the range of numbers. At the
-/// origin 0 and no gradient.
+/// (|x|^k + |y|^k)^(1/k) and its gradient, by quotients that stay in range; no gradient at the origin.
 fn power_norm(x: f64, y: f64, k: f64) -> (f64, (f64, f64)) {
     let largest = x.abs().max(y.abs());
     if largest == 0.0 {
@@ -198,7 +187,6 @@ impl StarShaped for Superquadric {
     }
 }
 
-/// Semi-axes, if each is a valid length.
 fn checked(semi_axes: DVec3) -> Result<DVec3, SurfaceError> {
     semi_axes.to_array().into_iter().try_for_each(|axis| length("a semi-axis", axis).map(drop))?;
     Ok(semi_axes)

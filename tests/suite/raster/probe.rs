@@ -60,7 +60,7 @@ fn probes_agree_with_pictures() {
     let point = Light::Point {
         position: DVec3::new(1.0, 2.0, 2.5),
         colour: LinearRgb::new(0.9, 0.8, 0.6),
-        attenuation: Attenuation::Offset { k: 0.3 },
+        attenuation: Attenuation::Offset(0.3),
     };
     let mut probed = 0;
     for model in [&ball, &stone, &quads] {

@@ -53,10 +53,10 @@ fn lights() {
         },
         "position is [inf, 0, 0]; it must be of finite coordinates",
     );
-    light(point(Attenuation::Offset { k: -1.0 }), &format!("k is -1; {not_negative}"));
-    light(point(Attenuation::InverseSquareWithin { range: 0.0 }), "range is 0; it must be finite and over 0");
+    light(point(Attenuation::Offset(-1.0)), &format!("k is -1; {not_negative}"));
+    light(point(Attenuation::InverseSquareWithin(0.0)), "range is 0; it must be finite and over 0");
     let quadratic =
-        |constant, linear, quadratic| point(Attenuation::Quadratic { constant, linear, quadratic });
+        |constant, linear, quadratic| point(Attenuation::Quadratic([constant, linear, quadratic]));
     light(quadratic(0.0, -0.5, 1.0), &format!("kl is -0.5; {not_negative}"));
     light(quadratic(0.0, 0.0, 0.0), "kc + kl + kq is 0; it must be finite and over 0");
 }

@@ -10,8 +10,7 @@ use glam::DVec3;
 
 fn scene(scale: f64, offset: DVec3) -> (Vec<Light>, ShadeSettings) {
     let place = |x: f64, y: f64, z: f64| DVec3::new(x, y, z) * scale + offset;
-    let attenuation =
-        Attenuation::Quadratic { constant: 1.0, linear: 0.25 / scale, quadratic: 0.125 / scale / scale };
+    let attenuation = Attenuation::Quadratic([1.0, 0.25 / scale, 0.125 / scale / scale]);
     let cone = Cone::of_lectures(DVec3::new(-1.0, 0.0, -1.0));
     let lights = vec![
         Light::Directional { towards: DVec3::ONE, colour: LinearRgb::WHITE },
@@ -88,7 +87,7 @@ fn a_light_at_the_point_itself_is_an_error_that_names_it() {
         Light::Point {
             position: DVec3::ONE,
             colour: LinearRgb::WHITE,
-            attenuation: Attenuation::Offset { k: 1.0 },
+            attenuation: Attenuation::Offset(1.0),
         },
     ];
     let shader = Shader::<f32>::new(&lights, &Material::default(), &ShadeSettings::default()).unwrap();

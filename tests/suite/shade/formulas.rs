@@ -60,8 +60,6 @@ fn f1_more_light_out_than_in_is_a_warning() {
     // Sums of 1 with and without a rounding error.
     assert!([(0.7, 0.3), (0.1, 0.9), (0.35, 0.65)].iter().all(|&(kd, ks)| of(kd, ks).gain().is_none()));
     let material = of(0.5, 0.7);
-    let shader = Shader::<f32>::new(&[ambient(1.0)], &material, &ShadeSettings::default()).unwrap();
-    assert_eq!(shader.energy_gain(), material.gain());
     let text = material.gain().unwrap().to_string();
     assert!(text.contains("1.200 in red, 1.200 in green, 1.200 in blue"), "{text}");
     // What counts is what each component gets back: a red and a green coat share nothing.
@@ -223,21 +221,21 @@ fn f9_three_attenuations_with_the_distance_to_the_light() {
     for d in [0.01, 1.0, 7.0, 1e4] {
         close(at(Attenuation::None, d), 1.0);
         close(at(Attenuation::InverseSquare, d), 1.0 / (d * d));
-        close(at(Attenuation::Offset { k: 2.0 }, d), 1.0 / (d + 2.0));
-        let quadratic = Attenuation::Quadratic { constant: 3.0, linear: 0.5, quadratic: 0.25 };
+        close(at(Attenuation::Offset(2.0), d), 1.0 / (d + 2.0));
+        let quadratic = Attenuation::Quadratic([3.0, 0.5, 0.25]);
         close(at(quadratic, d), 1.0 / (3.0 + 0.5 * d + 0.25 * d * d));
         let range = 10.0;
         let window = (1.0 - libm::pow(d / range, 4.0)).max(0.0);
-        close(at(Attenuation::InverseSquareWithin { range }, d), window / (d * d));
+        close(at(Attenuation::InverseSquareWithin(range), d), window / (d * d));
     }
     // 1/(d + k) stays under 1/k; 1/d² has no bound and leaves the numbers at the light.
-    assert!(at(Attenuation::Offset { k: 2.0 }, 1e-12) < 0.5 + 1e-12);
+    assert!(at(Attenuation::Offset(2.0), 1e-12) < 0.5 + 1e-12);
     assert!(at(Attenuation::InverseSquare, 1e-9) > 1e17);
 }
 
 #[test]
 fn f10_light_from_infinity_is_not_attenuated() {
-    let attenuation = Attenuation::Quadratic { constant: 5.0, linear: 6.0, quadratic: 7.0 };
+    let attenuation = Attenuation::Quadratic([5.0, 6.0, 7.0]);
     let far = Light::at(DVec4::new(0.0, 0.0, 3.0, 0.0), WHITE, attenuation);
     let point = SurfacePoint { position: [0.0; 3], normal: [0.0, 0.0, 1.0] };
     let explanation = Probe::new(&[far], &only_diffuse(), &towards(DVec3::Z)).unwrap().explain(&point);
@@ -247,7 +245,7 @@ fn f10_light_from_infinity_is_not_attenuated() {
 
 #[test]
 fn f11_a_point_light_shines_from_where_it_is() {
-    let attenuation = Attenuation::Quadratic { constant: 1.0, linear: 0.1, quadratic: 0.01 };
+    let attenuation = Attenuation::Quadratic([1.0, 0.1, 0.01]);
     let light =
         Light::Point { position: DVec3::new(3.0, 4.0, 12.0), colour: LinearRgb::grey(5.0), attenuation };
     let got = first(lit(&[light], &only_diffuse(), &towards(DVec3::Z), DVec3::ZERO, DVec3::Z));
@@ -408,7 +406,7 @@ fn f15_coefficients_and_colours_separate_or_merged() {
 fn f16_lights_add_up_each_with_its_own_distance() {
     let lights = [
         sun(1.0, 0.0, 2.0),
-        point_light(DVec3::new(0.0, 2.0, 3.0), Attenuation::Offset { k: 1.0 }),
+        point_light(DVec3::new(0.0, 2.0, 3.0), Attenuation::Offset(1.0)),
         point_light(DVec3::new(-4.0, 2.0, 3.0), Attenuation::InverseSquare),
         ambient(0.2),
         spot(Cone::of_lectures(DVec3::NEG_Z)),
@@ -420,7 +418,7 @@ fn f16_lights_add_up_each_with_its_own_distance() {
 
 #[test]
 fn f17_depth_cueing_divides_by_the_distance_to_the_viewer() {
-    let lights = [ambient(1.0), point_light(DVec3::new(0.0, 0.0, 3.0), Attenuation::Offset { k: 1.0 })];
+    let lights = [ambient(1.0), point_light(DVec3::new(0.0, 0.0, 3.0), Attenuation::Offset(1.0))];
     let material = Material { ambient: Reflectance::new(0.1, WHITE), ..only_diffuse() };
     let eye = DVec3::new(8.0, 0.0, 6.0);
     let plain = ShadeSettings { viewer: Viewer::At(eye), ..ShadeSettings::default() };

@@ -19,9 +19,9 @@ fn any_light(random: &mut Random) -> Light {
     let attenuation = match random.below(5) {
         0 => Attenuation::None,
         1 => Attenuation::InverseSquare,
-        2 => Attenuation::InverseSquareWithin { range: 4.0 },
-        3 => Attenuation::Offset { k: uniform(random) },
-        _ => Attenuation::Quadratic { constant: 1.0, linear: uniform(random), quadratic: uniform(random) },
+        2 => Attenuation::InverseSquareWithin(4.0),
+        3 => Attenuation::Offset(uniform(random)),
+        _ => Attenuation::Quadratic([1.0, uniform(random), uniform(random)]),
     };
     match random.below(6) {
         0 => Light::Ambient { colour },

@@ -15,7 +15,7 @@ fn settings(terminator: Terminator) -> ShadeSettings {
 
 fn lights() -> [Light; 4] {
     let colour = LinearRgb::new(0.9, 0.5, 0.2);
-    let (position, attenuation) = (DVec3::new(3.0, -2.0, 1.0), Attenuation::Offset { k: 1.0 });
+    let (position, attenuation) = (DVec3::new(3.0, -2.0, 1.0), Attenuation::Offset(1.0));
     let shape = AreaShape::Rectangle { centre: position, u: DVec3::X, v: DVec3::Z };
     [
         sun(0.3, 0.8, 0.2),
@@ -37,7 +37,7 @@ fn light_goes_out_as_published() {
         let point = SurfacePoint { position: [0.1, 0.2, 0.3], normal: normal.to_array() };
         let shade = |terminator| {
             let shader = Shader::<f64>::new(&[light], &material, &settings(terminator)).unwrap();
-            shader.shade_on(&point, face.to_array()).unwrap()[0]
+            shader.shade_on(&point, Some(face.to_array())).unwrap()[0]
         };
         let plain = shade(Terminator::Smooth);
         let without = Shader::<f64>::new(&[light], &material, &settings(Terminator::Soft)).unwrap();
@@ -89,13 +89,16 @@ fn rows_on_faces_have_the_bits_of_their_points_and_probes_tell_them() {
                 let point = SurfacePoint { position: [px[i], py[i], pz[i]], normal: [nx[i], ny[i], nz[i]] };
                 let face = [fx[i], fy[i], fz[i]];
                 let colour = [0, 1, 2].map(|axis| out[axis][i]);
-                assert_eq!(shader.shade_on(&point, face).unwrap(), colour, "{terminator:?} {i}");
+                assert_eq!(shader.shade_on(&point, Some(face)).unwrap(), colour, "{terminator:?} {i}");
                 let wide = SurfacePoint {
                     position: point.position.map(f64::from),
                     normal: point.normal.map(f64::from),
                 };
                 let face = face.map(f64::from);
-                assert_eq!(probe.explain_on(&wide, face).sum, double.shade_on(&wide, face).unwrap());
+                assert_eq!(
+                    probe.explain_on(&wide, Some(face)).sum,
+                    double.shade_on(&wide, Some(face)).unwrap()
+                );
             }
         }
     }

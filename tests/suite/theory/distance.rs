@@ -182,7 +182,7 @@ fn attenuation_is_off_by_the_radius_over_the_distance() {
             let offset = 1.0 / (ratio - 1.0 + k);
             let square = (ratio / (ratio - 1.0)) * (ratio / (ratio - 1.0)) - 1.0;
             for (attenuation, bound) in
-                [(Attenuation::Offset { k }, offset), (Attenuation::InverseSquare, square)]
+                [(Attenuation::Offset(k), offset), (Attenuation::InverseSquare, square)]
             {
                 let mut worst: f64 = 0.0;
                 for _ in 0..300 {

@@ -1,14 +1,20 @@
-//! A whole scene file.
+//! A whole scene file, its settings and its camera.
 
 use crate::io::ReadError;
-use crate::num::LinearRgb;
-use crate::raster::load::scene_file::{LoadOptions, SceneFile};
-use crate::raster::load::toml::lights::{LightTables, lights};
+use crate::num::{Degrees, LinearRgb, Transfer};
+use crate::raster::load::scene_file::{LoadOptions, SceneFile, SceneObject, SceneShape};
+use crate::raster::load::toml::lighting::{LightTables, ReflectionName, lights};
 use crate::raster::load::toml::objects::{Builder, ObjectTable};
-use crate::raster::load::toml::settings::{CameraTable, SettingsTable};
 use crate::raster::load::toml::source::Source;
-use crate::raster::settings::RenderSettings;
+use crate::raster::load::toml::values::Colour;
+use crate::raster::settings::{
+    Bits, Cull, FlatSample, Interpolation, LARGEST_SIDE, LineStyle, RenderSettings, Samples, Shading,
+};
+use crate::raster::view::camera::{Camera, CameraError, Projection};
+use crate::shade::{DepthCue, Guards, Terminator, ToneRule};
+use glam::DVec3;
 use serde::Deserialize;
+use std::collections::BTreeMap;
 use std::path::Path;
 use toml::Spanned;
 
@@ -64,5 +70,179 @@ impl SceneFile {
         let scene = builder.finish()?;
         document.settings.check_scene(source, &scene)?;
         Ok(scene)
+    }
+}
+
+/// `[settings]`
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields, default, rename_all = "kebab-case")]
+pub(super) struct SettingsTable {
+    size: Option<Spanned<[u32; 2]>>,
+    samples: Option<Spanned<u32>>,
+    bits: Option<Spanned<u32>>,
+    shading: Option<Spanned<Shading>>,
+    interpolation: Interpolation,
+    flat_sample: FlatSample,
+    cull: Cull,
+    two_sided: bool,
+    infinite_viewer: bool,
+    /// For objects without a reflection.
+    pub(super) reflection: Option<ReflectionName>,
+    /// Switches all guards off, before `guards` switches single ones.
+    literal: bool,
+    guards: BTreeMap<Spanned<String>, bool>,
+    terminator: Terminator,
+    depth_cue: Option<Spanned<f64>>,
+    tone: ToneRule,
+    transfer: Transfer,
+    background: Option<Colour>,
+    wire: WireTable,
+}
+
+/// `wire = { … }`
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+struct WireTable {
+    #[serde(alias = "color")]
+    colour: Option<Colour>,
+    width: Option<Spanned<f64>>,
+    hide: Option<bool>,
+}
+
+/// Near distance of a perspective camera that has none, as a share of the distance to its target.
+const NEAR_SHARE: f64 = 1e-3;
+
+impl SettingsTable {
+    /// Changes the settings and the background of a scene.
+    pub(super) fn apply(&self, source: Source, scene: &mut SceneFile) -> Result<(), ReadError> {
+        let default = RenderSettings::default();
+        let size =
+            |size: &[u32; 2]| size.iter().all(|side| (1..=LARGEST_SIDE).contains(side)).then_some(*size);
+        let samples = |&count: &u32| Samples::new(count as usize);
+        let bits =
+            |&bits: &u32| [Bits::Eight, Bits::Sixteen].into_iter().find(|b| u32::from(b.count()) == bits);
+        let k = |&k: &f64| (k >= 0.0 && k.is_finite()).then_some(Some(DepthCue { k }));
+        scene.settings = RenderSettings {
+            size: source.checked(&self.size, default.size, size, "each side must be 1 to 16384")?,
+            samples: source.checked(&self.samples, default.samples, samples, "it may be 1, 4, 8 or 16")?,
+            bits: source.checked(&self.bits, default.bits, bits, "it may be 8 or 16")?,
+            shading: self.shading.as_ref().map_or(default.shading, |shading| *shading.get_ref()),
+            interpolation: self.interpolation,
+            flat_sample: self.flat_sample,
+            cull: self.cull,
+            two_sided: self.two_sided,
+            infinite_viewer: self.infinite_viewer,
+            guards: self.guards(source)?,
+            terminator: self.terminator,
+            depth_cue: source.checked(&self.depth_cue, None, k, "it must be finite and not negative")?,
+            tone: self.tone,
+            transfer: self.transfer,
+            wire: self.wire.style(source)?,
+            ..default
+        };
+        scene.background = self.background.map_or(scene.background, |Colour(background)| background);
+        Ok(())
+    }
+
+    fn guards(&self, source: Source) -> Result<Guards, ReadError> {
+        let mut guards = if self.literal { Guards::literal() } else { Guards::default() };
+        for (name, &on) in &self.guards {
+            if !guards.set(name.get_ref(), on) {
+                let advice = format!("there are {}", Guards::NAMES.join(", "));
+                return Err(source.error(&name.span(), "no guard of that name", &advice));
+            }
+        }
+        Ok(guards)
+    }
+
+    /// Whether the finished scene can be drawn with these settings.
+    pub(super) fn check_scene(&self, source: Source, scene: &SceneFile) -> Result<(), ReadError> {
+        let has_no_surface =
+            |object: &SceneObject| matches!(object.shape, SceneShape::Mesh(_)) && object.surface.is_none();
+        if let Some(shading) = self.shading.as_ref().filter(|shading| *shading.get_ref() == Shading::Exact)
+            && let Some(number) = scene.objects.iter().position(has_no_surface)
+        {
+            let name = match &*scene.objects[number].name {
+                "" => String::new(),
+                name => format!(" (`{name}`)"),
+            };
+            let found = format!("exact shading, but object {number}{name} is not an analytic surface");
+            let advice = "choose another shading, or give the object a `surface`";
+            return Err(source.error(&shading.span(), &found, advice));
+        }
+        let is_parallel = |camera: &Camera| matches!(camera.projection, Projection::Orthographic(_));
+        match &self.depth_cue {
+            Some(k) if scene.camera.as_ref().is_some_and(is_parallel) => {
+                let found = "depth cueing by the distance to the viewer, but the camera is a parallel one";
+                Err(source.error(&k.span(), found, "give the camera an `angle` in place of a `height`"))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl WireTable {
+    fn style(&self, source: Source) -> Result<LineStyle, ReadError> {
+        let default = LineStyle::default();
+        let width = |&width: &f64| (width > 0.0 && width.is_finite()).then_some(width);
+        Ok(LineStyle {
+            colour: self.colour.map_or(default.colour, |Colour(colour)| colour),
+            width: source.checked(
+                &self.width,
+                default.width,
+                width,
+                "the width must be finite and above 0",
+            )?,
+            hide: self.hide.unwrap_or(default.hide),
+        })
+    }
+}
+
+/// `[camera]`
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct CameraTable {
+    eye: [f64; 3],
+    target: [f64; 3],
+    up: Option<[f64; 3]>,
+    /// Degrees from bottom to top: perspective.
+    angle: Option<f64>,
+    /// From bottom to top: orthographic.
+    height: Option<f64>,
+    near: Option<f64>,
+}
+
+impl CameraTable {
+    /// The camera, checked.
+    pub(super) fn camera(source: Source, table: &Spanned<Self>) -> Result<Camera, ReadError> {
+        let (span, table) = (table.span(), table.get_ref());
+        let projection = match (table.angle, table.height) {
+            (_, None) => Projection::Perspective(Degrees(table.angle.unwrap_or(30.0)).into()),
+            (None, Some(height)) => Projection::Orthographic(height),
+            (Some(_), Some(_)) => {
+                let advice = "give one: a perspective camera has an angle, a parallel one a height";
+                return Err(source.error(&span, "an angle and a height", advice));
+            }
+        };
+        let (eye, target) = (DVec3::from(table.eye), DVec3::from(table.target));
+        let near = match projection {
+            // Above 0 even if eye and target are the same, which is reported below.
+            Projection::Perspective(_) => (eye.distance(target) * NEAR_SHARE).max(f64::MIN_POSITIVE),
+            Projection::Orthographic(_) => 0.0,
+        };
+        let up = table.up.map_or(DVec3::Y, DVec3::from);
+        let camera = Camera { eye, target, up, projection, near: table.near.unwrap_or(near) };
+        let error = |error: CameraError| {
+            let names: Vec<&str> = match error {
+                CameraError::NonFinite(field) => field.split(' ').collect(),
+                CameraError::NoDirection(_) => vec!["target"],
+                CameraError::NoUp(_) => vec!["up"],
+                CameraError::Angle(_) => vec!["angle"],
+                CameraError::Height(_) => vec!["height"],
+                CameraError::Near(_) => vec!["near"],
+            };
+            source.error(&source.member(&span, &names), &error.to_string(), "")
+        };
+        camera.check().map(|()| camera).map_err(error)
     }
 }

@@ -6,15 +6,11 @@
 mod source;
 // Colours, reflectances and transforms.
 mod values;
-// `[settings]` and `[camera]`.
-mod settings;
-// `[[light.…]]`
-mod lights;
-// `material`
-mod material;
+// `[[light.…]]` and `material`.
+mod lighting;
 // The shape of an object: `polygons` and `surface`.
 mod shapes;
 // `[[object]]`
 mod objects;
-// The whole file.
+// The whole file, `[settings]` and `[camera]`.
 mod document;

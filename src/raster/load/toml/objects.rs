@@ -7,7 +7,7 @@ use crate::num::LinearRgb;
 use crate::raster::load::scene_file::{
     LoadOptions, MOST_OBJECTS, MOST_PLACED_CORNERS, SceneFile, SceneMesh, SceneObject, SceneShape,
 };
-use crate::raster::load::toml::material::{MaterialTable, ReflectionName};
+use crate::raster::load::toml::lighting::{MaterialTable, ReflectionName};
 use crate::raster::load::toml::shapes::{PolygonTable, SurfaceTable};
 use crate::raster::load::toml::source::Source;
 use crate::raster::load::toml::values::Step;

@@ -44,8 +44,7 @@ fn srgb(code: &str) -> Option<LinearRgb> {
     Some(Srgb8([r, g, b]).into())
 }
 
-/// How much light a material returns: a coefficient k, to be multiplied by the material's colour; a colour K; or both k
-/// and colour.
+/// A reflectance: a coefficient k of the material's colour, a colour K, or k and a colour.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(
     untagged,

@@ -289,20 +289,18 @@ fn placed_primitives_are_hit_where_their_images_are() {
             assert!(hits > 10);
         }
     }
-    assert_eq!(
-        Placed::new(Sphere::default().into(), DMat4::from_scale(DVec3::new(1.0, 0.0, 1.0))),
-        Err(SurfaceError::Singular)
-    );
+    let flat = Placed::new(Sphere::default().into(), DMat4::from_scale(DVec3::new(1.0, 0.0, 1.0)));
+    assert!(flat.unwrap_err().to_string().contains("singular"));
 }
 
 #[test]
 fn lengths_are_checked() {
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e61, 1e-61] {
-        assert!(matches!(Sphere::new(bad), Err(SurfaceError::OutOfRange { .. })));
+        assert!(matches!(Sphere::new(bad), Err(SurfaceError::OutOfRange(_))));
         assert!(Plane::new(1.0, bad).is_err() && Ellipsoid::new(DVec3::new(1.0, 1.0, bad)).is_err());
         assert!(
             Cylinder::new(1.0, bad).is_err() && Cone::new(bad, 1.0).is_err() && Torus::new(1.0, bad).is_err()
         );
     }
-    assert_eq!(Torus::new(0.4, 0.4), Err(SurfaceError::SelfCrossing { major: 0.4, minor: 0.4 }));
+    assert!(matches!(Torus::new(0.4, 0.4), Err(SurfaceError::Invalid(_))));
 }

@@ -1,10 +1,10 @@
-//! The lights of a scene file.
+//! The lights and materials of a scene file.
 
 use crate::io::ReadError;
 use crate::num::{Degrees, LinearRgb, Radians};
 use crate::raster::load::toml::source::Source;
-use crate::raster::load::toml::values::Colour;
-use crate::shade::{AreaShape, Attenuation, Cone, Light, ShadeError};
+use crate::raster::load::toml::values::{Colour, ReflectanceValue};
+use crate::shade::{AreaShape, Attenuation, Cone, Light, Material, Reflectance, Reflection, ShadeError};
 use glam::{DVec3, DVec4};
 use serde::Deserialize;
 use std::f64::consts::PI;
@@ -45,7 +45,7 @@ struct PointTable {
     #[serde(alias = "color", default = "white")]
     colour: Colour,
     #[serde(default)]
-    attenuation: AttenuationValue,
+    attenuation: Attenuation,
 }
 
 #[derive(Deserialize)]
@@ -55,7 +55,7 @@ struct SpotTable {
     #[serde(alias = "color", default = "white")]
     colour: Colour,
     #[serde(default)]
-    attenuation: AttenuationValue,
+    attenuation: Attenuation,
     axis: [f64; 3],
     /// Degrees; 180 for none.
     cut_off: Option<f64>,
@@ -106,35 +106,6 @@ impl TryFrom<Vec<f64>> for Position {
     }
 }
 
-/// `attenuation = …`
-#[derive(Clone, Copy, Default, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-enum AttenuationValue {
-    #[default]
-    None,
-    InverseSquare,
-    /// The range.
-    InverseSquareWithin(f64),
-    /// k of 1/(d + k).
-    Offset(f64),
-    /// kc, kl, kq.
-    Quadratic([f64; 3]),
-}
-
-impl From<AttenuationValue> for Attenuation {
-    fn from(value: AttenuationValue) -> Self {
-        match value {
-            AttenuationValue::None => Self::None,
-            AttenuationValue::InverseSquare => Self::InverseSquare,
-            AttenuationValue::InverseSquareWithin(range) => Self::InverseSquareWithin { range },
-            AttenuationValue::Offset(k) => Self::Offset { k },
-            AttenuationValue::Quadratic([constant, linear, quadratic]) => {
-                Self::Quadratic { constant, linear, quadratic }
-            }
-        }
-    }
-}
-
 impl From<SpotTable> for Light {
     /// Without a cut-off and an exponent it is the lectures' spot.
     fn from(table: SpotTable) -> Self {
@@ -150,8 +121,8 @@ impl From<SpotTable> for Light {
             exponent: table.exponent.unwrap_or(lectures.exponent),
             ..lectures
         };
-        let attenuation = table.attenuation.into();
-        Light::Spot { position: table.position.into(), colour: table.colour.0, attenuation, cone }
+        let SpotTable { position, colour, attenuation, .. } = table;
+        Light::Spot { position: position.into(), colour: colour.0, attenuation, cone }
     }
 }
 
@@ -162,8 +133,7 @@ pub(super) fn lights(source: Source, tables: LightTables) -> Result<Option<Vec<L
         towards: towards.into(),
         colour: colour.0,
     };
-    let point =
-        |PointTable { position, colour, attenuation }| Light::at(position.0, colour.0, attenuation.into());
+    let point = |PointTable { position, colour, attenuation }| Light::at(position.0, colour.0, attenuation);
     let area = |shape, colour: Colour| Light::Area { shape, colour: colour.0 };
     let rectangle = |RectangleTable { centre, u, v, colour }| {
         let [centre, u, v] = [centre, u, v].map(DVec3::from);
@@ -212,4 +182,62 @@ pub(super) fn shade_error(source: Source, span: &Range<usize>, error: &ShadeErro
     };
     let found = format!("{} is {}", error.field, error.found);
     source.error(&source.member(span, keys), &found, &format!("it must be {}", error.expected))
+}
+
+/// `reflection = …`
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum ReflectionName {
+    Phong,
+    Blinn,
+    /// Colours of the vertices, unlit.
+    Given,
+}
+
+impl ReflectionName {
+    pub(super) fn reflection(self) -> Option<Reflection> {
+        match self {
+            Self::Phong => Some(Reflection::Phong),
+            Self::Blinn => Some(Reflection::Blinn),
+            Self::Given => None,
+        }
+    }
+}
+
+/// `[object.material]`
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct MaterialTable {
+    /// The colour of ambient and diffuse reflection where only a coefficient is given.
+    #[serde(alias = "color")]
+    colour: Option<Colour>,
+    ambient: Option<ReflectanceValue>,
+    diffuse: Option<ReflectanceValue>,
+    /// A coefficient is multiplied by white.
+    specular: Option<ReflectanceValue>,
+    exponent: Option<f64>,
+    pub(super) reflection: Option<ReflectionName>,
+}
+
+impl MaterialTable {
+    /// The material; `None` if the table has at most a reflection.
+    pub(super) fn material(source: Source, table: &Spanned<Self>) -> Result<Option<Material>, ReadError> {
+        let (span, Self { colour, ambient, diffuse, specular, exponent, .. }) =
+            (table.span(), table.get_ref());
+        if let (None, None, None, None, None) = (colour, ambient, diffuse, specular, exponent) {
+            return Ok(None);
+        }
+        let colour = colour.map_or(LinearRgb::grey(0.8), |Colour(colour)| colour);
+        let plain = Material::plastic(colour);
+        let diffuse = diffuse.map_or(plain.diffuse, |diffuse| diffuse.of(colour));
+        let ambient = ambient.map(|ambient| ambient.of(colour));
+        let specular = specular.map_or(plain.specular, |specular| specular.of(LinearRgb::WHITE));
+        let exponent = exponent.unwrap_or(plain.exponent);
+        let material = Material { diffuse, specular, exponent, reflection: Reflection::default(), ..plain };
+        // An ambient reflection that follows the diffuse one is no error of its own.
+        let given = Material { ambient: ambient.unwrap_or(Reflectance::NONE), ..material };
+        given.check::<f32>().map_err(|error| shade_error(source, &span, &error))?;
+        let ambient = ambient.unwrap_or(Reflectance::Merged(diffuse.merged()));
+        Ok(Some(Material { ambient, ..material }))
+    }
 }
