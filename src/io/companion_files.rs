@@ -19,9 +19,7 @@ impl fmt::Display for Refusal {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         out.write_str(match self {
             Refusal::Remote => "is a network path or URL and was not read",
-            Refusal::Outside => {
-                "is outside the input's folder and was not read (--root allows another folder)"
-            }
+            Refusal::Outside => "is outside the input's folder and was not read",
             Refusal::Missing => "was not found",
             Refusal::NoFile => "is a folder or not a regular file, and was not read",
         })

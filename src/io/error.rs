@@ -34,7 +34,7 @@ impl fmt::Display for Place {
             Place::File => Ok(()),
             Place::Line(line) => write!(out, "line {line}"),
             Place::Byte(offset) => write!(out, "byte {offset}"),
-            Place::Json(pointer) => write!(out, "{pointer}"),
+            Place::Json(pointer) => out.write_str(pointer),
         }
     }
 }
@@ -86,8 +86,10 @@ impl ReadError {
 
 impl fmt::Display for ReadError {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.place != Place::File {
-            write!(out, "{}: ", self.place)?;
+        // The whole file has no place to name, nor has the root of a document.
+        let place = self.place.to_string();
+        if !place.is_empty() {
+            write!(out, "{place}: ")?;
         }
         out.write_str(&self.found)?;
         if !self.advice.is_empty() {
@@ -169,8 +171,10 @@ impl Note {
 
 impl fmt::Display for Note {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.place != Place::File {
-            write!(out, "{}: ", self.place)?;
+        // The whole file has no place to name, nor has the root of a document.
+        let place = self.place.to_string();
+        if !place.is_empty() {
+            write!(out, "{place}: ")?;
         }
         out.write_str(&self.text)?;
         match self.more {

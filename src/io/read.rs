@@ -118,18 +118,24 @@ pub fn read_bytes(
         return Err(unknown(&bytes));
     };
     check_size(bytes.len() as u64, &options.limits)?;
-    let mut loaded = match format {
+    let is_other = bytes.is_empty() || other_format(&bytes).is_some();
+    let what_it_is = is_other.then(|| unknown(&bytes));
+    let loaded = match format {
         Format::Obj => obj::read(bytes, base, options),
         Format::Gltf | Format::Glb => gltf::read(bytes, base, options),
         Format::Stl => stl::read(bytes, base, options),
         Format::Ply => ply::read(bytes, base, options),
-    }?;
+    };
+    let mut loaded = loaded.map_err(|error| match what_it_is {
+        Some(other) if error.problem == Problem::Syntax => other,
+        _ => error,
+    })?;
     loaded.notes.extend(face_notes(&loaded.parts));
     Ok(loaded)
 }
 
-/// The error for a file of an unknown format: what it looks like. Where that is clear, another format is not suggested.
-fn unknown(bytes: &[u8]) -> ReadError {
+/// The name of a format that is no mesh that crease reads, by its first bytes, and what to do.
+fn other_format(bytes: &[u8]) -> Option<(&'static str, &'static str)> {
     const MESH: &str = "name a mesh file";
     const UNPACK: &str = "unpack it first";
     const EXPORT: &str = "export it as glTF or OBJ";
@@ -144,10 +150,16 @@ fn unknown(bytes: &[u8]) -> ReadError {
         (b"BLENDER", "a Blender file", EXPORT),
         (b"<", "XML or HTML", MESH),
     ];
+    let known = OTHERS.iter().find(|(start, ..)| bytes.starts_with(start));
+    known.map(|&(_, name, advice)| (name, advice))
+}
+
+/// The error for a file of an unknown format: what it looks like. Where that is clear, another format is not suggested.
+fn unknown(bytes: &[u8]) -> ReadError {
     const FOUND: &str = "not a mesh file that crease reads (OBJ, PLY, STL, glTF, GLB)";
-    let (found, advice) = match OTHERS.iter().find(|(start, ..)| bytes.starts_with(start)) {
-        _ if bytes.is_empty() => ("the file is empty".to_owned(), MESH),
-        Some((_, name, advice)) => (format!("{FOUND}; it starts like {name}"), *advice),
+    let (found, advice) = match other_format(bytes) {
+        _ if bytes.is_empty() => ("the file is empty".to_owned(), "name a mesh file"),
+        Some((name, advice)) => (format!("{FOUND}; it starts like {name}"), advice),
         None => (FOUND.to_owned(), "choose its format with --format"),
     };
     ReadError::new(Problem::Syntax, Place::File, found, advice)

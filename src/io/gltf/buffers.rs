@@ -6,8 +6,8 @@ use super::json::{Json, Value};
 use super::records::MESHOPT;
 use crate::io::companion_files::{Refusal, find};
 use crate::io::{Note, Place, Problem, ReadError, ReadOptions, Severity};
-use base64::Engine;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
+use base64::{DecodeError, Engine};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -136,7 +136,7 @@ impl Files<'_> {
             Uri::File(name) => name,
         };
         let path = companion(self.base, self.options, &name).map_err(|why| {
-            let advice = "put it next to the document; for a stream, name its folder with --root";
+            let advice = "put it next to the document, or name its folder with --root";
             refused(place(), format!("the buffer {name:?} {why}"), advice)
         })?;
         if let Some(bytes) = self.known.get(&path) {
@@ -220,7 +220,14 @@ fn decode_data(uri: &str) -> Result<Vec<u8>, String> {
     }
     let config = GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);
     let engine = GeneralPurpose::new(&base64::alphabet::STANDARD, config);
-    engine.decode(data).map_err(|error| format!("the data URI is not base64: {error}"))
+    engine.decode(data).map_err(|error| match error {
+        DecodeError::InvalidByte(at, _) | DecodeError::InvalidLastSymbol { offset: at, .. } => {
+            format!("character {at} after the comma of the data URI is not base64")
+        }
+        DecodeError::InvalidLength(_) | DecodeError::InvalidPadding => {
+            "the base64 of the data URI is cut off".to_owned()
+        }
+    })
 }
 
 /// A data URI of raw bytes.

@@ -114,7 +114,12 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Header, ReadError> {
     loop {
         let Some(line) = next_line(bytes, at, number + 1, line_end) else {
             let (place, found) = (Place::Line(number), "the header has no `end_header` line");
-            return Err(ReadError::new(Problem::Truncated, place, found, "the file is cut off"));
+            return Err(ReadError::new(
+                Problem::Truncated,
+                place,
+                found,
+                "the file is cut off; copy or export it again",
+            ));
         };
         (at, number) = (line.end, line.number);
         let keyword = line.words.first().map_or(&b""[..], |(word, _)| word);

@@ -21,7 +21,7 @@ pub(super) fn facet_count(bytes: &[u8]) -> Result<usize, ReadError> {
     if declared as usize > present {
         let found =
             format!("the header has {}, but there is data for only {present}", facets_of(declared as usize));
-        let advice = "the file is cut off, or not an STL";
+        let advice = "the file is cut off, or not an STL; copy or export it again";
         return Err(ReadError::new(Problem::Truncated, Place::Byte(bytes.len() as u64), found, advice));
     }
     // Writers that stream leave the count at 0.

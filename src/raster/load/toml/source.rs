@@ -18,7 +18,16 @@ struct Entry {
 }
 
 /// Names of types in messages of serde, and the words for them that authors of scenes know.
-const TYPES: [(&str, &str); 5] = [
+const TYPES: [(&str, &str); 14] = [
+    ("unknown field", "unknown key"),
+    ("unknown variant", "unknown value"),
+    ("missing field", "missing key"),
+    ("unexpected keys in table", "unknown keys"),
+    ("invalid type: ", "found "),
+    ("invalid value: ", "found "),
+    ("invalid length ", "found a list of length "),
+    ("expected f64", "expected a number"),
+    ("a sequence", "a list"),
     ("expected u32", "expected a whole number, 0 or more"),
     (
         "unit variant, expected struct variant",
@@ -41,7 +50,10 @@ impl Source<'_> {
             Some(value) if message.starts_with("expected") => format!("`{value}`: {message}"),
             _ => message,
         };
-        ReadError { problem: Problem::Syntax, ..self.error(&span, &found, "see data/scenes for examples") }
+        ReadError {
+            problem: Problem::Syntax,
+            ..self.error(&span, &found, "`crease render --scene-help` lists all keys")
+        }
     }
 
     /// An error about the value at `span`.
