@@ -280,6 +280,7 @@ mod tests {
     use super::*;
     use crate::mesh::{Columns, Faces, MeshBuilder, SmoothingGroups, Weld};
     use crate::normals::recipe::{Crease, HardEdges, Weight};
+    use crate::num::test_numbers::Numbers;
 
     const CUBE: [[u32; 4]; 6] =
         [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
@@ -450,5 +451,28 @@ mod tests {
         assert_eq!((field.summary.edges.smooth, field.summary.edges.crease), (0, 3));
         let of_sliver = [4, 5, 6].map(|corner| *field.normals.get(corner, 0).unwrap());
         assert_eq!(of_sliver, [DVec3::NEG_Z; 3]);
+    }
+
+    /// Separate triangles take a way of their own; counts and normals are those that the topology gives.
+    #[test]
+    fn separate_triangles_give_what_their_topology_gives() {
+        let mut numbers = Numbers::new(7);
+        let mut welded = 0;
+        for round in 0..3000 {
+            let mut coordinate =
+                || f64::from(numbers.below(7) as u8) * if round % 2 == 0 { 1.0 } else { -0.1 };
+            let places: Vec<DVec3> =
+                (0..4 + round % 5).map(|_| DVec3::new(coordinate(), coordinate(), coordinate())).collect();
+            let corners = 3 * (2 + numbers.below(5));
+            let positions: Vec<DVec3> = (0..corners).map(|_| places[numbers.below(places.len())]).collect();
+            let faces = Faces::triangles((0..corners as u32).collect());
+            let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
+            let crease = [Crease::OFF, Crease::Default, Crease::Angle(Degrees(0.0))][round % 3];
+            let recipe = NormalRecipe { crease, ..NormalRecipe::default() };
+            let expected = compute_on(&mesh, &Topology::build(&mesh, Weld::Exact), &recipe);
+            assert_eq!(compute(&mesh, &recipe), expected);
+            welded += usize::from(expected.summary.edges.welded > 0 && expected.faults.is_empty());
+        }
+        assert!(welded > 100, "{welded}");
     }
 }

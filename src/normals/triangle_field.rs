@@ -3,7 +3,7 @@
 //! Most meshes need no topology: edges are hard for nothing but their angle, none is joined to another by position, every
 //! triangle has an area and every sum a direction. Then the corners at each vertex determine its smooth groups.
 
-use crate::mesh::{Column, Mesh, Weld, joins_no_edges};
+use crate::mesh::{Column, FacesRef, Mesh, Weld, joins_no_edges};
 use crate::normals::creases::coordinate_rounding::turns_by_rounding;
 use crate::normals::creases::dihedral_test::CreaseTest;
 use crate::normals::creases::hard_edges::{Marks, applied_angle};
@@ -18,6 +18,7 @@ use crate::normals::sums::request::{SumRequest, Sums};
 use crate::normals::sums::single_precision::single_sums;
 use crate::normals::sums::weighted_sums::{SumScratch, weighted_sums_into};
 use crate::num::Degrees;
+use glam::DVec3;
 use rayon::prelude::*;
 
 /// The field, with the bits that a topology would give. `Err` if the mesh or the recipe needs one, with the normals of faces
@@ -41,28 +42,31 @@ pub(super) fn triangle_field(
     }
 
     let turns = extras.edge_counts.then(|| turns(mesh, &crease));
+    // Separate triangles meet where their positions are equal: numbering vertices by position joins all that welding would.
+    let joined = (recipe.weld == Weld::Exact && mesh.is_soup()).then(|| mesh.first_vertices());
     let creases = TriangleCreases {
-        faces,
+        faces: joined.as_ref().map_or(faces, |vertices| FacesRef::triangles(vertices.as_chunks().0)),
         normals: &normals,
         crease,
         slivers: recipe.slivers,
         counts: turns.as_ref().map(Option::as_deref),
     };
     let mut memory = GroupMemory::default();
-    let mut corner_entry = bytemuck::zeroed_vec(faces.corners().len());
-    let (entries, found) = creases.entries(mesh.vertex_count(), &mut memory, &mut corner_entry);
+    let mut corner_slot = bytemuck::zeroed_vec(faces.corners().len());
+    let (slots, found) = creases.entries(mesh.vertex_count(), &mut memory, &mut corner_slot);
     let known = |normals| wants_normals.then_some(normals);
-    if recipe.weld == Weld::Exact && !joins_no_edges(mesh, &found.open) {
+    if recipe.weld == Weld::Exact && joined.is_none() && !joins_no_edges(mesh, &found.open) {
         return Err(known(normals));
     }
-    let entry_vertex = memory.entry_vertices(entries);
-    drop(memory);
+    let entry_vertex = if joined.is_some() { faces.corners().to_vec() } else { memory.entry_vertices(slots) };
+    let is_joined = joined.is_some();
+    drop((memory, joined));
 
     let request = SumRequest {
         faces,
         positions,
-        target: &corner_entry,
-        slots: entries,
+        target: &corner_slot,
+        slots,
         weight: recipe.weight,
         slivers: recipe.slivers,
     };
@@ -72,7 +76,7 @@ pub(super) fn triangle_field(
     let unit = match single {
         Some(sums) => sums.unit,
         None => {
-            let Sums { mut unit, mut state } = Sums::new(entries);
+            let Sums { mut unit, mut state } = Sums::new(slots);
             let outcome = weighted_sums_into(&request, &mut SumScratch::default(), &mut unit, &mut state);
             if !outcome.all_good || !outcome.unusual.is_empty() {
                 return Err(known(normals));
@@ -87,13 +91,19 @@ pub(super) fn triangle_field(
         fast_declined,
         ..Summary::default()
     };
-    summary.splits = entries - summary.referenced_vertices;
+    summary.splits = entry_vertex.len() - summary.referenced_vertices;
     if extras.edge_counts {
-        (summary.edges, summary.near_crease) = found.finish();
+        (summary.edges, summary.near_crease) = found.finish(is_joined);
     }
+    let (values, corner_entry) = if is_joined {
+        let of_corner: Vec<DVec3> = corner_slot.par_iter().map(|&slot| unit[slot as usize]).collect();
+        (of_corner, entry_vertex.clone())
+    } else {
+        (unit, corner_slot)
+    };
     let vertices = unreferenced(&entry_vertex, mesh.vertex_count());
     Ok(NormalField {
-        normals: Column::per_corner(unit, corner_entry),
+        normals: Column::per_corner(values, corner_entry),
         entry_vertex,
         face_normals: if extras.face_normals { normals.unit } else { Vec::new() },
         morph_normals: Vec::new(),

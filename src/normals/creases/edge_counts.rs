@@ -152,12 +152,16 @@ impl RingCounts {
         }
     }
 
-    /// The counts, with those near the crease angle.
-    pub(crate) fn finish(mut self) -> (EdgeCounts, usize) {
+    /// The counts, with those near the crease angle. `joined`: by position, all of them, instead of by vertex.
+    pub(crate) fn finish(mut self, joined: bool) -> (EdgeCounts, usize) {
         self.non_manifold.sort_unstable();
         self.non_manifold.dedup();
-        self.counts.non_manifold = self.non_manifold.len();
-        (self.counts, self.near)
+        let (crowded, counts) = (self.non_manifold.len(), self.counts);
+        let counts = match joined {
+            false => EdgeCounts { non_manifold: crowded, ..counts },
+            true => EdgeCounts { ambiguous: crowded, welded: counts.smooth + counts.crease, ..counts },
+        };
+        (counts, self.near)
     }
 }
 

@@ -395,7 +395,7 @@ mod tests {
             assert_eq!(found_open, open);
             if all_counted {
                 let expected = edge_counts(&walker, turns);
-                assert_eq!(found.finish(), expected, "{triangles:?} {positions:?} {crease:?}");
+                assert_eq!(found.finish(false), expected, "{triangles:?} {positions:?} {crease:?}");
                 sharp_and_smooth += usize::from(expected.0.smooth > 0 && expected.0.crease > 0);
                 near += usize::from(expected.1 > 0);
             }
