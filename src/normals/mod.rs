@@ -2,8 +2,6 @@
 
 // From a mesh and a recipe to a field of normals.
 mod compute;
-// The same for plain triangles, without a topology.
-mod triangle_field;
 // What determines a normal.
 mod recipe;
 // Why a corner has a fallback normal.
@@ -35,8 +33,8 @@ pub use crate::mesh::Weld;
 pub(crate) use compute::compute_from;
 pub use compute::{compute, compute_on, compute_with};
 pub(crate) use creases::dihedral_test::{CreaseTest, SLACK_DEGREES};
-pub(crate) use faces::field::FaceField;
-pub use fallback::replace::{Broken, LENGTH_TOLERANCE, Replacement, When, replace};
+pub(crate) use fallback::fallback_normals::FaceField;
+pub use fallback::replace::{Broken, LENGTH_TOLERANCE, When};
 pub use fallback::select::{Selection, select};
 pub use fault::{Fault, FaultReason, Faults};
 pub use field::{EdgeCounts, Extras, NormalField, Summary};

@@ -73,33 +73,54 @@ impl Tally {
             counts.marked += 1;
             return;
         }
-        let is_crease = match walker.crease {
-            CreaseTest::Every => true,
-            CreaseTest::None => false,
-            CreaseTest::Over { limit, .. } => {
-                if !walker.is_counted(half_edge) || !walker.is_counted(across) {
-                    undecided.push(half_edge);
-                    return;
-                }
-                *near += usize::from(is_near(walker, turns, half_edge, across));
-                limit.exceeded(walker.normal(half_edge), walker.normal(across))
-            }
-        };
-        if is_crease { counts.crease += 1 } else { counts.smooth += 1 }
+        let is_decided = walker.is_counted(half_edge) && walker.is_counted(across);
+        if !is_decided && matches!(walker.crease, CreaseTest::Over { .. }) {
+            undecided.push(half_edge);
+            return;
+        }
+        let faces = [half_edge, across].map(|corner| walker.fans.face_of(corner) as usize);
+        *near += usize::from(counts.add(&walker.crease, walker.normals, turns, faces).is_near);
     }
 }
 
-/// Whether the angle between the faces of two corners is near the crease angle.
-fn is_near(walker: &MeshWalker, turns: Option<&[f64]>, a: u32, b: u32) -> bool {
-    let faces = [a, b].map(|corner| walker.fans.face_of(corner) as usize);
-    are_near(&walker.crease, walker.normals, turns, faces)
+/// What an edge between two faces is.
+#[derive(Clone, Copy, Default)]
+struct Verdict {
+    is_crease: bool,
+    is_near: bool,
 }
 
-fn are_near(crease: &CreaseTest, normals: &FaceNormals, turns: Option<&[f64]>, [a, b]: [usize; 2]) -> bool {
-    let (normal, other) = (normals.unit[a], normals.unit[b]);
-    match turns {
-        None => crease.is_near(normal, other),
-        Some(turns) => crease.is_near_if_turned(normal, other, turns[a] + turns[b]),
+impl Verdict {
+    /// Of the edge between two faces that add to sums; their normals matter only if edges are hard for their angle.
+    fn new(crease: &CreaseTest, normals: &FaceNormals, turns: Option<&[f64]>, [a, b]: [usize; 2]) -> Self {
+        if !matches!(crease, CreaseTest::Over { .. }) {
+            return Self { is_crease: matches!(crease, CreaseTest::Every), is_near: false };
+        }
+        let (normal, other) = (normals.unit[a], normals.unit[b]);
+        let is_near = match turns {
+            None => crease.is_near(normal, other),
+            Some(turns) => crease.is_near_if_turned(normal, other, turns[a] + turns[b]),
+        };
+        Self { is_crease: crease.is_over(normal, other), is_near }
+    }
+}
+
+impl EdgeCounts {
+    /// Counts the edge between two faces.
+    fn add(
+        &mut self,
+        crease: &CreaseTest,
+        normals: &FaceNormals,
+        turns: Option<&[f64]>,
+        faces: [usize; 2],
+    ) -> Verdict {
+        let verdict = Verdict::new(crease, normals, turns, faces);
+        if verdict.is_crease {
+            self.crease += 1
+        } else {
+            self.smooth += 1
+        }
+        verdict
     }
 }
 
@@ -135,15 +156,7 @@ impl RingCounts {
         match link {
             Link::Twin(across) if from < to => {
                 let faces = [corner, across].map(|corner| corner as usize / 3);
-                let is_crease = match crease {
-                    CreaseTest::Every => true,
-                    CreaseTest::None => false,
-                    CreaseTest::Over { limit, .. } => {
-                        self.near += usize::from(are_near(crease, normals, turns, faces));
-                        limit.exceeded(normals.unit[faces[0]], normals.unit[faces[1]])
-                    }
-                };
-                if is_crease { counts.crease += 1 } else { counts.smooth += 1 }
+                self.near += usize::from(counts.add(crease, normals, turns, faces).is_near);
             }
             Link::Inconsistent(across) => counts.inconsistent += usize::from(corner < across),
             Link::Boundary => counts.boundary += 1,
@@ -182,19 +195,15 @@ fn decided_by_others(walker: &MeshWalker, turns: Option<&[f64]>, edges: &[u32]) 
             walker.for_each_decision(&sector, &mut places, |corner, a, b| {
                 let across = walker.fans.topology.across(corner).unwrap_or(corner);
                 let verdict = verdicts.entry(corner.min(across)).or_default();
-                verdict.is_crease |= walker.crease.is_over(walker.normal(a), walker.normal(b));
-                verdict.is_near |= is_near(walker, turns, a, b);
+                let faces = [a, b].map(|corner| walker.fans.face_of(corner) as usize);
+                let found = Verdict::new(&walker.crease, walker.normals, turns, faces);
+                verdict.is_crease |= found.is_crease;
+                verdict.is_near |= found.is_near;
             });
         }
     }
     let of_edges = || edges.iter().filter_map(|edge| verdicts.get(edge));
     (of_edges().filter(|v| v.is_crease).count(), of_edges().filter(|v| v.is_near).count())
-}
-
-#[derive(Default)]
-struct Verdict {
-    is_crease: bool,
-    is_near: bool,
 }
 
 impl std::ops::Add for EdgeCounts {

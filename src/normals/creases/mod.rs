@@ -16,3 +16,5 @@ pub(super) mod triangle_groups;
 pub(super) mod cone;
 // Counts of edges by kind, for reports.
 pub(super) mod edge_counts;
+// The smooth groups that a recipe gives a mesh.
+pub(super) mod grouping;
