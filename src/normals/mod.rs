@@ -8,12 +8,6 @@ mod recipe;
 mod fault;
 // The result.
 mod field;
-// Meshes for tests of kernels.
-#[cfg(test)]
-mod test_meshes;
-// Face normals against exact arithmetic.
-#[cfg(test)]
-mod exact_tests;
 // Faces: positions as the kernels read them, direction and area, slivers.
 mod faces;
 // Sums: weighted sums of face normals over vertices or smooth groups.
@@ -43,3 +37,7 @@ pub use recipe::{
 };
 pub use slices::corner_normals::corner_normals;
 pub use slices::vertex_normals::{Coordinate, Scratch, SliceError, face_normals, vertex_normals};
+
+// Tests of several files.
+#[cfg(test)]
+mod tests;

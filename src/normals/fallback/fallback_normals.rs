@@ -194,11 +194,7 @@ pub(crate) fn corner_faults(corner_group: &[u32], fallbacks: &[(u32, FaultReason
 
 /// The normals of the faces of a mesh, as [`compute_on`](crate::normals::compute_on) gives them.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct FaceField {
-    faces: FaceNormals,
-    /// The faces without a direction, which have a fallback normal.
-    fallbacks: Vec<u32>,
-}
+pub(crate) struct FaceField(FaceNormals);
 
 impl FaceField {
     /// Of a mesh unchanged, faithful.
@@ -214,35 +210,33 @@ impl FaceField {
         mut faces: FaceNormals,
     ) -> Self {
         let fallbacks = FallbackNormals::new(mesh.faces().view(), topology, &faces);
-        let undefined = (0..faces.unit.len() as u32).filter(|&face| faces.unit[face as usize] == DVec3::ZERO);
-        let (fallbacks, normals): (Vec<u32>, Vec<DVec3>) =
-            undefined.map(|face| (face, fallbacks.for_face(face))).unzip();
-        for (&face, normal) in fallbacks.iter().zip(normals) {
-            faces.unit[face as usize] = normal;
-        }
-        Self { faces, fallbacks }
+        let undefined = (0..faces.unit.len() as u32).filter(|&face| fallbacks.direction(face).is_none());
+        let normals: Vec<(u32, DVec3)> = undefined.map(|face| (face, fallbacks.for_face(face))).collect();
+        normals.into_iter().for_each(|(face, normal)| faces.unit[face as usize] = normal);
+        Self(faces)
     }
 
     /// The unit normal of every face.
     pub(crate) fn units(&self) -> &[DVec3] {
-        &self.faces.unit
+        &self.0.unit
     }
 
     /// The same for keeps.
     pub(in crate::normals) fn into_units(self) -> Vec<DVec3> {
-        self.faces.unit
+        self.0.unit
     }
 
     /// What is wrong with faces.
     pub(crate) fn faults(&self) -> Vec<Fault> {
-        face_faults(&self.faces, Slivers::default())
+        face_faults(&self.0, Slivers::default())
     }
 
     /// The zero vector where there is no direction.
     pub(in crate::normals) fn into_computed(mut self) -> FaceNormals {
-        for face in self.fallbacks {
-            self.faces.unit[face as usize] = DVec3::ZERO;
+        for (unit, _) in self.0.unit.iter_mut().zip(&self.0.state).filter(|(_, state)| !state.has_direction())
+        {
+            *unit = DVec3::ZERO;
         }
-        self.faces
+        self.0
     }
 }

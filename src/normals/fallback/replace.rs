@@ -27,7 +27,7 @@ pub const LENGTH_TOLERANCE: f64 = 0.00674;
 /// vector by at most √3/254 = 0.00682.
 const ROUNDED: f64 = 0.00683;
 
-/// What is wrong with a stored normal.
+/// What is wrong with a stored normal: the first of these that applies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Broken {
     /// It is infinite or not a number.
@@ -44,9 +44,6 @@ pub enum Broken {
 }
 
 impl Broken {
-    /// All causes.
-    pub const ALL: [Broken; 4] = [Broken::NotFinite, Broken::Zero, Broken::AgainstFace, Broken::Length];
-
     /// The name used in reports.
     pub fn name(self) -> &'static str {
         match self {

@@ -20,7 +20,7 @@ pub struct Selection {
     pub face_normals: Vec<DVec3>,
     /// Corners that had no normal, unless all were to be replaced.
     pub missing: Vec<u32>,
-    /// Corners whose normal was broken, and why (the first cause in the order of [`Broken::ALL`]), unless all were to be replaced.
+    /// Corners whose normal was broken, and why, unless all were to be replaced.
     pub broken: Vec<(u32, Broken)>,
 }
 
