@@ -38,6 +38,9 @@ pub use recipe::{
 pub use slices::corner_normals::corner_normals;
 pub use slices::vertex_normals::{Coordinate, Scratch, SliceError, face_normals, vertex_normals};
 
-// Tests of several files.
+// Meshes for tests of kernels.
 #[cfg(test)]
-mod tests;
+mod test_meshes;
+// Face normals against exact arithmetic.
+#[cfg(test)]
+mod exact_tests;

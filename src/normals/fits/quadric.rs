@@ -225,7 +225,7 @@ mod tests {
     use crate::normals::recipe::{Crease, NormalRecipe, Slivers, Weight};
     use crate::normals::sums::request::SumRequest;
     use crate::normals::sums::weighted_sums::weighted_sums;
-    use crate::normals::tests::meshes::with_threads;
+    use crate::normals::test_meshes::with_threads;
     use crate::num::test_numbers::Numbers;
     use std::f64::consts::TAU;
 

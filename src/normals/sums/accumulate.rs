@@ -303,7 +303,7 @@ mod tests {
     use crate::normals::sums::partition::Partition;
     use crate::normals::sums::request::SlotState;
     use crate::normals::sums::weighted_sums::weighted_sums;
-    use crate::normals::tests::meshes::{bumpy, with_threads};
+    use crate::normals::test_meshes::{bumpy, with_threads};
     use crate::num::test_numbers::Numbers;
 
     #[test]

@@ -311,7 +311,7 @@ mod tests {
     use crate::normals::compute::compute;
     use crate::normals::recipe::{Averaging, NormalRecipe, Precision, Weight};
     use crate::normals::slices::vertex_normals::{Scratch, vertex_normals};
-    use crate::normals::tests::meshes::{bumpy, with_threads};
+    use crate::normals::test_meshes::{bumpy, with_threads};
     use crate::num::test_numbers::Numbers;
     use glam::DVec3;
 
