@@ -148,6 +148,11 @@ impl Scatter {
         }
     }
 
+    /// The numbers.
+    pub(super) fn into_values(self) -> Vec<u32> {
+        self.0.into_par_iter().map(AtomicU32::into_inner).collect()
+    }
+
     #[inline]
     pub(crate) fn set(&self, index: u32, value: u32) {
         self.0[index as usize].store(value, Relaxed);

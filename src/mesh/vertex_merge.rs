@@ -1,32 +1,146 @@
-//! Merging vertices at the same position.
+//! Vertices at equal positions: finding and merging them.
 
-use super::columns::{ColumnIndex, Columns};
+use super::columns::{ColumnIndex, Columns, NONE};
 use super::polygon_mesh::Mesh;
+use super::rings::Scatter;
 use glam::DVec3;
-use rustc_hash::FxHashMap;
+use rayon::prelude::*;
 
 /// The bits of a position, with −0 taken as +0: equal for positions that are merged or welded exactly.
+#[inline]
 pub(crate) fn place_key(p: DVec3) -> [u64; 3] {
     (p + DVec3::ZERO).to_array().map(f64::to_bits)
 }
 
+/// For each of so many items, the first one at the same place. `vertex` is the vertex of each; two vertices are at the same
+/// place if their [keys](place_key) are equal in every shape, a list of positions.
+///
+/// A flat table of item numbers per thread, each for a share of the places: beside the result at most 9 bytes an item.
+pub(super) fn first_at_place(
+    count: usize,
+    shapes: &[&[DVec3]],
+    vertex: impl Fn(u32) -> u32 + Sync,
+) -> Vec<u32> {
+    let parts = if count > 1 << 14 { rayon::current_num_threads().clamp(1, 8) } else { 1 };
+    let places = Places { shapes, vertex };
+    let mut first = Scatter::default();
+    first.reserve(count);
+    (0..parts).into_par_iter().for_each(|part| {
+        let mut table = PlaceTable { places: &places, slots: vec![NONE; count / (3 * parts) + 8], used: 0 };
+        for item in 0..count as u32 {
+            let hash = places.hash(item);
+            if (u64::from(hash as u32) * parts as u64) >> 32 == part as u64 {
+                first.set(item, table.first(item, hash));
+            }
+        }
+    });
+    first.into_values()
+}
+
+/// Items with positions.
+struct Places<'a, V> {
+    shapes: &'a [&'a [DVec3]],
+    vertex: V,
+}
+
+impl<V: Fn(u32) -> u32> Places<'_, V> {
+    /// A hash whose high and low halves are both mixed well, although most positions have few significant bits.
+    #[inline]
+    fn hash(&self, item: u32) -> u64 {
+        let vertex = (self.vertex)(item) as usize;
+        let mut hash = 0_u64;
+        for shape in self.shapes {
+            let [x, y, z] = place_key(shape[vertex]);
+            hash = hash.rotate_left(23).wrapping_mul(0xd6e8_feb8_6659_fd93)
+                ^ x.wrapping_mul(0x9e37_79b9_7f4a_7c15)
+                    .wrapping_add(y.wrapping_mul(0xc2b2_ae3d_27d4_eb4f))
+                    .wrapping_add(z.wrapping_mul(0x1656_67b1_9e37_79f9));
+        }
+        let product = u128::from(hash ^ hash >> 32) * 0xa076_1d64_78bd_642f;
+        (product >> 64) as u64 ^ product as u64
+    }
+
+    #[inline]
+    fn are_same(&self, a: u32, b: u32) -> bool {
+        let [a, b] = [a, b].map(|item| (self.vertex)(item) as usize);
+        self.shapes.iter().all(|shape| place_key(shape[a]) == place_key(shape[b]))
+    }
+}
+
+/// A table of items with linear probing, at most two thirds full.
+struct PlaceTable<'a, V> {
+    places: &'a Places<'a, V>,
+    slots: Vec<u32>,
+    used: usize,
+}
+
+impl<V: Fn(u32) -> u32> PlaceTable<'_, V> {
+    /// The item that came first at the place of this one.
+    #[inline]
+    fn first(&mut self, item: u32, hash: u64) -> u32 {
+        let at = self.slot(item, hash);
+        if self.slots[at] != NONE {
+            return self.slots[at];
+        }
+        self.slots[at] = item;
+        self.used += 1;
+        if 3 * self.used > 2 * self.slots.len() {
+            self.grow();
+        }
+        item
+    }
+
+    /// The slot of an item's place, or an empty one for it.
+    #[inline]
+    fn slot(&self, item: u32, hash: u64) -> usize {
+        let mut at = ((u128::from(hash) * self.slots.len() as u128) >> 64) as usize;
+        while self.slots[at] != NONE && !self.places.are_same(self.slots[at], item) {
+            at = if at + 1 == self.slots.len() { 0 } else { at + 1 };
+        }
+        at
+    }
+
+    #[cold]
+    fn grow(&mut self) {
+        let empty = vec![NONE; 2 * self.slots.len()];
+        for item in std::mem::replace(&mut self.slots, empty) {
+            if item != NONE {
+                let at = self.slot(item, self.places.hash(item));
+                self.slots[at] = item;
+            }
+        }
+    }
+}
+
 impl Mesh {
+    /// For each vertex the first one at the same position.
+    pub(crate) fn first_vertices(&self) -> Vec<u32> {
+        first_at_place(self.vertex_count(), &[self.positions()], |vertex| vertex)
+    }
+
+    /// Whether each corner has a vertex of its own, numbered like it: the form of STL and of glTF without indices.
+    pub(crate) fn is_soup(&self) -> bool {
+        let corners = self.faces.corners();
+        corners.len() == self.vertex_count()
+            && corners.par_iter().enumerate().all(|(corner, &vertex)| vertex as usize == corner)
+    }
+
     /// The mesh with one vertex for all corners at the same position (to the bit, −0 = +0), numbered in the order of the
     /// corners, without unreferenced vertices. Unchanged if vertices have other attributes than positions.
     pub(crate) fn with_shared_vertices(mut self) -> Self {
         if has_vertex_attributes(&self.columns) {
             return self;
         }
-        // The usual number of a closed mesh of triangles.
-        let likely = self.faces.corner_count() / 6 + 2;
-        let mut known = FxHashMap::with_capacity_and_hasher(likely, rustc_hash::FxBuildHasher);
-        let mut positions = Vec::with_capacity(likely);
+        let first = self.first_vertices();
+        let mut number = vec![NONE; first.len()];
+        let mut positions = Vec::new();
         let corners = self.faces.corners().iter().map(|&vertex| {
-            let position = self.positions[vertex as usize];
-            *known.entry(place_key(position)).or_insert_with(|| {
-                positions.push(position);
-                positions.len() as u32 - 1
-            })
+            let number = &mut number[first[vertex as usize] as usize];
+            if *number == NONE {
+                *number = positions.len() as u32;
+                positions.push(self.positions[vertex as usize]);
+            }
+            *number
         });
         self.faces = self.faces.with_corners(corners.collect()).into();
         self.positions = positions.into();

@@ -32,7 +32,7 @@ pub fn split_vertices(vertex_count: usize, corner_vertices: &[u32], keys: &[&[u3
         keys,
         source: (0..vertex_count as u32).collect(),
         sample: vec![NONE; vertex_count],
-        next: vec![NONE; vertex_count],
+        next: Vec::new(),
         overflow: FxHashMap::default(),
     };
     let corners = corner_vertices
@@ -47,7 +47,8 @@ struct Splitter<'a> {
     keys: &'a [&'a [u32]],
     source: Vec<u32>,
     sample: Vec<u32>,
-    /// The next vertex that is split off the same old one: a chain that begins with the old one itself.
+    /// The next vertex that is split off the same old one: a chain that begins with the old one itself. Empty before the
+    /// first split.
     next: Vec<u32>,
     /// The copies of a vertex whose chain is full. Each corner of a vertex with many keys (a fan of a million facets)
     /// must not cost a walk.
@@ -78,7 +79,7 @@ impl Splitter<'_> {
             if self.key(self.sample[at as usize]) == key {
                 return at;
             }
-            match self.next[at as usize] {
+            match self.next.get(at as usize).copied().unwrap_or(NONE) {
                 NONE if length == CHAIN => break,
                 NONE => {
                     let new = self.split_off(vertex, corner);
@@ -99,7 +100,7 @@ impl Splitter<'_> {
     fn split_off(&mut self, vertex: u32, corner: u32) -> u32 {
         self.source.push(vertex);
         self.sample.push(corner);
-        self.next.push(NONE);
+        self.next.resize(self.source.len(), NONE);
         self.source.len() as u32 - 1
     }
 }

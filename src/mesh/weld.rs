@@ -4,12 +4,14 @@
 //! neighbours.
 
 use super::box_tree::Bounds;
+use super::columns::NONE;
 use super::faces::is_collapsed;
 use super::link::{Link, PackedLink};
 use super::point_clusters::clusters;
 use super::polygon_mesh::Mesh;
+use super::rings::Rings;
 use super::topology::Topology;
-use super::vertex_merge::place_key;
+use super::vertex_merge::first_at_place;
 use glam::DVec3;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
@@ -50,27 +52,27 @@ impl Topology {
         if weld == Weld::Off {
             return 0;
         }
-        let faces = mesh.faces();
-        let open: Vec<u32> = (0..faces.corner_count() as u32)
-            .into_par_iter()
-            .filter(|&h| self.links.get(h) == PackedLink::BOUNDARY.0)
-            .collect();
+        let corners = mesh.faces().corners();
+        let is_open = |&h: &u32| self.links.get(h) == PackedLink::BOUNDARY.0;
+        let open: Vec<u32> = (0..corners.len() as u32).into_par_iter().filter(is_open).collect();
         if open.is_empty() {
             return 0;
         }
-        let joined = join(mesh, self, &open, weld);
-        self.wide_clusters += joined.wide_clusters;
-        self.ambiguous += joined.ambiguous;
-        for &(half_edge, link) in &joined.links {
-            self.links.set(half_edge, PackedLink::new(link).0);
+        let found = join(mesh, self, &open, weld);
+        self.wide_clusters += found.wide_clusters;
+        self.ambiguous += found.ambiguous;
+        let mut joined = 0;
+        for &half_edge in &open {
+            let link = self.link(half_edge);
+            joined += usize::from(link != Link::Boundary);
             if let Link::Welded(_) = link {
                 self.welded_vertices.resize(mesh.vertex_count(), false);
-                let (tail, head) = self.ends(faces.corners(), half_edge);
+                let (tail, head) = self.ends(corners, half_edge);
                 self.welded_vertices[tail as usize] = true;
                 self.welded_vertices[head as usize] = true;
             }
         }
-        joined.links.len()
+        joined
     }
 }
 
@@ -83,73 +85,97 @@ pub(crate) fn joins_no_edges(mesh: &Mesh, ends: &[[u32; 2]]) -> bool {
     let mut rim = ends.as_flattened().to_vec();
     rim.sort_unstable();
     rim.dedup();
-    let classes = exact_classes(&rim, mesh).of_rim;
-    // Classes are numbered as they are met.
-    (0..).zip(&classes).all(|(number, &class)| class == number)
+    let first = exact_classes(&rim, mesh).of_rim;
+    (0..).zip(&first).all(|(number, &first)| first == number)
 }
 
-/// The result of welding.
+/// What welding found.
 struct Joined {
-    /// New links of half-edges that were boundary.
-    links: Vec<(u32, Link)>,
     /// Clusters wider than twice the welding distance.
     wide_clusters: usize,
     /// Groups of several coincident edges, none of which was joined.
     ambiguous: usize,
 }
 
-/// Pairs the open half-edges whose ends coincide, in the mesh and in each of its morph targets.
+/// Links the open half-edges whose ends coincide, in the mesh and in each of its morph targets.
 fn join(mesh: &Mesh, topology: &Topology, open: &[u32], weld: Weld) -> Joined {
     let faces = mesh.faces();
-    let ends = |half_edge: u32| topology.ends(faces.corners(), half_edge);
-    let mut rim: Vec<u32> = open.iter().flat_map(|&h| <[u32; 2]>::from(ends(h))).collect();
-    rim.par_sort_unstable();
-    rim.dedup();
+    let ends = |half_edge: u32| <[u32; 2]>::from(topology.ends(faces.corners(), half_edge));
+    let mut class = vec![NONE; mesh.vertex_count()];
+    open.iter().flat_map(|&half_edge| ends(half_edge)).for_each(|vertex| class[vertex as usize] = 0);
+    let rim: Vec<u32> = (0..class.len() as u32).filter(|&vertex| class[vertex as usize] == 0).collect();
     let Classes { of_rim, wide_clusters } = match weld {
         Weld::Relative(fraction) => near_classes(&rim, mesh, fraction),
         Weld::Exact | Weld::Off => exact_classes(&rim, mesh),
     };
-    let class = |vertex: u32| of_rim[rim.binary_search(&vertex).expect("a rim vertex")];
+    rim.iter().zip(&of_rim).for_each(|(&vertex, &of_vertex)| class[vertex as usize] = of_vertex);
+    drop(of_rim);
 
-    // (lower class, higher class, whether it runs downwards, half-edge)
-    let mut edges: Vec<(u32, u32, bool, u32)> = open
-        .par_chunk_by(|&a, &b| topology.face_of(a) == topology.face_of(b))
-        .flat_map_iter(|of_face| {
-            let classes = |&h: &u32| (h, class(ends(h).0), class(ends(h).1));
+    let classes = |half_edge: u32| ends(half_edge).map(|vertex| class[vertex as usize]);
+    let long = open.par_chunk_by(|&a, &b| topology.face_of(a) == topology.face_of(b)).fold(
+        Vec::new,
+        |mut long, of_face| {
+            let start = long.len();
             // An edge of no length is not joined.
-            let long = of_face.iter().map(classes).filter(|&(_, a, b)| a != b);
-            let mut long: Vec<_> = long.map(|(h, a, b)| (a.min(b), a.max(b), a > b, h)).collect();
-            let place = |v| rim.binary_search(v).map_or(u32::MAX - v, |i| of_rim[i]);
+            long.extend(of_face.iter().filter(|&&half_edge| {
+                let [tail, head] = classes(half_edge);
+                tail != head
+            }));
+            let place = |&vertex: &u32| match class[vertex as usize] {
+                NONE => Err(vertex),
+                class => Ok(class),
+            };
             if is_collapsed(faces.face(topology.face_of(of_face[0]) as usize).iter().map(place)) {
-                keep_surplus(&mut long);
+                let edges = long.split_off(start);
+                long.extend(surplus(&edges, |half_edge| classes(half_edge).is_sorted()));
             }
             long
-        })
-        .collect();
-    edges.par_sort_unstable();
-    let (mut links, mut ambiguous) = (Vec::new(), 0);
-    for edge in edges.chunk_by(|x, y| (x.0, x.1) == (y.0, y.1)) {
-        match *edge {
-            [_] => {}
-            [x, y] if x.2 != y.2 => links.extend([(x.3, Link::Welded(y.3)), (y.3, Link::Welded(x.3))]),
-            [x, y] => links.extend([(x.3, Link::Inconsistent(y.3)), (y.3, Link::Inconsistent(x.3))]),
-            _ => {
-                ambiguous += 1;
-                links.extend(edge.iter().map(|x| (x.3, Link::Ambiguous)));
+        },
+    );
+    let long = long.reduce(Vec::new, |mut all, mut part| {
+        all.append(&mut part);
+        all
+    });
+
+    let lower: Vec<u32> = long.par_iter().map(|&h| classes(h)[0].min(classes(h)[1])).collect();
+    let rows = Rings::build(&lower, rim.len());
+    drop(lower);
+    let set = |half_edge: u32, link: Link| topology.links.set(half_edge, PackedLink::new(link).0);
+    let at_class = |row: &mut Vec<(u32, bool, u32)>, class: usize| {
+        row.clear();
+        row.extend(rows.at(class).iter().map(|&at| {
+            let half_edge = long[at as usize];
+            let [tail, head] = classes(half_edge);
+            (tail.max(head), tail > head, half_edge)
+        }));
+        row.sort_unstable();
+        let mut ambiguous = 0;
+        for edge in row.chunk_by(|x, y| x.0 == y.0) {
+            match *edge {
+                [_] => {}
+                [x, y] => {
+                    let link = if x.1 != y.1 { Link::Welded } else { Link::Inconsistent };
+                    set(x.2, link(y.2));
+                    set(y.2, link(x.2));
+                }
+                _ => {
+                    ambiguous += 1;
+                    edge.iter().for_each(|x| set(x.2, Link::Ambiguous));
+                }
             }
         }
-    }
-    Joined { links, wide_clusters, ambiguous }
+        ambiguous
+    };
+    let ambiguous = (0..rim.len()).into_par_iter().map_init(Vec::new, at_class).sum();
+    Joined { wide_clusters, ambiguous }
 }
 
-/// Of the edges of a face that has only two distinct positions, keeps those of one direction without a partner of the other
+/// Of the edges of a face that has only two distinct positions, those of one direction without a partner of the other
 /// direction: with both open, such a face would separate its neighbours, which meet there themselves.
-fn keep_surplus(edges: &mut Vec<(u32, u32, bool, u32)>) {
-    let down = edges.iter().filter(|edge| edge.2).count();
-    let up = edges.len() - down;
-    let surplus = up.abs_diff(down);
-    edges.retain(|edge| edge.2 == (down > up));
-    edges.truncate(surplus);
+fn surplus(edges: &[u32], is_up: impl Fn(u32) -> bool) -> impl Iterator<Item = u32> {
+    let up = edges.iter().filter(|&&edge| is_up(edge)).count();
+    let down = edges.len() - up;
+    edges.iter().copied().filter(move |&edge| is_up(edge) == (up >= down)).take(up.abs_diff(down))
 }
 
 /// Which vertices of open edges coincide: a class number for each, in the order of `rim`.
@@ -159,16 +185,8 @@ struct Classes {
 }
 
 fn exact_classes(rim: &[u32], mesh: &Mesh) -> Classes {
-    let mut of_rim = vec![0; rim.len()];
-    // Each morph target refines the classes: two vertices stay together only if it moves them alike.
-    for shape in shapes(mesh) {
-        let mut finer: FxHashMap<(u32, [u64; 3]), u32> = FxHashMap::default();
-        for (class, &vertex) in of_rim.iter_mut().zip(rim) {
-            let fresh = finer.len() as u32;
-            *class = *finer.entry((*class, place_key(shape[vertex as usize]))).or_insert(fresh);
-        }
-    }
-    Classes { of_rim, wide_clusters: 0 }
+    let shapes: Vec<&[DVec3]> = shapes(mesh).collect();
+    Classes { of_rim: first_at_place(rim.len(), &shapes, |item| rim[item as usize]), wide_clusters: 0 }
 }
 
 /// The positions, and the displacements of each morph target.

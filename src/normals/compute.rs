@@ -2,24 +2,21 @@
 
 use crate::mesh::{Column, Mesh, Storage, Topology};
 use crate::normals::creases::dihedral_test::CreaseTest;
-use crate::normals::creases::edge_counts::edge_counts;
-use crate::normals::creases::fans::{FanWalker, MeshFans};
-use crate::normals::creases::hard_edges::{Marks, applied_angle};
+use crate::normals::creases::grouping::{Grouping, can_do_without_topology, of_triangles, on_topology};
+use crate::normals::creases::hard_edges::applied_angle;
 use crate::normals::creases::smooth_groups::{SlotCorners, SmoothGroups};
-use crate::normals::faces::face_normals::FaceNormals;
-use crate::normals::faces::face_normals::face_normals;
-use crate::normals::faces::field::FaceField;
+use crate::normals::faces::face_normals::{FaceNormals, face_normals};
 use crate::normals::faces::positions::Positions;
-use crate::normals::fallback::fallback_normals::{FallbackNormals, face_faults};
+use crate::normals::faces::shape::FaceState;
+use crate::normals::fallback::fallback_normals::{FaceField, FallbackNormals, corner_faults, face_faults};
 use crate::normals::fault::{Fault, FaultReason, Faults};
 use crate::normals::field::{Extras, NormalField, Summary};
 use crate::normals::fits::quadric::{QuadricRequest, quadric_normals};
-use crate::normals::recipe::{CreaseRule, Groups, NormalRecipe, Precision, Scope, Weight};
+use crate::normals::recipe::{Groups, NormalRecipe, Precision, Weight};
 use crate::normals::sums::corner_sums::TermTable;
 use crate::normals::sums::request::{SlotState, SumRequest, Sums};
 use crate::normals::sums::single_precision::single_sums;
 use crate::normals::sums::weighted_sums::weighted_sums;
-use crate::normals::triangle_field::{count_runs, triangle_field, turns, unreferenced};
 use crate::num::Degrees;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -51,22 +48,32 @@ pub fn compute(mesh: &Mesh, recipe: &NormalRecipe) -> NormalField {
 
 /// As [`compute`], with only some of the extras.
 pub fn compute_with(mesh: &Mesh, recipe: &NormalRecipe, extras: Extras) -> NormalField {
-    let faces = match triangle_field(mesh, recipe, extras) {
-        Ok(field) => return field,
-        Err(faces) => faces,
-    };
-    let topology = Topology::build(mesh, recipe.weld);
-    let faces = faces.map_or_else(
-        || Shape::new(mesh.positions(), mesh, mesh.storage()),
-        |faces| Shape::of(mesh.positions(), mesh.storage(), faces),
-    );
-    on_topology(mesh, &topology, recipe, faces, extras)
+    let is_plain = can_do_without_topology(mesh, recipe);
+    let needs_faces =
+        !is_plain || extras.face_normals || !matches!(CreaseTest::of(mesh, recipe), CreaseTest::None);
+    let mut shape =
+        Shape { points: mesh.positions(), storage: mesh.storage(), faces: FaceNormals::default() };
+    if needs_faces {
+        shape.find_faces(mesh);
+    }
+    let all_counted = shape.faces.state.par_iter().all(|&state| state == FaceState::Counted);
+    let plain =
+        (is_plain && all_counted).then(|| of_triangles(mesh, recipe, &shape.faces, extras.edge_counts));
+    if let Some(grouping) = plain.flatten() {
+        let found = shape.sums(mesh, recipe, &grouping.groups);
+        if found.is_clean {
+            return shape.field(mesh, recipe, extras, grouping, found, None);
+        }
+    }
+    if !needs_faces {
+        shape.find_faces(mesh);
+    }
+    compute_shape(mesh, &Topology::build(mesh, recipe.weld), recipe, shape, extras)
 }
 
 /// As [`compute`], on a topology built before, with the welding that it was built with.
 pub fn compute_on(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> NormalField {
-    let shape = Shape::new(mesh.positions(), mesh, mesh.storage());
-    on_topology(mesh, topology, recipe, shape, Extras::ALL)
+    compute_shape(mesh, topology, recipe, Shape::new(mesh.positions(), mesh, mesh.storage()), Extras::ALL)
 }
 
 /// As [`compute_on`], with the normals of faces that are there already.
@@ -76,138 +83,161 @@ pub(crate) fn compute_from(
     recipe: &NormalRecipe,
     faces: FaceField,
 ) -> NormalField {
-    let shape = Shape::of(mesh.positions(), mesh.storage(), faces.into_computed());
-    on_topology(mesh, topology, recipe, shape, Extras::ALL)
+    let shape = Shape { points: mesh.positions(), storage: mesh.storage(), faces: faces.into_computed() };
+    compute_shape(mesh, topology, recipe, shape, Extras::ALL)
 }
 
-fn on_topology(
+fn compute_shape(
     mesh: &Mesh,
     topology: &Topology,
     recipe: &NormalRecipe,
     shape: Shape<'_>,
     extras: Extras,
 ) -> NormalField {
-    let angle = applied_angle(mesh, recipe);
-    let marks = Marks::new(mesh, recipe);
-    let walker = FanWalker {
-        fans: MeshFans { faces: mesh.faces().view(), topology, marks: &marks },
-        normals: &shape.faces,
-        crease: CreaseTest::new(angle),
-        slivers: recipe.slivers,
-    };
-    let mut summary = Summary {
-        crease_degrees: angle.map(|Degrees(angle)| angle),
-        wide_clusters: topology.wide_clusters(),
-        faces_before_groups: faces_before_groups(mesh, recipe),
-        ..Summary::default()
-    };
-    if extras.edge_counts {
-        let edges = edge_counts(&walker, turns(mesh, &walker.crease).as_deref());
-        edges.report(mesh.positions(), &mut summary);
-    }
-    let groups = match (recipe.scope, recipe.rule) {
-        (Scope::Vertex, _) => SmoothGroups::per_vertex(mesh.faces().view(), topology, mesh.vertex_count()),
-        (Scope::Corner, CreaseRule::Fan) => SmoothGroups::by_fan(&walker, mesh.vertex_count()),
-        (Scope::Corner, CreaseRule::Cone) => {
-            let (groups, declined) = SmoothGroups::by_cone(&walker, mesh.vertex_count());
-            summary.cone_declined = declined;
-            groups
-        }
-    };
-    summary.referenced_vertices = count_runs(&groups.entry_vertex);
-    summary.splits = groups.entry_vertex.len() - summary.referenced_vertices;
-
-    let filled = shape.entries(mesh, topology, recipe, &groups);
-    summary.quadric_fallbacks = filled.quadric_fallbacks;
-    summary.fast_declined = filled.fast_declined;
-    let mut morph_normals = Vec::new();
-    for target in &mesh.columns().morph_targets {
-        let moved: Vec<DVec3> = mesh.positions().iter().zip(target).map(|(&p, &by)| p + by).collect();
-        // The sum of two f32 values need not be one.
-        let mut normals = Shape::new(&moved, mesh, Storage::F64).entries(mesh, topology, recipe, &groups);
-        // A shape that loses a normal keeps that of the base: no displacement rather than an arbitrary one.
-        summary.morph_fallbacks += normals.fallbacks.len();
-        for &(entry, _) in &normals.fallbacks {
-            normals.values[entry as usize] = filled.values[entry as usize];
-        }
-        morph_normals.push(normals.values);
-    }
-
-    let faults = Faults {
-        faces: face_faults(&shape.faces, recipe.slivers),
-        corners: corner_faults(&groups.corner_entry, &filled.fallbacks),
-        vertices: unreferenced(&groups.entry_vertex, mesh.vertex_count()),
-    };
-    NormalField {
-        normals: Column::per_corner(filled.values, groups.corner_entry),
-        entry_vertex: groups.entry_vertex,
-        face_normals: match extras.face_normals {
-            true => FaceField::with_fallbacks(mesh, topology, shape.faces).into_units(),
-            false => Vec::new(),
-        },
-        morph_normals,
-        faults,
-        summary,
-    }
+    let grouping = on_topology(mesh, topology, recipe, &shape.faces, extras.edge_counts);
+    let sums = shape.sums(mesh, recipe, &grouping.groups);
+    shape.field(mesh, recipe, extras, grouping, sums, Some(topology))
 }
 
 /// A mesh in one of its shapes: its own, or a morph target's.
 struct Shape<'a> {
     points: &'a [DVec3],
-    positions: Positions<'a>,
+    storage: Storage,
     faces: FaceNormals,
+}
+
+/// The sums of all slots.
+struct SlotSums {
+    sums: Sums,
+    /// Whether every slot has a direction and every face adds to sums.
+    is_clean: bool,
+    fast_declined: bool,
 }
 
 impl<'a> Shape<'a> {
     fn new(points: &'a [DVec3], mesh: &Mesh, storage: Storage) -> Self {
-        Self::of(points, storage, face_normals(mesh.faces().view(), Positions::F64(points, storage)))
+        let mut shape = Self { points, storage, faces: FaceNormals::default() };
+        shape.find_faces(mesh);
+        shape
     }
 
-    fn of(points: &'a [DVec3], storage: Storage, faces: FaceNormals) -> Self {
-        Self { points, positions: Positions::F64(points, storage), faces }
+    fn find_faces(&mut self, mesh: &Mesh) {
+        self.faces = face_normals(mesh.faces().view(), Positions::F64(self.points, self.storage));
     }
 
-    /// The normal of every entry.
+    /// The sum of every slot.
+    fn sums(&self, mesh: &Mesh, recipe: &NormalRecipe, groups: &SmoothGroups) -> SlotSums {
+        let request = SumRequest {
+            faces: mesh.faces().view(),
+            positions: Positions::F64(self.points, self.storage),
+            target: &groups.corner_slots(),
+            slots: groups.slots,
+            weight: recipe.weight,
+            slivers: recipe.slivers,
+        };
+        let fast = recipe.precision == Precision::Fast;
+        if let Some(members) = &groups.members {
+            return SlotSums { sums: gather_sums(&request, members), is_clean: false, fast_declined: fast };
+        }
+        if let Some(sums) = fast.then(|| single_sums(&request)).flatten() {
+            return SlotSums { sums, is_clean: true, fast_declined: false };
+        }
+        let (sums, outcome) = weighted_sums(&request);
+        let is_clean = outcome.all_good && outcome.unusual.is_empty();
+        SlotSums { sums, is_clean, fast_declined: fast }
+    }
+
+    /// The field of a mesh in its own shape. Without a topology, sums are clean.
+    fn field(
+        self,
+        mesh: &Mesh,
+        recipe: &NormalRecipe,
+        extras: Extras,
+        grouping: Grouping,
+        sums: SlotSums,
+        topology: Option<&Topology>,
+    ) -> NormalField {
+        let Grouping { groups, edges, cone_declined } = grouping;
+        let mut summary = Summary {
+            edges: edges.counts,
+            near_crease: edges.near,
+            crease_chains: edges.chains(mesh.positions()),
+            cone_declined,
+            crease_degrees: applied_angle(mesh, recipe).map(|Degrees(angle)| angle),
+            wide_clusters: topology.map_or(0, Topology::wide_clusters),
+            faces_before_groups: faces_before_groups(mesh, recipe),
+            referenced_vertices: groups.entry_vertex.chunk_by(|a, b| a == b).count(),
+            fast_declined: sums.fast_declined,
+            ..Summary::default()
+        };
+        summary.splits = groups.entry_vertex.len() - summary.referenced_vertices;
+        let mut faults = Faults { vertices: unreferenced(&groups.entry_vertex, mesh), ..Faults::default() };
+        let Some(topology) = topology else {
+            return NormalField {
+                normals: Column::per_corner(groups.of_entries(sums.sums.unit), groups.corner_entry),
+                entry_vertex: groups.entry_vertex,
+                face_normals: if extras.face_normals { self.faces.unit } else { Vec::new() },
+                morph_normals: Vec::new(),
+                faults,
+                summary,
+            };
+        };
+        let (values, fallbacks, quadric_fallbacks) = self.entries(mesh, topology, recipe, &groups, sums.sums);
+        summary.quadric_fallbacks = quadric_fallbacks;
+        let mut morph_normals = Vec::new();
+        for target in &mesh.columns().morph_targets {
+            let moved: Vec<DVec3> = mesh.positions().iter().zip(target).map(|(&p, &by)| p + by).collect();
+            // The sum of two f32 values need not be one.
+            let shape = Shape::new(&moved, mesh, Storage::F64);
+            let sums = shape.sums(mesh, recipe, &groups).sums;
+            let (mut normals, fallbacks, _) = shape.entries(mesh, topology, recipe, &groups, sums);
+            // A shape that loses a normal keeps that of the base: no displacement rather than an arbitrary one.
+            summary.morph_fallbacks += fallbacks.len();
+            for (entry, _) in fallbacks {
+                normals[entry as usize] = values[entry as usize];
+            }
+            morph_normals.push(normals);
+        }
+        faults.faces = face_faults(&self.faces, recipe.slivers);
+        faults.corners = corner_faults(&groups.corner_entry, &fallbacks);
+        NormalField {
+            normals: Column::per_corner(values, groups.corner_entry),
+            entry_vertex: groups.entry_vertex,
+            face_normals: match extras.face_normals {
+                true => FaceField::with_fallbacks(mesh, topology, self.faces).into_units(),
+                false => Vec::new(),
+            },
+            morph_normals,
+            faults,
+            summary,
+        }
+    }
+
+    /// The normal of every entry, from the sums of slots; the entries with a fallback normal, ascending, with the reason; and
+    /// how many slots have no quadric.
     fn entries(
         &self,
         mesh: &Mesh,
         topology: &Topology,
         recipe: &NormalRecipe,
         groups: &SmoothGroups,
-    ) -> Entries {
+        mut sums: Sums,
+    ) -> (Vec<DVec3>, Vec<(u32, FaultReason)>, usize) {
         let target = groups.corner_slots();
-        let request = SumRequest {
-            faces: mesh.faces().view(),
-            positions: self.positions,
-            target: &target,
-            slots: groups.entry_vertex.len(),
-            weight: recipe.weight,
-            slivers: recipe.slivers,
-        };
-        let members = groups.members.as_ref();
-        let fast = recipe.precision == Precision::Fast;
-        let single = (fast && members.is_none()).then(|| single_sums(&request)).flatten();
-        let fast_declined = fast && single.is_none();
-        let mut sums = single.unwrap_or_else(|| match members {
-            None => weighted_sums(&request),
-            Some(members) => gather_sums(&request, members),
-        });
-        let quadric_fallbacks = if recipe.weight == Weight::Quadric {
-            self.fit_quadrics(mesh, topology, &target, groups, &mut sums)
-        } else {
-            0
+        let quadric_fallbacks = match recipe.weight {
+            Weight::Quadric => self.fit_quadrics(mesh, topology, &target, groups, &mut sums),
+            _ => 0,
         };
         let mut fallbacks = FallbackNormals::new(mesh.faces().view(), topology, &self.faces);
         let fallbacks = fallbacks.for_slots(&target, &sums.state, |slot, normal| sums.unit[slot] = normal);
-        let values = match &groups.entry_slot {
-            None => sums.unit,
-            Some(slots) => slots.iter().map(|&slot| sums.unit[slot as usize]).collect(),
-        };
-        let reason =
-            |slot: u32| fallbacks.binary_search_by_key(&slot, |&(s, _)| s).ok().map(|i| fallbacks[i].1);
+        let values = groups.of_entries(sums.unit);
         let entries = (0..values.len() as u32).filter(|_| !fallbacks.is_empty());
-        let fallbacks = entries.filter_map(|e| reason(groups.slot(e)).map(|reason| (e, reason))).collect();
-        Entries { values, fallbacks, quadric_fallbacks, fast_declined }
+        let reason = |entry| {
+            let found = fallbacks.binary_search_by_key(&groups.slot(entry), |&(slot, _)| slot).ok()?;
+            Some((entry, fallbacks[found].1))
+        };
+        let fallbacks = entries.filter_map(reason).collect();
+        (values, fallbacks, quadric_fallbacks)
     }
 
     /// Replaces means by the normals of quadrics where there is a fit. Gives the number of slots without one.
@@ -251,36 +281,31 @@ fn gather_sums(request: &SumRequest, members: &SlotCorners) -> Sums {
     Sums { unit, state }
 }
 
-/// The normals of all entries.
-struct Entries {
-    values: Vec<DVec3>,
-    /// Entries with a fallback normal, ascending, with the reason.
-    fallbacks: Vec<(u32, FaultReason)>,
-    quadric_fallbacks: usize,
-    fast_declined: bool,
-}
-
 fn faces_before_groups(mesh: &Mesh, recipe: &NormalRecipe) -> usize {
     let smoothing = mesh.columns().smoothing.as_ref().filter(|_| recipe.groups == Groups::Honour);
     smoothing.map_or(0, |smoothing| smoothing.before_first)
 }
 
-/// The corners of entries with a fallback normal, with the reason.
-fn corner_faults(corner_entry: &[u32], fallbacks: &[(u32, FaultReason)]) -> Vec<Fault> {
-    if fallbacks.is_empty() {
-        return Vec::new();
-    }
-    let reason =
-        |entry: u32| fallbacks.binary_search_by_key(&entry, |&(e, _)| e).ok().map(|i| fallbacks[i].1);
-    let corners = corner_entry.iter().enumerate();
-    corners.filter_map(|(c, &entry)| reason(entry).map(|reason| Fault { index: c as u32, reason })).collect()
+/// The vertices that no entry belongs to.
+fn unreferenced(entry_vertex: &[u32], mesh: &Mesh) -> Vec<Fault> {
+    let mut entries = entry_vertex.iter().copied().peekable();
+    let is_unused = |&vertex: &u32| {
+        let mut used = false;
+        while entries.next_if_eq(&vertex).is_some() {
+            used = true;
+        }
+        !used
+    };
+    let unused = (0..mesh.vertex_count() as u32).filter(is_unused);
+    unused.map(|index| Fault { index, reason: FaultReason::Unreferenced }).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::mesh::{Columns, Faces, MeshBuilder, SmoothingGroups, Weld};
-    use crate::normals::recipe::{Crease, HardEdges, Weight};
+    use crate::normals::recipe::{Crease, HardEdges, Scope, Weight};
+    use crate::num::test_numbers::Numbers;
 
     const CUBE: [[u32; 4]; 6] =
         [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
@@ -451,5 +476,28 @@ mod tests {
         assert_eq!((field.summary.edges.smooth, field.summary.edges.crease), (0, 3));
         let of_sliver = [4, 5, 6].map(|corner| *field.normals.get(corner, 0).unwrap());
         assert_eq!(of_sliver, [DVec3::NEG_Z; 3]);
+    }
+
+    /// Separate triangles take a way of their own; counts and normals are those that the topology gives.
+    #[test]
+    fn separate_triangles_give_what_their_topology_gives() {
+        let mut numbers = Numbers::new(7);
+        let mut welded = 0;
+        for round in 0..3000 {
+            let mut coordinate =
+                || f64::from(numbers.below(7) as u8) * if round % 2 == 0 { 1.0 } else { -0.1 };
+            let places: Vec<DVec3> =
+                (0..4 + round % 5).map(|_| DVec3::new(coordinate(), coordinate(), coordinate())).collect();
+            let corners = 3 * (2 + numbers.below(5));
+            let positions: Vec<DVec3> = (0..corners).map(|_| places[numbers.below(places.len())]).collect();
+            let faces = Faces::triangles((0..corners as u32).collect());
+            let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
+            let crease = [Crease::OFF, Crease::Default, Crease::Angle(Degrees(0.0))][round % 3];
+            let recipe = NormalRecipe { crease, ..NormalRecipe::default() };
+            let expected = compute_on(&mesh, &Topology::build(&mesh, Weld::Exact), &recipe);
+            assert_eq!(compute(&mesh, &recipe), expected);
+            welded += usize::from(expected.summary.edges.welded > 0 && expected.faults.is_empty());
+        }
+        assert!(welded > 100, "{welded}");
     }
 }

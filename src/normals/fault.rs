@@ -18,16 +18,6 @@ pub enum FaultReason {
 }
 
 impl FaultReason {
-    /// All reasons.
-    pub const ALL: [FaultReason; 6] = [
-        FaultReason::ZeroArea,
-        FaultReason::BelowStorage,
-        FaultReason::CancellingFan,
-        FaultReason::NonFinite,
-        FaultReason::OutOfRange,
-        FaultReason::Unreferenced,
-    ];
-
     /// The name used in reports.
     pub fn name(self) -> &'static str {
         match self {

@@ -2,20 +2,12 @@
 
 // From a mesh and a recipe to a field of normals.
 mod compute;
-// The same for plain triangles, without a topology.
-mod triangle_field;
 // What determines a normal.
 mod recipe;
 // Why a corner has a fallback normal.
 mod fault;
 // The result.
 mod field;
-// Meshes for tests of kernels.
-#[cfg(test)]
-mod test_meshes;
-// Face normals against exact arithmetic.
-#[cfg(test)]
-mod exact_tests;
 // Faces: positions as the kernels read them, direction and area, slivers.
 mod faces;
 // Sums: weighted sums of face normals over vertices or smooth groups.
@@ -36,8 +28,8 @@ pub(crate) use compute::compute_from;
 pub use compute::{compute, compute_on, compute_with};
 pub use creases::chains::CreaseChains;
 pub(crate) use creases::dihedral_test::{CreaseTest, SLACK_DEGREES};
-pub(crate) use faces::field::FaceField;
-pub use fallback::replace::{Broken, LENGTH_TOLERANCE, Replacement, When, replace};
+pub(crate) use fallback::fallback_normals::FaceField;
+pub use fallback::replace::{Broken, LENGTH_TOLERANCE, When};
 pub use fallback::select::{Selection, select};
 pub use fault::{Fault, FaultReason, Faults};
 pub use field::{EdgeCounts, Extras, NormalField, Summary};
@@ -46,3 +38,10 @@ pub use recipe::{
 };
 pub use slices::corner_normals::corner_normals;
 pub use slices::vertex_normals::{Coordinate, Scratch, SliceError, face_normals, vertex_normals};
+
+// Meshes for tests of kernels.
+#[cfg(test)]
+mod test_meshes;
+// Face normals against exact arithmetic.
+#[cfg(test)]
+mod exact_tests;

@@ -5,7 +5,8 @@ use crate::num::Degrees;
 
 /// How much each face counts in the mean at a corner. With edges e1, e2 from the corner, the interior angle α
 /// between them and the unit face normal n̂, the mean is the unit vector of Σ w n̂.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Weight {
     /// w = 1 (Gouraud 1971): depends on how the surface happens to be cut into faces.
     Uniform,
@@ -50,12 +51,6 @@ impl Weight {
             Weight::Edge => "edge",
             Weight::Quadric => "quadric",
         }
-    }
-}
-
-impl serde::Serialize for Weight {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.name())
     }
 }
 

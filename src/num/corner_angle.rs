@@ -1,7 +1,6 @@
 //! The angle of a corner, without the platform's arc tangent.
 
 use super::lanes::{Arithmetic, OneLane, Scalars};
-use super::product::Split;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// tan(π/8) and tan(3π/8): between them the angle is measured from π/4, beyond from 0 or π/2.
@@ -40,7 +39,7 @@ pub(crate) fn corner_angle(y: f64, x: f64) -> f64 {
     let z = select(y, y - ax, -ax) / select(ax, y + ax, y);
     // Each base angle is a sum of two doubles; the lower one goes into the small part.
     let (base, base_low) = (select(0.0, FRAC_PI_4, FRAC_PI_2), select(0.0, 0.25 * PI_LOW, 0.5 * PI_LOW));
-    let rest = atan_rest(Scalars::new(OneLane::<Split>::new(), z)).value;
+    let rest = atan_rest(Scalars::new(OneLane::new(), [z])).value[0];
     let small = z + (rest + base_low);
     if x < 0.0 { (PI - base) - (z + ((rest + base_low) - PI_LOW)) } else { base + small }
 }
@@ -146,8 +145,8 @@ mod tests {
             let spread = [1, 3, 30, 100][round % 4];
             let (x, y) = (numbers.spread(spread.min(3)), numbers.spread(spread).abs());
             let dots = [x, 1.0 - x, x * (x - 1.0) + y * y];
-            let one = |x: f64| Scalars::new(OneLane::<Split>::new(), x);
-            let angles = triangle_angles(one(y), dots.map(one)).map(|angle| angle.value);
+            let one = |x: f64| Scalars::new(OneLane::new(), [x]);
+            let angles = triangle_angles(one(y), dots.map(one)).map(|angle| angle.value[0]);
             let largest = (0..3).min_by(|&i, &j| dots[i].total_cmp(&dots[j])).unwrap();
             for corner in (0..3).filter(|&corner| corner != largest) {
                 // libm's own error is below one ulp.

@@ -48,19 +48,19 @@ pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
 #[cfg(target_arch = "x86_64")]
 #[inline(never)]
 fn portable<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run(Plain::<super::product::Split>::new())
+    kernel.run(Plain::<f64, super::product::Split>::new())
 }
 
 /// Runs a kernel with the fused multiply-add that every CPU of this target has.
 #[cfg(target_arch = "aarch64")]
 #[inline]
 pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run(Plain::<super::product::Fused>::new())
+    kernel.run(Plain::<f64, super::product::Fused>::new())
 }
 
 /// Runs a kernel without fused multiply-add, which this target may not have.
 #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
 #[inline]
 pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run(Plain::<super::product::Split>::new())
+    kernel.run(Plain::<f64, super::product::Split>::new())
 }

@@ -50,7 +50,7 @@ pub(crate) use corner_angle::{corner_angle, triangle_angles};
 pub(crate) use digits::{Nine, NineEach, superscript};
 pub(crate) use dispatch::{Kernel, dispatch};
 pub(crate) use exact::ExactSum;
-pub(crate) use lanes::{Arithmetic, LANES, Lanes, OneLane, Rows, Scalars, SingleLanes, Truth, Vectors};
+pub(crate) use lanes::{Arithmetic, EightLanes, LANES, Lanes, OneLane, Rows, Scalars, Truth, Vectors};
 pub(crate) use least_squares::least_squares;
 #[cfg(test)]
 pub(crate) use numbers as test_numbers;

@@ -1,5 +1,6 @@
 //! Exact products, with and without a fused multiply-add.
 
+use super::real::Real;
 use glam::DVec3;
 
 /// A way to multiply two numbers without losing anything.
@@ -7,9 +8,9 @@ use glam::DVec3;
 /// Both ways give the same bits, so a kernel compiled twice, once for each, gives the same bits on any CPU.
 /// They hold as long as the product is below 2^996 and neither it nor its last bit falls under the subnormal
 /// range: |ab| ≥ 2^-968, or ab = 0.
-pub(crate) trait Product: Copy + Send + Sync + 'static {
+pub(crate) trait Product<R = f64>: Copy + Send + Sync + 'static {
     /// `(p, e)` with p = fl(ab) and p + e = ab exactly.
-    fn two_product(a: f64, b: f64) -> (f64, f64);
+    fn two_product(a: R, b: R) -> (R, R);
 
     /// The results of all lanes.
     #[inline(always)]
@@ -46,6 +47,22 @@ impl Product for Split {
     /// A call for each step: written out, kernels without vector instructions took half of the time that the crate
     /// takes to compile.
     #[inline(never)]
+    fn each<T, const N: usize>(lane: impl Fn(usize) -> T) -> [T; N] {
+        std::array::from_fn(lane)
+    }
+}
+
+/// Without the error, for single precision that is meant to be fast.
+#[derive(Clone, Copy)]
+pub(crate) struct Uncorrected;
+
+impl<R: Real> Product<R> for Uncorrected {
+    #[inline(always)]
+    fn two_product(a: R, b: R) -> (R, R) {
+        (a * b, R::ZERO)
+    }
+
+    #[inline]
     fn each<T, const N: usize>(lane: impl Fn(usize) -> T) -> [T; N] {
         std::array::from_fn(lane)
     }

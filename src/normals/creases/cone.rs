@@ -61,19 +61,15 @@ impl SmoothGroups {
         (groups, declined)
     }
 
-    /// SlotCorners in the order of slots: a slot that is no group's own has none.
+    /// The members of groups in the order of slots.
     fn members_by_slot(&self, group: &[u32], members: &SlotCorners) -> SlotCorners {
-        let mut of_slot = vec![NONE; self.entry_vertex.len()];
+        let mut of_slot = vec![NONE; self.slots];
         for (corner, &entry) in self.corner_entry.iter().enumerate() {
             of_slot[self.slot(entry) as usize] = group[corner];
         }
         let mut ordered = SlotCorners { offsets: vec![0], corners: Vec::new() };
         for number in of_slot {
-            if number == NONE {
-                ordered.push(&[]);
-            } else {
-                ordered.push(members.row(number));
-            }
+            ordered.push(members.row(number));
         }
         ordered
     }

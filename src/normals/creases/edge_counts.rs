@@ -5,7 +5,7 @@ use crate::normals::creases::chains::CreaseChains;
 use crate::normals::creases::dihedral_test::CreaseTest;
 use crate::normals::creases::fans::{Fans, MeshWalker, Sector};
 use crate::normals::faces::face_normals::FaceNormals;
-use crate::normals::field::{EdgeCounts, Summary};
+use crate::normals::field::EdgeCounts;
 use glam::DVec3;
 use rayon::prelude::*;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -18,8 +18,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 pub(crate) fn edge_counts(walker: &MeshWalker, turns: Option<&[f64]>) -> FoundEdges {
     const CHUNK: usize = 1 << 14;
     let corner_count = walker.fans.faces.corners().len();
-    let Tally { edges: FoundEdges { mut counts, near, mut creases }, undecided } = (0..corner_count
-        .div_ceil(CHUNK))
+    let Tally { mut edges, undecided } = (0..corner_count.div_ceil(CHUNK))
         .into_par_iter()
         .map(|chunk| {
             let mut tally = Tally::default();
@@ -29,13 +28,16 @@ pub(crate) fn edge_counts(walker: &MeshWalker, turns: Option<&[f64]>) -> FoundEd
             tally
         })
         .reduce(Tally::default, Tally::join);
-    let (others, nears) = decided_by_others(walker, turns, &undecided);
-    counts.crease += others.len();
-    counts.smooth += undecided.len() - others.len();
-    creases.extend(others.into_iter().map(|edge| <[u32; 2]>::from(ends(walker, edge))));
-    counts.non_manifold = walker.fans.topology.non_manifold_edges();
-    counts.ambiguous = walker.fans.topology.ambiguous_edges();
-    FoundEdges { counts, near: near + nears, creases }
+    for (edge, verdict) in decided_by_others(walker, turns, &undecided) {
+        edges.add(verdict, || ends(walker, edge));
+    }
+    edges.counts.non_manifold = walker.fans.topology.non_manifold_edges();
+    edges.counts.ambiguous = walker.fans.topology.ambiguous_edges();
+    edges
+}
+
+fn ends(walker: &MeshWalker, half_edge: u32) -> (u32, u32) {
+    walker.fans.topology.ends(walker.fans.faces.corners(), half_edge)
 }
 
 /// Edges by what they are.
@@ -44,27 +46,19 @@ pub(crate) struct FoundEdges {
     pub(crate) counts: EdgeCounts,
     /// How many are near the crease angle.
     pub(crate) near: usize,
-    /// The ends of those that are creases.
+    /// The ends of those that are hard for their angle, the lower first.
     pub(crate) creases: Vec<[u32; 2]>,
 }
 
 impl FoundEdges {
     fn join(mut self, other: Self) -> Self {
         self.creases.extend(other.creases);
-        Self { counts: self.counts + other.counts, near: self.near + other.near, creases: self.creases }
+        Self { counts: self.counts + other.counts, near: self.near + other.near, ..self }
     }
 
-    /// Puts the edges into a summary.
-    pub(crate) fn report(self, positions: &[DVec3], summary: &mut Summary) {
-        (summary.edges, summary.near_crease) = (self.counts, self.near);
-        // Chains may end at marked edges, too: modelled ones, so there is no scan to detect.
-        if self.counts.marked == 0 {
-            summary.crease_chains = CreaseChains::of(&self.creases, positions);
-        }
-    }
-
-    /// Takes an edge into account that its angle decides on.
-    fn add(&mut self, is_crease: bool, ends: impl FnOnce() -> (u32, u32)) {
+    /// Takes an edge between two faces into account.
+    fn add(&mut self, Verdict { is_crease, is_near }: Verdict, ends: impl FnOnce() -> (u32, u32)) {
+        self.near += usize::from(is_near);
         if is_crease {
             self.counts.crease += 1;
             let (a, b) = ends();
@@ -73,11 +67,19 @@ impl FoundEdges {
             self.counts.smooth += 1;
         }
     }
+
+    /// The chains of creases. Chains may end at marked edges, too, which are modelled: then none are counted.
+    pub(crate) fn chains(&self, positions: &[DVec3]) -> CreaseChains {
+        match self.counts.marked {
+            0 => CreaseChains::of(&self.creases, positions),
+            _ => CreaseChains::default(),
+        }
+    }
 }
 
 #[derive(Default)]
 struct Tally {
-    pub(crate) edges: FoundEdges,
+    edges: FoundEdges,
     /// Edges of a face that may add to no sum, by the lower of their half-edges.
     undecided: Vec<u32>,
 }
@@ -114,37 +116,36 @@ impl Tally {
             counts.marked += 1;
             return;
         }
-        let is_crease = match walker.crease {
-            CreaseTest::Every => true,
-            CreaseTest::None => false,
-            CreaseTest::Over { limit, .. } => {
-                if !walker.is_counted(half_edge) || !walker.is_counted(across) {
-                    undecided.push(half_edge);
-                    return;
-                }
-                edges.near += usize::from(is_near(walker, turns, half_edge, across));
-                limit.exceeded(walker.normal(half_edge), walker.normal(across))
-            }
-        };
-        edges.add(is_crease, || ends(walker, half_edge));
+        let is_decided = walker.is_counted(half_edge) && walker.is_counted(across);
+        if !is_decided && matches!(walker.crease, CreaseTest::Over { .. }) {
+            undecided.push(half_edge);
+            return;
+        }
+        let faces = [half_edge, across].map(|corner| walker.fans.face_of(corner) as usize);
+        let verdict = Verdict::new(&walker.crease, walker.normals, turns, faces);
+        edges.add(verdict, || ends(walker, half_edge));
     }
 }
 
-fn ends(walker: &MeshWalker, half_edge: u32) -> (u32, u32) {
-    walker.fans.topology.ends(walker.fans.faces.corners(), half_edge)
+/// What an edge between two faces is.
+#[derive(Clone, Copy, Default)]
+struct Verdict {
+    is_crease: bool,
+    is_near: bool,
 }
 
-/// Whether the angle between the faces of two corners is near the crease angle.
-fn is_near(walker: &MeshWalker, turns: Option<&[f64]>, a: u32, b: u32) -> bool {
-    let faces = [a, b].map(|corner| walker.fans.face_of(corner) as usize);
-    are_near(&walker.crease, walker.normals, turns, faces)
-}
-
-fn are_near(crease: &CreaseTest, normals: &FaceNormals, turns: Option<&[f64]>, [a, b]: [usize; 2]) -> bool {
-    let (normal, other) = (normals.unit[a], normals.unit[b]);
-    match turns {
-        None => crease.is_near(normal, other),
-        Some(turns) => crease.is_near_if_turned(normal, other, turns[a] + turns[b]),
+impl Verdict {
+    /// Of the edge between two faces that add to sums; their normals matter only if edges are hard for their angle.
+    fn new(crease: &CreaseTest, normals: &FaceNormals, turns: Option<&[f64]>, [a, b]: [usize; 2]) -> Self {
+        if !matches!(crease, CreaseTest::Over { .. }) {
+            return Self { is_crease: matches!(crease, CreaseTest::Every), is_near: false };
+        }
+        let (normal, other) = (normals.unit[a], normals.unit[b]);
+        let is_near = match turns {
+            None => crease.is_near(normal, other),
+            Some(turns) => crease.is_near_if_turned(normal, other, turns[a] + turns[b]),
+        };
+        Self { is_crease: crease.is_over(normal, other), is_near }
     }
 }
 
@@ -179,15 +180,7 @@ impl RingCounts {
         match link {
             Link::Twin(across) if from < to => {
                 let faces = [corner, across].map(|corner| corner as usize / 3);
-                let is_crease = match crease {
-                    CreaseTest::Every => true,
-                    CreaseTest::None => false,
-                    CreaseTest::Over { limit, .. } => {
-                        self.edges.near += usize::from(are_near(crease, normals, turns, faces));
-                        limit.exceeded(normals.unit[faces[0]], normals.unit[faces[1]])
-                    }
-                };
-                self.edges.add(is_crease, || (from, to));
+                self.edges.add(Verdict::new(crease, normals, turns, faces), || (from, to));
             }
             Link::Inconsistent(across) => counts.inconsistent += usize::from(corner < across),
             Link::Boundary => counts.boundary += 1,
@@ -196,18 +189,25 @@ impl RingCounts {
         }
     }
 
-    /// The edges, when all are counted.
-    pub(crate) fn finish(mut self) -> FoundEdges {
+    /// The edges, when all are counted. `joined`: by position, all of them, instead of by vertex.
+    pub(crate) fn finish(mut self, joined: bool) -> FoundEdges {
         self.non_manifold.sort_unstable();
         self.non_manifold.dedup();
-        self.edges.counts.non_manifold = self.non_manifold.len();
+        let (crowded, counts) = (self.non_manifold.len(), self.edges.counts);
+        self.edges.counts = match joined {
+            false => EdgeCounts { non_manifold: crowded, ..counts },
+            true => EdgeCounts { ambiguous: crowded, welded: counts.smooth + counts.crease, ..counts },
+        };
         self.edges
     }
 }
 
-/// Which edges are creases, and how many are near ones, by the faces that decide in the sectors of fan at their two ends.
-/// Each sector is walked once.
-fn decided_by_others(walker: &MeshWalker, turns: Option<&[f64]>, edges: &[u32]) -> (Vec<u32>, usize) {
+/// What edges are by the faces that decide in the sectors of fan at their two ends. Each sector is walked once.
+fn decided_by_others<'a>(
+    walker: &MeshWalker,
+    turns: Option<&[f64]>,
+    edges: &'a [u32],
+) -> impl Iterator<Item = (u32, Verdict)> + use<'a> {
     let mut verdicts: FxHashMap<u32, Verdict> = FxHashMap::default();
     let mut walked: FxHashSet<u32> = FxHashSet::default();
     let (mut sector, mut places) = (Sector::default(), Vec::new());
@@ -222,20 +222,14 @@ fn decided_by_others(walker: &MeshWalker, turns: Option<&[f64]>, edges: &[u32]) 
             walker.for_each_decision(&sector, &mut places, |corner, a, b| {
                 let across = walker.fans.topology.across(corner).unwrap_or(corner);
                 let verdict = verdicts.entry(corner.min(across)).or_default();
-                verdict.is_crease |= walker.crease.is_over(walker.normal(a), walker.normal(b));
-                verdict.is_near |= is_near(walker, turns, a, b);
+                let faces = [a, b].map(|corner| walker.fans.face_of(corner) as usize);
+                let found = Verdict::new(&walker.crease, walker.normals, turns, faces);
+                verdict.is_crease |= found.is_crease;
+                verdict.is_near |= found.is_near;
             });
         }
     }
-    let is = |edge: &&u32, kind: fn(&Verdict) -> bool| verdicts.get(edge).is_some_and(kind);
-    let creases = edges.iter().filter(|edge| is(edge, |verdict| verdict.is_crease));
-    (creases.copied().collect(), edges.iter().filter(|edge| is(edge, |verdict| verdict.is_near)).count())
-}
-
-#[derive(Default)]
-struct Verdict {
-    is_crease: bool,
-    is_near: bool,
+    edges.iter().map(move |edge| (*edge, verdicts.get(edge).copied().unwrap_or_default()))
 }
 
 impl std::ops::Add for EdgeCounts {

@@ -18,3 +18,5 @@ pub(super) mod cone;
 pub(super) mod chains;
 // Counts of edges by kind, for reports.
 pub(super) mod edge_counts;
+// The smooth groups that a recipe gives a mesh.
+pub(super) mod grouping;

@@ -7,8 +7,8 @@ use rayon::prelude::*;
 /// The smooth groups of a mesh.
 ///
 /// An *entry* is a (vertex, smooth group): what a file stores. A *slot* is a smooth group: what is summed. They
-/// differ only where welding lets a group reach over several vertices; the slot of a group is then the lowest
-/// of its entries.
+/// differ only where welding lets a group reach over several vertices. Slots are numbered in the order of their lowest
+/// entries.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct SmoothGroups {
     /// The entry of each corner.
@@ -17,6 +17,8 @@ pub(crate) struct SmoothGroups {
     pub(crate) entry_vertex: Vec<u32>,
     /// The slot of each entry, if that is not the entry itself.
     pub(crate) entry_slot: Option<Vec<u32>>,
+    /// The number of slots.
+    pub(crate) slots: usize,
     /// Under the cone rule: the corners that each slot averages, ascending. Otherwise a slot averages the
     /// corners that have it.
     pub(crate) members: Option<SlotCorners>,
@@ -38,6 +40,31 @@ impl SlotCorners {
 }
 
 impl SmoothGroups {
+    /// `alike`: for each entry one that stands for all of its slot, or nothing if each has a slot of its own.
+    fn new(corner_entry: Vec<u32>, entry_vertex: Vec<u32>, mut alike: Vec<u32>) -> Self {
+        let mut slots = 0;
+        let mut number = vec![NONE; alike.len()];
+        for entry in &mut alike {
+            let number = &mut number[*entry as usize];
+            if *number == NONE {
+                *number = slots;
+                slots += 1;
+            }
+            *entry = *number;
+        }
+        let (entry_slot, slots) =
+            if alike.is_empty() { (None, entry_vertex.len()) } else { (Some(alike), slots as usize) };
+        Self { corner_entry, entry_vertex, entry_slot, slots, members: None }
+    }
+
+    /// The values of entries, from those of slots.
+    pub(crate) fn of_entries<T: Copy + Send + Sync>(&self, values: Vec<T>) -> Vec<T> {
+        match &self.entry_slot {
+            None => values,
+            Some(slots) => slots.par_iter().map(|&slot| values[slot as usize]).collect(),
+        }
+    }
+
     /// The slot of an entry.
     #[inline]
     pub(crate) fn slot(&self, entry: u32) -> u32 {
@@ -74,10 +101,11 @@ impl SmoothGroups {
             entry_vertex.push(vertex);
         }
         let corner_entry = faces.corners().iter().map(|&v| entry_of[v as usize]).collect();
-        let entry_slot = topology
-            .has_welds()
-            .then(|| entry_vertex.iter().map(|&v| entry_of[sets.find(v) as usize]).collect());
-        Self { corner_entry, entry_vertex, entry_slot, members: None }
+        let roots: Vec<u32> = match topology.has_welds() {
+            true => entry_vertex.iter().map(|&v| entry_of[sets.find(v) as usize]).collect(),
+            false => Vec::new(),
+        };
+        Self::new(corner_entry, entry_vertex, roots)
     }
 
     /// The fan rule: hard edges cut the fan around a vertex into groups. A closed fan cut by one edge stays one.
@@ -104,7 +132,7 @@ impl SmoothGroups {
             },
         );
         // Fans that go on at other vertices are walked one after the other.
-        let mut welded = GroupsAcross::default();
+        let (mut welded, mut count): (Vec<(u32, u32)>, u32) = (Vec::new(), 0);
         if topology.has_welds() {
             let corners = || 0..faces.corners().len() as u32;
             let here = |corner: u32| topology.is_welded(faces.corners()[corner as usize]);
@@ -113,22 +141,25 @@ impl SmoothGroups {
                 if labels.get(start) == NONE {
                     walker.sector(start, &mut scratch.sector);
                     walker.cuts(&scratch.sector, &mut scratch.places, &mut scratch.cuts);
-                    let first = welded.count;
+                    let first = count;
                     for_each_piece(&scratch.sector, &scratch.cuts, |corner, piece| {
                         labels.set(corner, first + piece);
-                        welded.push(first + piece, corner);
+                        welded.push((first + piece, corner));
+                        count = first + piece + 1;
                     });
                 }
             }
             for isolated in corners().filter(|&c| here(c) && walker.fans.is_isolated(c)) {
                 let ring = topology.corners_at(faces.corners()[isolated as usize]);
                 let host = ring.iter().map(|&c| labels.get(c)).find(|&group| group != NONE);
-                let group = host.unwrap_or(welded.count);
+                let group = host.unwrap_or(count);
                 labels.set(isolated, group);
-                welded.push(group, isolated);
+                welded.push((group, isolated));
+                count = count.max(group + 1);
             }
         }
-        assemble(faces, &labels, counts, &mut welded.groups())
+        welded.par_sort_unstable();
+        assemble(faces, &labels, counts, &welded)
     }
 
     /// Entries from explicit groups of corners (the cone rule): `group` of each corner, numbered from 0.
@@ -136,7 +167,7 @@ impl SmoothGroups {
         let labels = Scatter::new(faces.corners().len(), NONE);
         let mut corners: Vec<(u32, u32)> = group.iter().enumerate().map(|(c, &g)| (g, c as u32)).collect();
         corners.par_sort_unstable();
-        assemble(faces, &labels, vec![0; vertex_count], &mut corners)
+        assemble(faces, &labels, vec![0; vertex_count], &corners)
     }
 }
 
@@ -146,26 +177,6 @@ pub(in crate::normals) struct FanScratch {
     pub(in crate::normals) places: Vec<usize>,
     pub(in crate::normals) cuts: Vec<bool>,
     renumber: Vec<u32>,
-}
-
-/// Groups that reach over several vertices.
-#[derive(Default)]
-struct GroupsAcross {
-    /// (group, corner)
-    corners: Vec<(u32, u32)>,
-    count: u32,
-}
-
-impl GroupsAcross {
-    fn push(&mut self, group: u32, corner: u32) {
-        self.corners.push((group, corner));
-        self.count = self.count.max(group + 1);
-    }
-
-    fn groups(mut self) -> Vec<(u32, u32)> {
-        self.corners.par_sort_unstable();
-        self.corners
-    }
 }
 
 /// Labels the corners at one vertex with the number of their group there, from 0, in the order of each group's
@@ -224,12 +235,7 @@ pub(in crate::normals) fn for_each_piece(sector: &Sector, cuts: &[bool], mut vis
 
 /// Numbers the entries: by vertex, then by label. `across` has the groups that reach over several vertices as
 /// (group, corner), ascending; their labels are given out here.
-fn assemble(
-    faces: FacesRef,
-    labels: &Scatter,
-    mut counts: Vec<u32>,
-    across: &mut [(u32, u32)],
-) -> SmoothGroups {
+fn assemble(faces: FacesRef, labels: &Scatter, mut counts: Vec<u32>, across: &[(u32, u32)]) -> SmoothGroups {
     // Groups in the order of their lowest corner, so that labels at a vertex come in that order too.
     let mut groups: Vec<&[(u32, u32)]> = across.chunk_by(|a, b| a.0 == b.0).collect();
     groups.sort_unstable_by_key(|group| group[0].1);
@@ -264,16 +270,13 @@ fn assemble(
         .enumerate()
         .map(|(corner, &vertex)| firsts[vertex as usize] + labels.get(corner as u32))
         .collect();
-    let entry_slot = (!groups.is_empty()).then(|| {
-        let mut slots: Vec<u32> = (0..total).collect();
-        for group in &groups {
-            let entries = group.iter().map(|&(_, corner)| corner_entry[corner as usize]);
-            let slot = entries.clone().min().expect("a group has corners");
-            entries.for_each(|entry| slots[entry as usize] = slot);
-        }
-        slots
-    });
-    SmoothGroups { corner_entry, entry_vertex, entry_slot, members: None }
+    let mut alike: Vec<u32> = if groups.is_empty() { Vec::new() } else { (0..total).collect() };
+    for group in &groups {
+        let entries = group.iter().map(|&(_, corner)| corner_entry[corner as usize]);
+        let lowest = entries.clone().min().expect("a group has corners");
+        entries.for_each(|entry| alike[entry as usize] = lowest);
+    }
+    SmoothGroups::new(corner_entry, entry_vertex, alike)
 }
 
 #[cfg(test)]
@@ -393,7 +396,7 @@ mod tests {
         };
         let groups = SmoothGroups::by_fan(&walker, 6);
         assert_eq!(groups.corner_entry, [0, 1, 2, 3, 4, 5]);
-        assert_eq!(groups.corner_slots()[..], [0, 1, 2, 0, 2, 5]);
+        assert_eq!(groups.corner_slots()[..], [0, 1, 2, 0, 2, 3]);
         assert_eq!(SmoothGroups::per_vertex(soup.faces().view(), &topology, 6), groups);
     }
 

@@ -1,7 +1,7 @@
 //! Normals of faces.
 
 use crate::mesh::FacesRef;
-use crate::normals::faces::output::Emit;
+use crate::normals::faces::component::Component;
 use crate::normals::faces::positions::{Positions, Source};
 use crate::normals::faces::shape::FaceState;
 use crate::normals::recipe::Weight;
@@ -33,19 +33,20 @@ impl FaceNormals {
     pub(crate) fn fill(&mut self, faces: FacesRef, positions: Positions) {
         self.unit.resize(faces.len(), DVec3::ZERO);
         self.state.resize(faces.len(), FaceState::Counted);
-        face_normals_into(faces, positions, &mut self.unit, &mut self.state);
+        let unit: &mut [[f64; 3]] = bytemuck::cast_slice_mut(&mut self.unit);
+        face_normals_into(faces, positions, unit, &mut self.state);
     }
 }
 
 /// The same into the caller's slices, one entry a face; zero vectors where there is no direction.
-pub(crate) fn face_normals_into<O: Emit>(
+pub(crate) fn face_normals_into<O: Component>(
     faces: FacesRef,
     positions: Positions,
-    unit: &mut [O],
+    unit: &mut [[O; 3]],
     state: &mut [FaceState],
 ) {
     let source = &Source::new(positions);
-    let task = |(task, (unit, state)): (usize, (&mut [O], &mut [FaceState]))| {
+    let task = |(task, (unit, state)): (usize, (&mut [[O; 3]], &mut [FaceState]))| {
         num::dispatch(SomeFaces { faces, source, first: task * TASK, unit, state });
     };
     if rayon::current_num_threads() <= 1 {
@@ -63,11 +64,11 @@ struct SomeFaces<'a, O> {
     faces: FacesRef<'a>,
     source: &'a Source<'a>,
     first: usize,
-    unit: &'a mut [O],
+    unit: &'a mut [[O; 3]],
     state: &'a mut [FaceState],
 }
 
-impl<O: Emit> Kernel for SomeFaces<'_, O> {
+impl<O: Component> Kernel for SomeFaces<'_, O> {
     type Output = ();
 
     #[inline(always)]
@@ -104,7 +105,7 @@ impl<O: Emit> Kernel for SomeFaces<'_, O> {
     }
 }
 
-impl<O: Emit> SomeFaces<'_, O> {
+impl<O: Component> SomeFaces<'_, O> {
     fn face(&mut self, at: usize, scalar: &mut CornerTerms) {
         let shape = scalar.shape(self.faces, self.source, self.first + at);
         self.unit[at] = O::emit(shape.unit);

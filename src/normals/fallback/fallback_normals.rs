@@ -10,8 +10,9 @@
 //!
 //! A face without a normal takes the unit sum of its edge neighbours, else +Z.
 
-use crate::mesh::{FacesRef, Link, Topology};
-use crate::normals::faces::face_normals::FaceNormals;
+use crate::mesh::{FacesRef, Link, Mesh, Topology};
+use crate::normals::faces::face_normals::{FaceNormals, face_normals};
+use crate::normals::faces::positions::Positions;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::fallback::neighbours::{LAST_RESORT, lexicographic};
 use crate::normals::fault::{Fault, FaultReason};
@@ -179,4 +180,63 @@ pub(crate) fn face_faults(normals: &FaceNormals, slivers: Slivers) -> Vec<Fault>
     faults
         .filter_map(|(i, &state)| fault_reason(state).map(|reason| Fault { index: i as u32, reason }))
         .collect()
+}
+
+/// The corners of groups with a fallback normal, which are given ascending, with the reason.
+pub(crate) fn corner_faults(corner_group: &[u32], fallbacks: &[(u32, FaultReason)]) -> Vec<Fault> {
+    let corners = corner_group.iter().enumerate().filter(|_| !fallbacks.is_empty());
+    let fault = |(corner, group): (usize, &u32)| {
+        let found = fallbacks.binary_search_by_key(group, |&(group, _)| group).ok()?;
+        Some(Fault { index: corner as u32, reason: fallbacks[found].1 })
+    };
+    corners.filter_map(fault).collect()
+}
+
+/// The normals of the faces of a mesh, as [`compute_on`](crate::normals::compute_on) gives them.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct FaceField(FaceNormals);
+
+impl FaceField {
+    /// Of a mesh unchanged, faithful.
+    pub(crate) fn new(mesh: &Mesh, topology: &Topology) -> Self {
+        let positions = Positions::F64(mesh.positions(), mesh.storage());
+        Self::with_fallbacks(mesh, topology, face_normals(mesh.faces().view(), positions))
+    }
+
+    /// Adds fallback normals for faces without a direction.
+    pub(in crate::normals) fn with_fallbacks(
+        mesh: &Mesh,
+        topology: &Topology,
+        mut faces: FaceNormals,
+    ) -> Self {
+        let fallbacks = FallbackNormals::new(mesh.faces().view(), topology, &faces);
+        let undefined = (0..faces.unit.len() as u32).filter(|&face| fallbacks.direction(face).is_none());
+        let normals: Vec<(u32, DVec3)> = undefined.map(|face| (face, fallbacks.for_face(face))).collect();
+        normals.into_iter().for_each(|(face, normal)| faces.unit[face as usize] = normal);
+        Self(faces)
+    }
+
+    /// The unit normal of every face.
+    pub(crate) fn units(&self) -> &[DVec3] {
+        &self.0.unit
+    }
+
+    /// The same for keeps.
+    pub(in crate::normals) fn into_units(self) -> Vec<DVec3> {
+        self.0.unit
+    }
+
+    /// What is wrong with faces.
+    pub(crate) fn faults(&self) -> Vec<Fault> {
+        face_faults(&self.0, Slivers::default())
+    }
+
+    /// The zero vector where there is no direction.
+    pub(in crate::normals) fn into_computed(mut self) -> FaceNormals {
+        for (unit, _) in self.0.unit.iter_mut().zip(&self.0.state).filter(|(_, state)| !state.has_direction())
+        {
+            *unit = DVec3::ZERO;
+        }
+        self.0
+    }
 }

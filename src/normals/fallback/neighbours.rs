@@ -48,23 +48,20 @@ pub(crate) fn vertex_fallbacks(
     }
     let source = Source::new(positions);
     let mut scalar = CornerTerms::default();
-    // (place in `vertices`, normal and state of a face there), in ascending face index.
-    let mut found: Vec<(u32, DVec3, FaceState)> = Vec::new();
+    // Normal and state of the faces at each, in ascending face index.
+    let mut found: Vec<Vec<(DVec3, FaceState)>> = vec![Vec::new(); vertices.len()];
     for face in 0..faces.len() {
         let mut shape = None;
         for vertex in faces.face(face) {
             let Ok(place) = vertices.binary_search(vertex) else { continue };
             let shape = *shape.get_or_insert_with(|| scalar.shape(faces, &source, face));
-            found.push((place as u32, shape.unit, shape.state));
+            found[place].push((shape.unit, shape.state));
         }
     }
-    found.sort_by_key(|&(place, ..)| place);
-    let mut found = found.chunk_by(|a, b| a.0 == b.0).peekable();
-    let fallback = |(place, &vertex): (usize, &u32)| {
-        let faces = found.next_if(|faces| faces[0].0 as usize == place).unwrap_or(&[]);
+    let fallback = |(&vertex, faces): (&u32, Vec<(DVec3, FaceState)>)| {
         let defined: Vec<DVec3> =
-            faces.iter().filter(|(.., state)| state.has_direction()).map(|&(_, unit, _)| unit).collect();
-        let cause = faces.iter().map(|&(.., state)| state).find(|state| !state.has_direction());
+            faces.iter().filter(|(_, state)| state.has_direction()).map(|&(unit, _)| unit).collect();
+        let cause = faces.iter().map(|&(_, state)| state).find(|state| !state.has_direction());
         VertexFallback {
             vertex,
             normal: unit_sum_or_first(&defined),
@@ -72,7 +69,7 @@ pub(crate) fn vertex_fallbacks(
             referenced: !faces.is_empty(),
         }
     };
-    vertices.iter().enumerate().map(fallback).collect()
+    vertices.iter().zip(found).map(fallback).collect()
 }
 
 /// For faces without a normal, given ascending, the unit sum of those of their edge neighbours that have one. Edges are
@@ -93,21 +90,14 @@ pub(crate) fn neighbour_normals(
     }
     edges.sort_unstable();
     edges.dedup();
-    let mut around: Vec<(u32, DVec3)> = Vec::new();
+    let mut around: Vec<Vec<DVec3>> = vec![Vec::new(); without.len()];
     for face in 0..faces.len() {
         let Some(normal) = normal(face) else { continue };
         for edge in edges_of(face) {
             let first = edges.partition_point(|&(other, _)| other < edge);
             let same = edges[first..].iter().take_while(|&&(other, _)| other == edge);
-            around.extend(same.map(|&(_, place)| (place, normal)));
+            same.for_each(|&(_, place)| around[place as usize].push(normal));
         }
     }
-    around.sort_by_key(|&(place, _)| place);
-    let mut around = around.chunk_by(|a, b| a.0 == b.0).peekable();
-    (0..without.len())
-        .map(|place| {
-            let normals = around.next_if(|normals| normals[0].0 as usize == place).unwrap_or(&[]);
-            unit_sum_or_first(&normals.iter().map(|&(_, normal)| normal).collect::<Vec<_>>())
-        })
-        .collect()
+    around.iter().map(|normals| unit_sum_or_first(normals)).collect()
 }

@@ -27,7 +27,7 @@ pub const LENGTH_TOLERANCE: f64 = 0.00674;
 /// vector by at most √3/254 = 0.00682.
 const ROUNDED: f64 = 0.00683;
 
-/// What is wrong with a stored normal.
+/// What is wrong with a stored normal: the first of these that applies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Broken {
     /// It is infinite or not a number.
@@ -44,9 +44,6 @@ pub enum Broken {
 }
 
 impl Broken {
-    /// All causes.
-    pub const ALL: [Broken; 4] = [Broken::NotFinite, Broken::Zero, Broken::AgainstFace, Broken::Length];
-
     /// The name used in reports.
     pub fn name(self) -> &'static str {
         match self {
@@ -58,33 +55,23 @@ impl Broken {
     }
 }
 
-/// Stored normals with some replaced.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Replacement {
-    /// First the stored values, untouched and in their order, then those that replace some of them.
-    pub normals: Column<DVec3>,
-    /// How many of the values are stored ones.
-    pub kept: usize,
+/// Stored normals with some replaced; see [`Selection`](crate::normals::Selection).
+pub(super) struct Replacement {
+    pub(super) normals: Column<DVec3>,
+    pub(super) kept: usize,
     /// For each value past `kept`, the entry of the [`NormalField`] that it is, or that the first of its corners has
     /// there if it is `scaled`.
-    pub entries: Vec<u32>,
+    pub(super) entries: Vec<u32>,
     /// The values past `kept`, ascending, that are stored ones divided by their length.
-    pub scaled: Vec<u32>,
-    /// Corners that had no normal.
-    pub missing: Vec<u32>,
-    /// Corners whose normal was broken, and why; the first cause in the order of [`Broken::ALL`].
-    pub broken: Vec<(u32, Broken)>,
+    pub(super) scaled: Vec<u32>,
+    pub(super) missing: Vec<u32>,
+    pub(super) broken: Vec<(u32, Broken)>,
 }
 
 impl Replacement {
     /// Whether a value has the direction of a stored one.
-    pub(in crate::normals) fn is_stored(&self, value: u32) -> bool {
+    pub(super) fn is_stored(&self, value: u32) -> bool {
         (value as usize) < self.kept || self.scaled.binary_search(&value).is_ok()
-    }
-
-    /// Whether every corner keeps its stored normal.
-    pub fn is_empty(&self) -> bool {
-        self.missing.is_empty() && self.broken.is_empty()
     }
 }
 
@@ -94,7 +81,7 @@ impl Replacement {
 /// The computed ones are those of the whole mesh: all faces contribute to them, whether or not their corners
 /// have good normals. Replacing twice gives the same as replacing once. Without the field's
 /// [`face_normals`](NormalField::face_normals), no normal counts as turned against its face.
-pub fn replace(mesh: &Mesh, field: &NormalField, when: When) -> Replacement {
+pub(super) fn replace(mesh: &Mesh, field: &NormalField, when: When) -> Replacement {
     let corners = mesh.faces().corners();
     let stored = mesh.columns().normals.as_ref().filter(|_| when != When::Always);
     let ColumnIndex::PerCorner(entry_of) = &field.normals.index else {
@@ -187,6 +174,11 @@ mod tests {
         .unwrap()
     }
 
+    fn keeps_all(mesh: &Mesh, field: &NormalField) -> bool {
+        let replaced = replace(mesh, field, When::Broken);
+        replaced.missing.is_empty() && replaced.broken.is_empty()
+    }
+
     #[test]
     fn only_what_is_missing_or_broken_is_replaced() {
         let good = DVec3::new(0.6, 0.0, 0.8);
@@ -207,7 +199,7 @@ mod tests {
 
         // Once replaced, nothing is left to replace.
         let again = square(Some(broken.normals));
-        assert!(replace(&again, &compute(&again, &NormalRecipe::default()), When::Broken).is_empty());
+        assert!(keeps_all(&again, &compute(&again, &NormalRecipe::default())));
     }
 
     /// Directions made by hand outlive a wrong length, at any scale, once for each value that is used.
@@ -229,7 +221,7 @@ mod tests {
             assert!((1..6).all(|c| replaced.normals.get(c, 0).is_some_and(|n| n.dot(DVec3::Z) > 0.5)));
 
             let again = square(Some(replaced.normals));
-            assert!(replace(&again, &compute(&again, &NormalRecipe::default()), When::Broken).is_empty());
+            assert!(keeps_all(&again, &compute(&again, &NormalRecipe::default())));
         }
     }
 
@@ -254,7 +246,7 @@ mod tests {
         }
         .build()
         .unwrap();
-        assert!(replace(&mesh, &compute(&mesh, &NormalRecipe::default()), When::Broken).is_empty());
+        assert!(keeps_all(&mesh, &compute(&mesh, &NormalRecipe::default())));
     }
 
     /// Two faces face up and a third is folded back over them: their mean is against the third, and would be
@@ -278,7 +270,7 @@ mod tests {
 
         let rounded = computed.normals.values.iter().map(|n| n.as_vec3().as_dvec3()).collect();
         let stored = with(Column { values: rounded, ..computed.normals.clone() });
-        assert!(replace(&stored, &compute(&stored, &recipe), When::Broken).is_empty());
+        assert!(keeps_all(&stored, &compute(&stored, &recipe)));
 
         let opposite = computed.normals.values.iter().map(|n| -n).collect();
         let stored = with(Column { values: opposite, ..computed.normals.clone() });

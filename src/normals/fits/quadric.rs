@@ -247,6 +247,7 @@ mod tests {
             weight: Weight::Angle,
             slivers: Slivers::Keep,
         })
+        .0
         .unit;
         let request = QuadricRequest {
             corner_vertices: mesh.faces().corners(),

@@ -3,10 +3,9 @@
 use crate::mesh::{FacesRef, MAX_CORNERS, Topology};
 use crate::normals::creases::dihedral_test::CreaseTest;
 use crate::normals::creases::triangle_groups::TriangleCreases;
-use crate::normals::faces::output::Emit;
 use crate::normals::faces::shape::FaceState;
-use crate::normals::fallback::fallback_normals::{FallbackNormals, face_faults};
-use crate::normals::fault::{Fault, Faults};
+use crate::normals::fallback::fallback_normals::{FallbackNormals, corner_faults, face_faults};
+use crate::normals::fault::Faults;
 use crate::normals::recipe::{Averaging, Precision, Weight};
 use crate::normals::slices::vertex_normals::{Coordinate, Scratch, SliceError, check};
 use crate::normals::sums::request::{SlotState, SumRequest};
@@ -77,8 +76,7 @@ pub fn corner_normals<T: Coordinate>(
     let (slots, _) = creases.entries(positions.len(), groups, index);
     let request = SumRequest { faces, positions: points, target: index, slots, weight, slivers };
     states.resize(slots, SlotState::Empty);
-    normals.resize(slots, T::NOTHING);
-    let normals = T::normals(normals);
+    normals.resize(slots, [T::ZERO; 3]);
     if precision == Precision::Fast
         && face_normals.state.par_iter().all(|&state| state == FaceState::Counted)
         && single_sums_into(&request, sums, normals, states)
@@ -87,16 +85,13 @@ pub fn corner_normals<T: Coordinate>(
     }
     let outcome = weighted_sums_into(&request, sums, normals, states);
 
-    let set = |slot: usize, normal| normals[slot] = Emit::emit(normal);
+    let set = |slot: usize, normal| normals[slot] = T::emit(normal);
     let fallbacks = if outcome.all_good {
         Vec::new()
     } else {
         let topology = Topology::of_view(faces, positions.len());
         FallbackNormals::new(faces, &topology, face_normals).for_slots(index, states, set)
     };
-    let reason = |slot: &u32| fallbacks.binary_search_by_key(slot, |&(s, _)| s).ok().map(|i| fallbacks[i].1);
-    let corners = index.iter().enumerate().filter(|_| !fallbacks.is_empty());
-    let corners =
-        corners.filter_map(|(c, slot)| reason(slot).map(|reason| Fault { index: c as u32, reason }));
-    Ok(Faults { faces: face_faults(face_normals, slivers), corners: corners.collect(), vertices: Vec::new() })
+    let corners = corner_faults(index, &fallbacks);
+    Ok(Faults { faces: face_faults(face_normals, slivers), corners, vertices: Vec::new() })
 }

@@ -1,73 +1,26 @@
 //! Normals of triangles in the caller's own slices: the same kernels, without building a mesh.
 
-use crate::mesh::{FacesRef, NONE, Storage};
+use crate::mesh::{FacesRef, NONE};
 use crate::normals::creases::triangle_groups::GroupMemory;
+use crate::normals::faces::component::Component;
 use crate::normals::faces::face_normals::FaceNormals;
 use crate::normals::faces::face_normals::face_normals_into;
-use crate::normals::faces::output::Emit;
-use crate::normals::faces::positions::Positions;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::fallback::neighbours::{neighbour_normals, vertex_fallbacks};
 use crate::normals::fault::{Fault, FaultReason, Faults};
 use crate::normals::recipe::{Averaging, Precision, Slivers, Weight};
+use crate::normals::sums::partition::Bounds;
 use crate::normals::sums::request::{SlotState, SumRequest};
 use crate::normals::sums::single_precision::single_sums_into;
 use crate::normals::sums::weighted_sums::{SumScratch, weighted_sums_into};
-use crate::num::{self, Kernel, Lanes};
-use glam::DVec3;
+use crate::num;
 
 /// The type of coordinates: `f32` or `f64`.
 #[expect(private_bounds, reason = "sealed: the kernels know these two types")]
-pub trait Coordinate: Vector {}
+pub trait Coordinate: Component {}
 
 impl Coordinate for f32 {}
 impl Coordinate for f64 {}
-
-/// What the kernels need of a coordinate type.
-pub(in crate::normals) trait Vector: Copy + Sized + Send + Sync {
-    type Normal: Emit;
-
-    /// Room for a normal that is not there yet.
-    const NOTHING: [Self; 3];
-
-    fn positions(points: &[[Self; 3]]) -> Positions<'_>;
-    fn normals(normals: &mut [[Self; 3]]) -> &mut [Self::Normal];
-    fn widen(normal: [Self; 3]) -> DVec3;
-}
-
-impl Vector for f32 {
-    type Normal = [f32; 3];
-    const NOTHING: [f32; 3] = [0.0; 3];
-
-    fn positions(points: &[[f32; 3]]) -> Positions<'_> {
-        Positions::F32(points)
-    }
-
-    fn normals(normals: &mut [[f32; 3]]) -> &mut [[f32; 3]] {
-        normals
-    }
-
-    fn widen(normal: [f32; 3]) -> DVec3 {
-        DVec3::from(normal.map(f64::from))
-    }
-}
-
-impl Vector for f64 {
-    type Normal = DVec3;
-    const NOTHING: [f64; 3] = [0.0; 3];
-
-    fn positions(points: &[[f64; 3]]) -> Positions<'_> {
-        Positions::F64(bytemuck::cast_slice(points), Storage::F64)
-    }
-
-    fn normals(normals: &mut [[f64; 3]]) -> &mut [DVec3] {
-        bytemuck::cast_slice_mut(normals)
-    }
-
-    fn widen(normal: [f64; 3]) -> DVec3 {
-        DVec3::from(normal)
-    }
-}
 
 /// Why slices do not go together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -153,7 +106,7 @@ pub fn face_normals<T: Coordinate>(
     let faces = FacesRef::triangles(triangles);
     let states = &mut scratch.faces.state;
     states.resize(triangles.len(), FaceState::Counted);
-    face_normals_into(faces, T::positions(positions), T::normals(normals), states);
+    face_normals_into(faces, T::positions(positions), normals, states);
 
     let unusual = |(face, &state): (usize, &FaceState)| fault(face as u32, state);
     let faults =
@@ -167,9 +120,8 @@ pub fn face_normals<T: Coordinate>(
     if !without.is_empty() {
         let defined = |face: usize| states[face].has_direction().then(|| T::widen(normals[face]));
         let fallbacks = neighbour_normals(faces, &without, defined);
-        let normals = T::normals(normals);
         for (&face, normal) in without.iter().zip(fallbacks) {
-            normals[face as usize] = T::Normal::emit(normal);
+            normals[face as usize] = T::emit(normal);
         }
     }
     Ok(faults)
@@ -232,7 +184,6 @@ pub fn vertex_normals<T: Coordinate>(
     };
     let states = &mut scratch.slots;
     states.resize(positions.len(), SlotState::Empty);
-    let normals = T::normals(normals);
     if precision == Precision::Fast && single_sums_into(&request, &mut scratch.sums, normals, states) {
         return Ok(Faults { vertices: unreferenced(states), ..Faults::default() });
     }
@@ -254,7 +205,7 @@ pub fn vertex_normals<T: Coordinate>(
         |(vertex, &state): (usize, &SlotState)| (state != SlotState::Good).then_some(vertex as u32);
     let undefined: Vec<u32> = states.iter().enumerate().filter_map(undefined).collect();
     for fallback in vertex_fallbacks(faces, points, &undefined) {
-        normals[fallback.vertex as usize] = T::Normal::emit(fallback.normal);
+        normals[fallback.vertex as usize] = T::emit(fallback.normal);
         let reason = match states[fallback.vertex as usize] {
             SlotState::Cancelling => FaultReason::CancellingFan,
             _ if !fallback.referenced => FaultReason::Unreferenced,
@@ -294,10 +245,9 @@ pub(in crate::normals) fn check(
     found: usize,
 ) -> Result<(), SliceError> {
     check_lengths(vertices, triangles, expected, found)?;
-    match num::dispatch(Highest(triangles)) {
-        Some(highest) if highest as usize >= vertices => Err(no_such_vertex(vertices, triangles)),
-        _ => Ok(()),
-    }
+    let (_, highest) = num::dispatch(Bounds(triangles.as_flattened()));
+    let is_missing = highest as usize >= vertices && !triangles.is_empty();
+    if is_missing { Err(no_such_vertex(vertices, triangles)) } else { Ok(()) }
 }
 
 /// That the output has the right length.
@@ -323,17 +273,4 @@ fn no_such_vertex(count: usize, triangles: &[[u32; 3]]) -> SliceError {
     let mut all = triangles.iter().enumerate().flat_map(|(triangle, corners)| corners.map(|v| (triangle, v)));
     let (triangle, vertex) = all.find(|&(_, vertex)| vertex as usize >= count).unwrap_or_default();
     SliceError::VertexOutOfRange { triangle, vertex, count }
-}
-
-/// The highest vertex number; a kernel so that it is compiled with the widest instructions.
-struct Highest<'a>(&'a [[u32; 3]]);
-
-impl Kernel for Highest<'_> {
-    type Output = Option<u32>;
-
-    #[inline(always)]
-    fn run<A: Lanes>(self, _: A) -> Option<u32> {
-        let corners = self.0.as_flattened();
-        (!corners.is_empty()).then(|| corners.iter().fold(0, |highest, &vertex| highest.max(vertex)))
-    }
 }

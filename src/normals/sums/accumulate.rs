@@ -8,7 +8,7 @@ use crate::normals::sums::corner_terms::CornerTerms;
 use crate::normals::sums::finish::UncertainSlots;
 use crate::normals::sums::partition::{BLOCK, Touched};
 use crate::normals::sums::request::{Sum, SumRequest};
-use crate::num::{Kernel, LANES, Lanes};
+use crate::num::{EightLanes, Kernel, LANES, Lanes, Real};
 use std::ops::Range;
 
 /// A face that is not simply counted.
@@ -25,7 +25,7 @@ pub(crate) struct Part<T> {
     pub(crate) uncertain: UncertainSlots,
 }
 
-impl<T: Number> Part<T> {
+impl<T: Real + bytemuck::Pod> Part<T> {
     /// Discards what a share has added to the slots below `own`, and returns the faces that added it, ascending: they are to
     /// be added to the sums of those slots' owners.
     pub(crate) fn hand_over(&mut self, request: &SumRequest, share: Range<usize>, own: usize) -> Vec<u32> {
@@ -43,17 +43,11 @@ impl<T: Number> Part<T> {
     }
 }
 
-/// The type of the numbers of a sum.
-pub(crate) trait Number: bytemuck::Pod + Send + Sync {}
-
-impl Number for f32 {}
-impl Number for f64 {}
-
 /// A sum for every slot, all zero between calls. Pages that no face touches are never given memory.
 #[derive(Default)]
 pub(crate) struct SumArray<T>(Vec<T>);
 
-impl<T: Number> SumArray<T> {
+impl<T: Real + bytemuck::Pod> SumArray<T> {
     /// Numbers in a cache line, within which sums are aligned: none lies across two.
     const LINE: usize = 64 / size_of::<T>();
 
@@ -79,7 +73,90 @@ pub(crate) enum Walk<'a> {
     Listed(&'a [u32], usize),
 }
 
-/// Adds faces to sums.
+/// Computes what blocks of triangles add to sums.
+pub(crate) trait BlockTerms<A: EightLanes> {
+    /// Computes up to [`BLOCK`] triangles, the faces of these numbers; false if that cannot be done.
+    fn fill(
+        &mut self,
+        arch: A,
+        triangles: &[[u32; 3]],
+        face: impl Fn(usize) -> usize,
+        groups: &mut [GroupTerms<A::Element>; BLOCK / LANES],
+    ) -> bool;
+}
+
+/// Adds triangles to the sums of their corners, block by block: all of a block is computed before any is added, so that one
+/// does not wait for the other. False if a block cannot be computed. Slots beyond the sums are skipped.
+#[inline(always)]
+pub(crate) fn add_triangles<A: EightLanes>(
+    arch: A,
+    request: &SumRequest,
+    walk: Walk,
+    sums: &mut [[A::Element; 4]],
+    mut terms: impl BlockTerms<A>,
+) -> bool {
+    let (triangles, slots) = (request.faces.corners().as_chunks::<3>().0, request.target.as_chunks::<3>().0);
+    let is_equal = request.weight.is_equal_at_corners();
+    let mut groups = [GroupTerms::ZERO; BLOCK / LANES];
+    match walk {
+        Walk::Share(share, mut touched) => {
+            for first in share.clone().step_by(BLOCK) {
+                let faces = first..(first + BLOCK).min(share.end);
+                let slots = &slots[faces.clone()];
+                if let Some(touched) = &mut touched {
+                    touched.note(slots.as_flattened());
+                }
+                if !terms.fill(arch, &triangles[faces], |at| first + at, &mut groups) {
+                    return false;
+                }
+                scatter(arch, &groups, is_equal, slots, sums, 0);
+            }
+        }
+        Walk::Listed(faces, first_slot) => {
+            for faces in faces.chunks(BLOCK) {
+                let (mut some_triangles, mut some_slots) = ([[0; 3]; BLOCK], [[0; 3]; BLOCK]);
+                for (at, &face) in faces.iter().enumerate() {
+                    some_triangles[at] = triangles[face as usize];
+                    some_slots[at] = slots[face as usize];
+                }
+                let count = faces.len();
+                if !terms.fill(arch, &some_triangles[..count], |at| faces[at] as usize, &mut groups) {
+                    return false;
+                }
+                let own = &mut sums[first_slot..];
+                scatter(arch, &groups, is_equal, &some_slots[..count], own, first_slot as u32);
+            }
+        }
+    }
+    true
+}
+
+/// Adds the triangles of a block to the sums of their corners, those of slots from the first one on. Other slots are skipped.
+#[inline(always)]
+fn scatter<A: EightLanes>(
+    arch: A,
+    groups: &[GroupTerms<A::Element>],
+    is_equal: bool,
+    slots: &[[u32; 3]],
+    sums: &mut [[A::Element; 4]],
+    first_slot: u32,
+) {
+    for (terms, slots) in groups.iter().zip(slots.chunks(LANES)) {
+        for (row, slots) in slots.iter().enumerate() {
+            let (vector, weights) = (&terms.vectors.0[row], &terms.weights.0[row]);
+            for (&slot, &weight) in slots.iter().zip(weights) {
+                // One comparison for both ends: slots before the first one become the highest.
+                match sums.get_mut(slot.wrapping_sub(first_slot) as usize) {
+                    Some(sum) if is_equal => arch.add_row(sum, vector),
+                    Some(sum) => arch.add_scaled_row(sum, vector, weight),
+                    None => {}
+                }
+            }
+        }
+    }
+}
+
+/// Adds faces to sums in double precision.
 pub(crate) struct Accumulate<'a> {
     pub(crate) request: &'a SumRequest<'a>,
     pub(crate) source: &'a Source<'a>,
@@ -97,7 +174,10 @@ impl Kernel for Accumulate<'_> {
     #[inline(always)]
     fn run<A: Lanes>(self, arch: A) -> bool {
         let Self { request, source, walk, sums, unusual } = self;
-        let mut terms = Terms::new(request, source, unusual);
+        let mut terms = Terms { request, source, unusual, scalar: CornerTerms::default() };
+        if request.faces.is_triangles() {
+            return add_triangles(arch, request, walk, sums, terms);
+        }
         match walk {
             Walk::Share(share, mut touched) => {
                 for first in share.clone().step_by(BLOCK) {
@@ -106,34 +186,7 @@ impl Kernel for Accumulate<'_> {
                         let corners = request.faces.start(faces.start)..request.faces.start(faces.end);
                         touched.note(&request.target[corners]);
                     }
-                    if !request.faces.is_triangles() {
-                        terms.polygons(faces, sums, 0);
-                        continue;
-                    }
-                    let triangles = &request.faces.corners().as_chunks::<3>().0[faces.clone()];
-                    if !terms.block(arch, triangles, |at| first + at) {
-                        return false;
-                    }
-                    let slots = &request.target.as_chunks::<3>().0[faces];
-                    terms.scatter(arch, slots, sums, |slot| slot as usize);
-                }
-            }
-            Walk::Listed(faces, first_slot) if request.faces.is_triangles() => {
-                let triangles = request.faces.corners().as_chunks::<3>().0;
-                let slots = request.target.as_chunks::<3>().0;
-                for faces in faces.chunks(BLOCK) {
-                    let (mut some_triangles, mut some_slots) = ([[0; 3]; BLOCK], [[0; 3]; BLOCK]);
-                    for (at, &face) in faces.iter().enumerate() {
-                        some_triangles[at] = triangles[face as usize];
-                        some_slots[at] = slots[face as usize];
-                    }
-                    let count = faces.len();
-                    if !terms.block(arch, &some_triangles[..count], |at| faces[at] as usize) {
-                        return false;
-                    }
-                    let own =
-                        |slot: u32| if slot as usize >= first_slot { slot as usize } else { usize::MAX };
-                    terms.scatter(arch, &some_slots[..count], sums, own);
+                    terms.polygons(faces, sums, 0);
                 }
             }
             Walk::Listed(faces, first_slot) => {
@@ -144,59 +197,71 @@ impl Kernel for Accumulate<'_> {
     }
 }
 
-/// A block of triangles: what each adds to sums.
+/// What faces add to sums in double precision.
 struct Terms<'a> {
     request: &'a SumRequest<'a>,
     source: &'a Source<'a>,
     unusual: &'a mut Vec<UnusualFace>,
-    groups: [GroupTerms; BLOCK / LANES],
     scalar: CornerTerms,
 }
 
-impl<'a> Terms<'a> {
-    fn new(request: &'a SumRequest<'a>, source: &'a Source<'a>, unusual: &'a mut Vec<UnusualFace>) -> Self {
-        let groups = [GroupTerms::ZERO; BLOCK / LANES];
-        Self { request, source, unusual, groups, scalar: CornerTerms::default() }
-    }
-
-    /// Computes up to [`BLOCK`] triangles; false if a vertex does not exist.
+impl<A: Lanes> BlockTerms<A> for Terms<'_> {
+    /// False if a vertex does not exist.
     #[inline(always)]
-    fn block<A: Lanes>(&mut self, arch: A, triangles: &[[u32; 3]], face: impl Fn(usize) -> usize) -> bool {
+    fn fill(
+        &mut self,
+        arch: A,
+        triangles: &[[u32; 3]],
+        face: impl Fn(usize) -> usize,
+        terms: &mut [GroupTerms<f64>; BLOCK / LANES],
+    ) -> bool {
         // Copies, which stay in registers.
         let (source, weight) = (*self.source, self.request.weight);
         let all_inner = are_inner(&source, triangles);
         let (groups, rest) = triangles.as_chunks::<LANES>();
-        for (group, triangles) in groups.iter().enumerate() {
+        for (at, triangles) in groups.iter().enumerate() {
             let inner = all_inner || are_inner(&source, triangles);
-            let terms = &mut self.groups[group];
-            let settled = if inner { group_terms(arch, triangles, &source, weight, terms) } else { 0 };
-            if settled != ALL && !self.settle(group, LANES, settled, &face) {
+            let settled =
+                if inner { group_terms(arch, triangles, &source, weight, &mut terms[at]) } else { 0 };
+            if settled != ALL && !self.settle(LANES, settled, |row| face(at * LANES + row), &mut terms[at]) {
                 return false;
             }
         }
-        rest.is_empty() || self.settle(groups.len(), rest.len(), 0, &face)
+        let at = groups.len();
+        rest.is_empty() || self.settle(rest.len(), 0, |row| face(at * LANES + row), &mut terms[at])
     }
+}
 
+impl Terms<'_> {
     /// Computes the triangles of a group whose bit is not set, by the scalar path; false if a vertex does not exist.
     #[inline(never)]
-    fn settle(&mut self, group: usize, count: usize, settled: u8, face: impl Fn(usize) -> usize) -> bool {
+    fn settle(
+        &mut self,
+        count: usize,
+        settled: u8,
+        face: impl Fn(usize) -> usize,
+        terms: &mut GroupTerms<f64>,
+    ) -> bool {
         let Self { request, source, .. } = *self;
         for row in (0..count).filter(|row| settled >> row & 1 == 0) {
-            let face = face(group * LANES + row);
+            let face = face(row);
             if request.faces.face(face).iter().any(|&vertex| vertex as usize >= source.count()) {
                 return false;
             }
-            if self.fill(face, |_| false) {
-                self.groups[group].set(row, self.scalar.vector, &self.scalar.weights);
+            let vector = &mut terms.vectors.0[row];
+            if self.fill_one(face, |_| false) {
+                *vector = self.scalar.vector;
+                terms.weights.0[row][..3].copy_from_slice(&self.scalar.weights);
             } else {
-                self.groups[group].set(row, [0.0; 4], &[0.0; 3]);
+                *vector = [0.0; 4];
+                terms.weights.0[row] = [0.0; 4];
             }
         }
         true
     }
 
     /// Computes one face by the scalar path, and returns whether it adds to sums.
-    fn fill(&mut self, face: usize, repeats: impl Fn(usize) -> bool) -> bool {
+    fn fill_one(&mut self, face: usize, repeats: impl Fn(usize) -> bool) -> bool {
         self.scalar.fill(self.request.faces, self.source, self.request.weight, face, repeats);
         let state = self.scalar.state;
         if state != FaceState::Counted {
@@ -205,29 +270,11 @@ impl<'a> Terms<'a> {
         adds(state, self.request.slivers)
     }
 
-    /// Adds the triangles of the block to the sums of their corners. Slots beyond the sums are skipped.
-    #[inline(always)]
-    fn scatter<A: Lanes>(&self, arch: A, slots: &[[u32; 3]], sums: &mut [Sum], place: impl Fn(u32) -> usize) {
-        let is_equal = self.request.weight.is_equal_at_corners();
-        for (terms, slots) in self.groups.iter().zip(slots.chunks(LANES)) {
-            for (row, slots) in slots.iter().enumerate() {
-                let (vector, weights) = (&terms.vectors.0[row], &terms.weights.0[row]);
-                for (&slot, &weight) in slots.iter().zip(weights) {
-                    match sums.get_mut(place(slot)) {
-                        Some(sum) if is_equal => arch.add_row(sum, vector),
-                        Some(sum) => arch.add_scaled_row(sum, vector, weight),
-                        None => {}
-                    }
-                }
-            }
-        }
-    }
-
     /// Adds faces of any size. Their vertices exist: only slices of triangles come unchecked.
     fn polygons(&mut self, faces: impl Iterator<Item = usize>, sums: &mut [Sum], first_slot: usize) {
         for face in faces {
             let slots = &self.request.target[self.request.faces.range(face)];
-            if !self.fill(face, |corner| repeats(slots, corner)) {
+            if !self.fill_one(face, |corner| repeats(slots, corner)) {
                 continue;
             }
             let CornerTerms { vector, weights, .. } = &self.scalar;
@@ -245,25 +292,6 @@ impl<'a> Terms<'a> {
 /// Whether a corner has the same slot as the one before it in its face.
 pub(crate) fn repeats(slots: &[u32], corner: usize) -> bool {
     slots[corner] == slots[(corner + slots.len() - 1) % slots.len()]
-}
-
-/// Looks states up for faces that come in ascending order.
-pub(crate) struct UnusualFaces<'a>(&'a [UnusualFace]);
-
-impl<'a> UnusualFaces<'a> {
-    pub(crate) fn new(unusual: &'a [UnusualFace], first: usize) -> Self {
-        Self(&unusual[unusual.partition_point(|&(face, _)| (face as usize) < first)..])
-    }
-
-    pub(crate) fn state(&mut self, face: usize) -> FaceState {
-        match self.0.split_first() {
-            Some((&(unusual, state), rest)) if unusual as usize == face => {
-                self.0 = rest;
-                state
-            }
-            _ => FaceState::Counted,
-        }
-    }
 }
 
 #[cfg(test)]
@@ -309,10 +337,10 @@ mod tests {
                         weight,
                         slivers: Slivers::Exclude,
                     };
-                    let alone = with_threads(1, || weighted_sums(&request));
+                    let alone = with_threads(1, || weighted_sums(&request).0);
                     assert!(alone.state.iter().all(|&state| state == SlotState::Good));
                     for threads in [2, 3, 8] {
-                        assert_eq!(with_threads(threads, || weighted_sums(&request)), alone);
+                        assert_eq!(with_threads(threads, || weighted_sums(&request).0), alone);
                     }
                 }
             }

@@ -7,25 +7,19 @@ use crate::normals::faces::positions::{Extent, Source};
 use crate::normals::faces::sliver;
 use crate::normals::recipe::Weight;
 use crate::normals::sums::weight::TriangleMeasures;
-use crate::num::{LANES, Lanes, Rows, Scalars, Truth, Vectors};
+use crate::num::{LANES, Lanes, Real, Rows, Scalars, Truth, Vectors};
 
 /// What eight triangles add to sums.
 #[derive(Clone, Copy)]
-pub(crate) struct GroupTerms {
-    /// Each face's vector and its length. Where every corner counts by area alone, the latter is only an upper bound.
-    pub(crate) vectors: Rows,
+pub(crate) struct GroupTerms<T> {
+    /// Each face's vector and its length. Where every corner counts by area alone, the latter may be only an upper bound.
+    pub(crate) vectors: Rows<T>,
     /// The weights of each face's corners. Where every corner counts the same, nothing.
-    pub(crate) weights: Rows,
+    pub(crate) weights: Rows<T>,
 }
 
-impl GroupTerms {
+impl<T: Real> GroupTerms<T> {
     pub(crate) const ZERO: Self = Self { vectors: Rows::ZERO, weights: Rows::ZERO };
-
-    /// Writes the terms of one triangle.
-    pub(crate) fn set(&mut self, row: usize, vector: [f64; 4], weights: &[f64]) {
-        self.vectors.0[row] = vector;
-        self.weights.0[row].iter_mut().zip(weights).for_each(|(to, &x)| *to = x);
-    }
 }
 
 /// All eight triangles.
@@ -52,7 +46,7 @@ pub(crate) fn group_terms<A: Lanes>(
     triangles: &[[u32; 3]; LANES],
     source: &Source,
     weight: Weight,
-    terms: &mut GroupTerms,
+    terms: &mut GroupTerms<f64>,
 ) -> u8 {
     let mut corners = [[0; LANES]; 3];
     for (i, triangle) in triangles.iter().enumerate() {
@@ -117,7 +111,7 @@ struct Group<A: Lanes> {
 impl<A: Lanes> Group<A> {
     /// Writes terms; gives one bit for each triangle that is neither a sliver nor too small nor undefined.
     #[inline(always)]
-    fn write(self, weight: Weight, bound: f64, terms: &mut GroupTerms) -> u8 {
+    fn write(self, weight: Weight, bound: f64, terms: &mut GroupTerms<f64>) -> u8 {
         let Self { e1, e2, e3, vector } = self;
         let arch = vector.x.arch;
         let one = Scalars::splat(arch, 1.0);

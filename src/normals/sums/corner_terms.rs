@@ -4,9 +4,10 @@ use crate::mesh::{FacesRef, Storage};
 use crate::normals::faces::positions::Source;
 use crate::normals::faces::shape::{FaceShape, FaceState, face_shape};
 use crate::normals::recipe::Weight;
-use crate::normals::sums::weight::{CornerMeasures, TriangleMeasures, dot};
-use crate::num::{self, Kernel, Lanes, OneLane, Scalars, Split, Vectors};
+use crate::normals::sums::weight::TriangleMeasures;
+use crate::num::{self, Kernel, Lanes, OneLane, Scalars, Vectors};
 use glam::DVec3;
+use std::f64::consts::TAU;
 
 /// A face's share in sums: corner c adds `vector` · `weights[c]`, where `vector` is n̂ or a multiple of the area vector,
 /// with its length beside it. So the fourth component of a sum is the sum of weights.
@@ -69,15 +70,16 @@ impl CornerTerms {
             (false, false) => shape.vector.extend(shape.length).to_array(),
         };
         if let [p0, p1, p2] = self.points[..] {
-            let arch = OneLane::<Split>::new();
+            let arch = OneLane::new();
             let edge = |from: DVec3, to: DVec3| {
-                Vectors::new(arch, num::scale(to - from, -shape.exponent).to_array())
+                let edge = num::scale(to - from, -shape.exponent);
+                Vectors::new(arch, edge.to_array().map(|x| [x]))
             };
-            let length = Scalars::new(arch, shape.length);
+            let length = Scalars::splat(arch, shape.length);
             let mut measures = TriangleMeasures::new(length, edge(p0, p1), edge(p0, p2), edge(p1, p2));
-            let smallest = Scalars::new(arch, SMALLEST_SQUARE);
+            let smallest = Scalars::splat(arch, SMALLEST_SQUARE);
             measures.opposite = measures.opposite.map(|square| square.max(smallest));
-            self.weights.extend(measures.corner_factors(weight).map(|factor| factor.value));
+            self.weights.extend(measures.corner_factors(weight).map(|factor| factor.value[0]));
         } else {
             self.fill_polygon(weight, &shape, repeats);
         }
@@ -104,14 +106,18 @@ impl CornerTerms {
             let edge = |to: usize| num::scale(points[to] - points[i], -shape.exponent);
             let (e1, e2) = (edge(next[i]), edge(previous[i]));
             let cross = num::cross::<num::Split>(e1, e2);
-            let squares = [e1, e2].map(|e| num::squared_length(e).max(SMALLEST_SQUARE));
-            let measures = CornerMeasures {
-                cross: num::squared_length(cross).sqrt(),
-                dot: dot(e1, e2),
-                squares: squares[0] * squares[1],
-                reflex: dot(cross, shape.unit) < 0.0,
-            };
-            weights.push(measures.corner_factor(weight));
+            let [a, b] = [e1, e2].map(|e| num::squared_length(e).max(SMALLEST_SQUARE));
+            let sine = num::squared_length(cross).sqrt();
+            weights.push(match weight {
+                Weight::Uniform | Weight::Area => 1.0,
+                Weight::Angle | Weight::AngleArea | Weight::Quadric => {
+                    let angle = num::corner_angle(sine, dot(e1, e2));
+                    let is_reflex = dot(cross, shape.unit) < 0.0;
+                    if is_reflex { TAU - angle } else { angle }
+                }
+                Weight::Max => sine / (a * b),
+                Weight::Edge => 1.0 / (a * b).sqrt(),
+            });
         }
     }
 
@@ -132,6 +138,12 @@ impl CornerTerms {
             previous[j] = if points[j] == points[before] { previous[before] } else { before };
         }
     }
+}
+
+/// a·b, added in the same order everywhere.
+#[inline(always)]
+fn dot(a: DVec3, b: DVec3) -> f64 {
+    (a.x * b.x + a.y * b.y) + a.z * b.z
 }
 
 /// A face's shape, computed with the instructions that the CPU has.

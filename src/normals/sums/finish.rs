@@ -1,6 +1,6 @@
 //! From sums to unit vectors.
 
-use crate::normals::faces::output::Emit;
+use crate::normals::faces::component::Component;
 use crate::normals::sums::corner_mean::classify;
 use crate::normals::sums::request::{CANCELLING, SlotState, Sum};
 use crate::num::{self, Kernel, LANES, Lanes, Scalars, Vectors};
@@ -42,14 +42,14 @@ pub(crate) struct Finish<'a, O> {
     /// The first of those slots.
     pub(crate) first: u32,
     /// Where to write unit vectors.
-    pub(crate) unit: &'a mut [O],
+    pub(crate) unit: &'a mut [[O; 3]],
     pub(crate) state: &'a mut [SlotState],
     pub(crate) uncertain: &'a mut UncertainSlots,
     /// See [`sums_area_vectors`](crate::normals::sums::request::SumRequest::sums_area_vectors).
     pub(crate) areas: bool,
 }
 
-impl<O: Emit> Kernel for Finish<'_, O> {
+impl<O: Component> Kernel for Finish<'_, O> {
     type Output = ();
 
     #[inline(always)]
@@ -73,8 +73,9 @@ impl<O: Emit> Kernel for Finish<'_, O> {
 
 /// Eight sums at once; false if one of them needs [`finish_one`].
 #[inline(always)]
-fn finish_group<A: Lanes, O: Emit>(arch: A, sums: &[Sum], unit: &mut [O], same_way: f64) -> bool {
-    let (Ok(sums), Ok(unit)) = (<&[Sum; LANES]>::try_from(sums), <&mut [O; LANES]>::try_from(unit)) else {
+fn finish_group<A: Lanes, O: Component>(arch: A, sums: &[Sum], unit: &mut [[O; 3]], same_way: f64) -> bool {
+    let (Ok(sums), Ok(unit)) = (<&[Sum; LANES]>::try_from(sums), <&mut [[O; 3]; LANES]>::try_from(unit))
+    else {
         return false;
     };
     let [x, y, z, weights] = arch.columns(sums.each_ref());

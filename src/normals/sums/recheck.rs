@@ -1,8 +1,8 @@
 //! A second evaluation of slots whose sums do not determine the result.
 
-use crate::mesh::NONE;
 use crate::normals::faces::positions::Source;
-use crate::normals::sums::accumulate::{UnusualFace, UnusualFaces, repeats};
+use crate::normals::faces::shape::FaceState;
+use crate::normals::sums::accumulate::{UnusualFace, repeats};
 use crate::normals::sums::corner_mean::{Term, adds, mean};
 use crate::normals::sums::corner_terms::CornerTerms;
 use crate::normals::sums::finish::UncertainSlots;
@@ -14,12 +14,8 @@ use rayon::prelude::*;
 
 /// Faces walked at a time.
 const BLOCK_FACES: usize = 1024;
-/// Slots whose notes are kept together.
-const CHUNK: usize = 512;
-
-fn chunk_of(slot: u32) -> usize {
-    slot as usize / CHUNK
-}
+/// The fewest slots that a thread takes.
+const SMALLEST_SHARE: usize = 512;
 
 /// The results that sums alone do not give: of slots of one face, which get its normal to the bit, of those that nothing
 /// was added to, and of those that seem to cancel.
@@ -38,7 +34,7 @@ impl Recheck<'_> {
         slots.extend(uncertain.recount.iter().map(|&slot| (slot, notes::RECOUNT)));
         slots.sort_unstable();
         // Each thread takes some slots in a row.
-        let share = slots.len().div_ceil(rayon::current_num_threads()).max(CHUNK);
+        let share = slots.len().div_ceil(rayon::current_num_threads()).max(SMALLEST_SHARE);
         slots.par_chunks(share).flat_map_iter(|slots| self.evaluate(slots)).collect()
     }
 
@@ -74,9 +70,9 @@ impl Recheck<'_> {
             if !notes.touch(num::dispatch(Bounds(&request.target[slots]))) {
                 continue;
             }
-            let mut unusual = UnusualFaces::new(self.unusual, faces.start);
             for face in faces {
-                let state = unusual.state(face);
+                let unusual = self.unusual.binary_search_by_key(&(face as u32), |&(face, _)| face);
+                let state = unusual.map_or(FaceState::Counted, |at| self.unusual[at].1);
                 let slots = &request.target[request.faces.range(face)];
                 let mut filled = false;
                 for (corner, &slot) in slots.iter().enumerate() {
@@ -97,7 +93,7 @@ impl Recheck<'_> {
             }
         }
         let alone = uncertain.iter().filter_map(|&(slot, _)| {
-            let face = notes.of(slot).copied().filter(|&note| note < notes::RECOUNT)?;
+            let face = notes.of(slot).and_then(|note| note.checked_sub(notes::FIRST_FACE))?;
             Some((face, slot))
         });
         let mut alone: Vec<(u32, u32)> = alone.collect();
@@ -110,31 +106,32 @@ impl Recheck<'_> {
 type NotedSlot = (u32, u32);
 
 mod notes {
-    //! What is known of a slot: the number of its only face so far, or one of these, which no face has.
+    //! What is known of a slot: one of these, or [`FIRST_FACE`] plus the number of its only face so far.
 
-    /// To be summed term by term.
-    pub(in crate::normals) const RECOUNT: u32 = u32::MAX - 3;
-    /// Several faces.
-    pub(in crate::normals) const FACES: u32 = u32::MAX - 2;
-    /// No face so far.
-    pub(in crate::normals) const NO_FACE: u32 = u32::MAX - 1;
     /// It is not uncertain.
-    pub(in crate::normals) const NOTHING: u32 = u32::MAX;
+    pub(super) const NOTHING: u32 = 0;
+    /// To be summed term by term.
+    pub(super) const RECOUNT: u32 = 1;
+    /// Several faces.
+    pub(super) const FACES: u32 = 2;
+    /// No face so far.
+    pub(super) const NO_FACE: u32 = 3;
+    /// Face 0.
+    pub(super) const FIRST_FACE: u32 = 4;
 
     /// Takes note of a face.
-    pub(in crate::normals) fn one_more_face(note: &mut u32, face: u32) {
+    pub(super) fn one_more_face(note: &mut u32, face: u32) {
         if *note == NO_FACE {
-            *note = face;
-        } else if *note != face {
+            *note = FIRST_FACE + face;
+        } else if *note != FIRST_FACE + face {
             *note = FACES;
         }
     }
 }
 
-/// Notes on slots, for the chunks that have uncertain ones.
+/// Notes on the slots from the first uncertain one to the last. Pages of others are never given memory.
 struct Notes<'a> {
-    /// Where the notes of each chunk begin.
-    starts: Vec<u32>,
+    first: u32,
     notes: Vec<u32>,
     /// The uncertain slots, ascending.
     uncertain: &'a [NotedSlot],
@@ -142,17 +139,12 @@ struct Notes<'a> {
 
 impl<'a> Notes<'a> {
     fn new(uncertain: &'a [NotedSlot]) -> Self {
-        let (mut starts, mut notes) = (Vec::new(), Vec::new());
-        for slots in uncertain.chunk_by(|a, b| chunk_of(a.0) == chunk_of(b.0)) {
-            let start = notes.len();
-            starts.resize(chunk_of(slots[0].0), NONE);
-            starts.push(start as u32);
-            notes.resize(start + CHUNK, notes::NOTHING);
-            for &(slot, note) in slots {
-                notes[start + slot as usize % CHUNK] = note;
-            }
+        let (first, last) = (uncertain[0].0, uncertain[uncertain.len() - 1].0);
+        let mut notes = bytemuck::zeroed_vec((last - first) as usize + 1);
+        for &(slot, note) in uncertain {
+            notes[(slot - first) as usize] = note;
         }
-        Self { starts, notes, uncertain }
+        Self { first, notes, uncertain }
     }
 
     /// Whether an uncertain slot lies between these two.
@@ -163,7 +155,7 @@ impl<'a> Notes<'a> {
 
     /// The note on an uncertain slot.
     fn of(&mut self, slot: u32) -> Option<&mut u32> {
-        let start = self.starts.get(chunk_of(slot)).copied().filter(|&start| start != NONE)?;
-        self.notes.get_mut(start as usize + slot as usize % CHUNK).filter(|note| **note != notes::NOTHING)
+        let place = slot.wrapping_sub(self.first) as usize;
+        self.notes.get_mut(place).filter(|note| **note != notes::NOTHING)
     }
 }

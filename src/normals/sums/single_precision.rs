@@ -5,15 +5,16 @@
 //! whose sum shrinks by k, by no more than k times that of its worst face, where k is near 1 on smooth surfaces and at most
 //! 1000. Whatever lies outside the range is left to double precision.
 
-use crate::normals::faces::output::Emit;
+use crate::normals::faces::component::Component;
 use crate::normals::faces::positions::Positions;
 use crate::normals::recipe::Weight;
-use crate::normals::sums::accumulate::Walk;
+use crate::normals::sums::accumulate::{BlockTerms, Walk, add_triangles};
+use crate::normals::sums::block::{ALL, GroupTerms};
 use crate::normals::sums::partition::{BLOCK, Partition};
 use crate::normals::sums::request::{SlotState, SumRequest, Sums};
 use crate::normals::sums::weight::TriangleMeasures;
 use crate::normals::sums::weighted_sums::{SumScratch, accumulate, finish};
-use crate::num::{self, Kernel, LANES, Lanes, Scalars, SingleLanes, Vectors};
+use crate::num::{self, EightLanes, Kernel, LANES, Lanes, Scalars, Vectors};
 use rayon::prelude::*;
 
 /// Squares of the shortest and the longest edge: 1e-6 and 1e6 in units of the caller, but for rounding.
@@ -30,16 +31,16 @@ const LEAST_SUM: f64 = 1e-3;
 /// Weighted sums in single precision; `None` if something is out of range.
 pub(crate) fn single_sums(request: &SumRequest) -> Option<Sums> {
     let mut sums = Sums::new(request.slots);
-    let Sums { unit, state } = &mut sums;
-    single_sums_into(request, &mut SumScratch::default(), unit, state).then_some(sums)
+    let unit: &mut [[f64; 3]] = bytemuck::cast_slice_mut(&mut sums.unit);
+    single_sums_into(request, &mut SumScratch::default(), unit, &mut sums.state).then_some(sums)
 }
 
 /// The same into the caller's slices: a slot without faces gets +Z and [`SlotState::Empty`]. Returns `false`, with unspecified
 /// output, if anything is out of range, or if faces are not triangles.
-pub(crate) fn single_sums_into<O: Emit>(
+pub(crate) fn single_sums_into<O: Component>(
     request: &SumRequest,
     scratch: &mut SumScratch,
-    unit: &mut [O],
+    unit: &mut [[O; 3]],
     state: &mut [SlotState],
 ) -> bool {
     let SumRequest { faces, target, slots, .. } = *request;
@@ -113,126 +114,59 @@ impl Kernel for AddSingles<'_> {
 
     #[inline(always)]
     fn run<A: Lanes>(self, arch: A) -> bool {
-        let Self { request: &SumRequest { faces, target, weight, .. }, points, walk, sums } = self;
-        let arch = arch.singles();
-        let (triangles, slots) = (faces.corners().as_chunks::<3>().0, target.as_chunks::<3>().0);
+        let Self { request, points, walk, sums } = self;
         let mut last = [0.0; 4];
         last[..3].copy_from_slice(points.last().unwrap_or(&[0.0; 3]));
         let points = Points { coordinates: points.as_flattened(), last: &last };
-        let mut block = Block::new(arch, points, weight);
-        match walk {
-            Walk::Share(share, mut touched) => {
-                for first in share.clone().step_by(BLOCK) {
-                    let faces = first..(first + BLOCK).min(share.end);
-                    let slots = &slots[faces.clone()];
-                    if let Some(touched) = &mut touched {
-                        touched.note(slots.as_flattened());
-                    }
-                    if !block.fill(&triangles[faces]) {
-                        return false;
-                    }
-                    block.scatter(sums, slots, 0);
-                }
-            }
-            Walk::Listed(faces, first_slot) => {
-                for faces in faces.chunks(BLOCK) {
-                    let (mut some_triangles, mut some_slots) = ([[0; 3]; BLOCK], [[0; 3]; BLOCK]);
-                    for (at, &face) in faces.iter().enumerate() {
-                        some_triangles[at] = triangles[face as usize];
-                        some_slots[at] = slots[face as usize];
-                    }
-                    if !block.fill(&some_triangles[..faces.len()]) {
-                        return false;
-                    }
-                    block.scatter(&mut sums[first_slot..], &some_slots[..faces.len()], first_slot as u32);
-                }
-            }
-        }
-        true
+        add_triangles(arch.singles(), request, walk, sums, SingleTerms { points, weight: request.weight })
     }
 }
 
-/// What some triangles add to sums: all of it is computed before any is added, so that one does not wait for the other.
-struct Block<'a, A> {
-    arch: A,
+/// What triangles add to sums in single precision.
+struct SingleTerms<'a> {
     points: Points<'a>,
     weight: Weight,
-    /// The vector of each triangle with its length.
-    rows: [[[f32; 4]; LANES]; BLOCK / LANES],
-    /// The weights of its corners, unless they are equal.
-    weights: [[[f32; 4]; LANES]; BLOCK / LANES],
 }
 
-impl<'a, A: SingleLanes> Block<'a, A> {
-    fn new(arch: A, points: Points<'a>, weight: Weight) -> Self {
-        let rows = [[[0.0; 4]; LANES]; BLOCK / LANES];
-        Self { arch, points, weight, rows, weights: rows }
-    }
-
-    /// Computes the terms of up to [`BLOCK`] triangles; false if one is out of range.
+impl<A: EightLanes<Element = f32>> BlockTerms<A> for SingleTerms<'_> {
+    /// False if a triangle is out of range.
     #[inline(always)]
-    fn fill(&mut self, triangles: &[[u32; 3]]) -> bool {
+    fn fill(
+        &mut self,
+        arch: A,
+        triangles: &[[u32; 3]],
+        _: impl Fn(usize) -> usize,
+        terms: &mut [GroupTerms<f32>; BLOCK / LANES],
+    ) -> bool {
+        let Self { points, weight } = *self;
         let (groups, rest) = triangles.as_chunks::<LANES>();
-        for (at, group) in groups.iter().enumerate() {
-            if !self.fill_group(at, group) {
+        for (group, terms) in groups.iter().zip(&mut *terms) {
+            if group_terms(arch, group, points, weight, terms).is_none() {
                 return false;
             }
         }
         let Some(&last) = rest.last() else { return true };
         let mut group = [last; LANES];
         group[..rest.len()].copy_from_slice(rest);
-        self.fill_group(groups.len(), &group)
-    }
-
-    #[inline(always)]
-    fn fill_group(&mut self, at: usize, triangles: &[[u32; 3]; LANES]) -> bool {
-        let Self { arch, points, weight, .. } = *self;
-        terms(arch, triangles, points, weight, &mut self.rows[at], &mut self.weights[at]).is_some()
-    }
-
-    /// Adds the terms to sums, those of slots from the first one on. Other slots are skipped.
-    #[inline(always)]
-    fn scatter(&self, sums: &mut [[f32; 4]], slots: &[[u32; 3]], first_slot: u32) {
-        let terms = self.rows.as_flattened().iter().zip(self.weights.as_flattened());
-        if self.weight.is_equal_at_corners() {
-            for (&[a, b, c], (row, _)) in slots.iter().zip(terms) {
-                self.add(sums, first_slot, a, row, None);
-                self.add(sums, first_slot, b, row, None);
-                self.add(sums, first_slot, c, row, None);
-            }
-        } else {
-            for (&[a, b, c], (row, weights)) in slots.iter().zip(terms) {
-                self.add(sums, first_slot, a, row, Some(weights[0]));
-                self.add(sums, first_slot, b, row, Some(weights[1]));
-                self.add(sums, first_slot, c, row, Some(weights[2]));
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn add(&self, sums: &mut [[f32; 4]], first_slot: u32, slot: u32, row: &[f32; 4], weight: Option<f32>) {
-        // One comparison for both ends: slots before the first one become the highest.
-        let Some(sum) = sums.get_mut(slot.wrapping_sub(first_slot) as usize) else { return };
-        match weight {
-            Some(weight) => self.arch.add_scaled_row(sum, row, weight),
-            None => self.arch.add_row(sum, row),
-        }
+        group_terms(arch, &group, points, weight, &mut terms[groups.len()]).is_some()
     }
 }
 
 /// What eight triangles add to sums; `None` if one is out of range.
 #[inline(always)]
-fn terms<A: SingleLanes>(
+fn group_terms<A: EightLanes<Element = f32>>(
     arch: A,
     triangles: &[[u32; 3]; LANES],
     points: Points,
     weight: Weight,
-    rows: &mut [[f32; 4]; LANES],
-    weights: &mut [[f32; 4]; LANES],
+    terms: &mut GroupTerms<f32>,
 ) -> Option<()> {
-    let p0 = Vectors::new(arch, arch.columns(points.rows(triangles, 0)?));
-    let p1 = Vectors::new(arch, arch.columns(points.rows(triangles, 1)?));
-    let p2 = Vectors::new(arch, arch.columns(points.rows(triangles, 2)?));
+    let [x0, y0, z0, _] = arch.columns(points.rows(triangles, 0)?);
+    let [x1, y1, z1, _] = arch.columns(points.rows(triangles, 1)?);
+    let [x2, y2, z2, _] = arch.columns(points.rows(triangles, 2)?);
+    let p0 = Vectors::new(arch, [x0, y0, z0]);
+    let p1 = Vectors::new(arch, [x1, y1, z1]);
+    let p2 = Vectors::new(arch, [x2, y2, z2]);
     let (e1, e2, e3) = (p1 - p0, p2 - p0, p2 - p1);
     let vector = e1.cross(e2);
     let squared = vector.squared_length();
@@ -246,24 +180,24 @@ fn terms<A: SingleLanes>(
         & longest.less(Scalars::splat(arch, SQUARED_EDGES.1))
         & (least * least).less(squared)
         & (relative * relative * longest).less(squared);
-    if !arch.all(in_range.mask()) {
+    if in_range.row_bits() != ALL {
         return None;
     }
     let one = Scalars::splat(arch, 1.0);
     let length = squared.sqrt();
     let (face, length_column) =
         if weight.has_area_factor() { (vector, length) } else { (vector.scaled(one / length), one) };
-    *rows = arch.rows([face.x.value, face.y.value, face.z.value, length_column.value]);
+    terms.vectors = arch.rows([face.x.value, face.y.value, face.z.value, length_column.value]);
     if !weight.is_equal_at_corners() {
         let [a, b, c] = TriangleMeasures::new(length, e1, e2, e3).corner_factors(weight);
-        *weights = arch.rows([a.value, b.value, c.value, c.value]);
+        terms.weights = arch.rows([a.value, b.value, c.value, c.value]);
     }
     Some(())
 }
 
 /// The largest magnitude of three coordinates.
 #[inline(always)]
-fn largest<A: SingleLanes>(point: Vectors<A>) -> Scalars<A> {
+fn largest<A: EightLanes>(point: Vectors<A>) -> Scalars<A> {
     point.x.abs().max(point.y.abs()).max(point.z.abs())
 }
 
@@ -311,11 +245,11 @@ impl<'a> Points<'a> {
 struct FinishSingles<'a, O> {
     /// Set to zero on the way, for the next call.
     sums: &'a mut [[f32; 4]],
-    unit: &'a mut [O],
+    unit: &'a mut [[O; 3]],
     state: &'a mut [SlotState],
 }
 
-impl<O: Emit> Kernel for FinishSingles<'_, O> {
+impl<O: Component> Kernel for FinishSingles<'_, O> {
     type Output = bool;
 
     #[inline(always)]
@@ -348,16 +282,20 @@ impl<O: Emit> Kernel for FinishSingles<'_, O> {
 
 /// Eight sums at once; false if one of them needs a closer look.
 #[inline(always)]
-fn finish_group<A: SingleLanes, O: Emit>(arch: A, sums: &[[f32; 4]], unit: &mut [O]) -> bool {
+fn finish_group<A: EightLanes<Element = f32>, O: Component>(
+    arch: A,
+    sums: &[[f32; 4]],
+    unit: &mut [[O; 3]],
+) -> bool {
     let Ok(sums) = <&[[f32; 4]; LANES]>::try_from(sums) else { return false };
-    let vector = Vectors::new(arch, arch.columns(sums.each_ref()));
-    let weights = Scalars::new(arch, arch.last_column(sums.each_ref()));
+    let [x, y, z, weights] = arch.columns(sums.each_ref());
+    let (vector, weights) = (Vectors::new(arch, [x, y, z]), Scalars::new(arch, weights));
     let length = vector.squared_length().sqrt();
     let (smallest, largest) = (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX));
     let in_range = (Scalars::splat(arch, LEAST_SUM) * weights).less(length)
         & Scalars::splat(arch, smallest).less(weights)
         & weights.less(Scalars::splat(arch, largest));
-    if !arch.all(in_range.mask()) {
+    if in_range.row_bits() != ALL {
         return false;
     }
     let reciprocal = arch.to_array((Scalars::splat(arch, 1.0) / length).value);

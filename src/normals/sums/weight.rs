@@ -5,7 +5,6 @@
 
 use crate::normals::recipe::Weight;
 use crate::num::{self, Arithmetic, Scalars, Vectors};
-use glam::DVec3;
 
 impl Weight {
     /// Whether the area of the face is a factor.
@@ -66,41 +65,6 @@ impl<A: Arithmetic> TriangleMeasures<A> {
                 let common = one / ((a * b) * c);
                 [common * a, common * b, common * c]
             }
-        }
-    }
-}
-
-/// a·b, added in the same order everywhere.
-#[inline(always)]
-pub(crate) fn dot(a: DVec3, b: DVec3) -> f64 {
-    (a.x * b.x + a.y * b.y) + a.z * b.z
-}
-
-/// The quantities of one corner of a polygon; e1 and e2 lead to the next and the previous corner that do not
-/// coincide with it.
-#[derive(Clone, Copy)]
-pub(crate) struct CornerMeasures {
-    /// |e1×e2|.
-    pub(crate) cross: f64,
-    /// e1·e2.
-    pub(crate) dot: f64,
-    /// |e1|² |e2|².
-    pub(crate) squares: f64,
-    /// Whether e1×e2 points away from the face normal.
-    pub(crate) reflex: bool,
-}
-
-impl CornerMeasures {
-    /// The corner's own factor of a weight.
-    pub(crate) fn corner_factor(self, weight: Weight) -> f64 {
-        match weight {
-            Weight::Uniform | Weight::Area => 1.0,
-            Weight::Angle | Weight::AngleArea | Weight::Quadric => {
-                let angle = num::corner_angle(self.cross, self.dot);
-                if self.reflex { std::f64::consts::TAU - angle } else { angle }
-            }
-            Weight::Max => self.cross / self.squares,
-            Weight::Edge => 1.0 / self.squares.sqrt(),
         }
     }
 }

@@ -1,13 +1,13 @@
 //! Weighted sums of face normals over vertices or smooth groups.
 
-use crate::normals::faces::output::Emit;
+use crate::normals::faces::component::Component;
 use crate::normals::faces::positions::Source;
-use crate::normals::sums::accumulate::{Accumulate, Number, Part, UnusualFace, Walk};
+use crate::normals::sums::accumulate::{Accumulate, Part, UnusualFace, Walk};
 use crate::normals::sums::finish::{Finish, UncertainSlots};
 use crate::normals::sums::partition::Partition;
 use crate::normals::sums::recheck::Recheck;
 use crate::normals::sums::request::{SlotState, Sum, SumRequest, Sums};
-use crate::num;
+use crate::num::{self, Real};
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -35,17 +35,18 @@ pub(crate) struct Outcome {
 /// Faces without direction add nothing, nor do slivers with [`Slivers::Exclude`](crate::normals::Slivers::Exclude), unless
 /// a slot has no other face. If all weights of a slot vanish, its faces count the same. A slot with one face gets that
 /// face's normal to the bit.
-pub(crate) fn weighted_sums(request: &SumRequest) -> Sums {
+pub(crate) fn weighted_sums(request: &SumRequest) -> (Sums, Outcome) {
     let mut sums = Sums::new(request.slots);
-    weighted_sums_into(request, &mut SumScratch::default(), &mut sums.unit, &mut sums.state);
-    sums
+    let unit: &mut [[f64; 3]] = bytemuck::cast_slice_mut(&mut sums.unit);
+    let outcome = weighted_sums_into(request, &mut SumScratch::default(), unit, &mut sums.state);
+    (sums, outcome)
 }
 
 /// The same into the caller's slices, one entry a slot.
-pub(crate) fn weighted_sums_into<O: Emit>(
+pub(crate) fn weighted_sums_into<O: Component>(
     request: &SumRequest,
     scratch: &mut SumScratch,
-    unit: &mut [O],
+    unit: &mut [[O; 3]],
     state: &mut [SlotState],
 ) -> Outcome {
     let source = &Source::new(request.positions);
@@ -86,7 +87,7 @@ pub(crate) fn weighted_sums_into<O: Emit>(
 pub(crate) type Add<'a, T> = dyn Fn(Walk, &mut [[T; 4]], &mut Vec<UnusualFace>) -> bool + Sync + 'a;
 
 /// Sums of all parts, and the slots that each owns; `None` if some faces cannot be added.
-pub(crate) fn accumulate<T: Number>(
+pub(crate) fn accumulate<T: Real + bytemuck::Pod>(
     request: &SumRequest,
     partition: Partition,
     parts: &mut [Part<T>],
@@ -122,17 +123,18 @@ pub(crate) fn accumulate<T: Number>(
 }
 
 /// What [`finish`] does to a part, the slots that it owns and their entries; returns whether it went well.
-type Finishing<'a, T, O, S> = dyn Fn(&mut Part<T>, Range<usize>, &mut [O], &mut [S]) -> bool + Sync + 'a;
+type Finishing<'a, T, O> =
+    dyn Fn(&mut Part<T>, Range<usize>, &mut [[O; 3]], &mut [SlotState]) -> bool + Sync + 'a;
 
 /// Does the same to the sums that each part owns and to the entries of two slices that belong to them; returns whether all
 /// went well.
-pub(crate) fn finish<T: Number, O: Send, S: Send>(
+pub(crate) fn finish<T: Real + bytemuck::Pod, O: Send>(
     slots: usize,
     parts: &mut [Part<T>],
     owned: &[Range<usize>],
-    mut unit: &mut [O],
-    mut state: &mut [S],
-    work: &Finishing<T, O, S>,
+    mut unit: &mut [[O; 3]],
+    mut state: &mut [SlotState],
+    work: &Finishing<T, O>,
 ) -> bool {
     debug_assert_eq!((unit.len(), state.len()), (slots, slots));
     let mut shares = Vec::new();

@@ -1,7 +1,7 @@
 //! Eight lanes in two registers of AVX.
 
-use super::singles::AvxSingles;
-use super::{Arithmetic, LANES, Lanes, Rows};
+use super::avx_singles::AvxSingles;
+use super::{Arithmetic, EightLanes, LANES, Lanes, Rows};
 use crate::num::product::{Fused, Product};
 use pulp::x86::V3;
 use std::arch::x86_64::{__m256, __m256d, _CMP_LT_OQ};
@@ -78,6 +78,16 @@ impl Product for Avx2 {
     }
 }
 
+/// Methods of two numbers that are one instruction for each half.
+macro_rules! halves {
+    ($($method:ident = $instruction:ident),*) => {$(
+        #[inline(always)]
+        fn $method(self, a: Self::Number, b: Self::Number) -> Self::Number {
+            [self.token.avx.$instruction(a[0], b[0]), self.token.avx.$instruction(a[1], b[1])]
+        }
+    )*};
+}
+
 impl Arithmetic for Avx2 {
     type Number = [__m256d; 2];
     type Mask = [__m256d; 2];
@@ -87,25 +97,7 @@ impl Arithmetic for Avx2 {
         [self.token.avx._mm256_set1_pd(x); 2]
     }
 
-    #[inline(always)]
-    fn add(self, a: [__m256d; 2], b: [__m256d; 2]) -> [__m256d; 2] {
-        [self.token.avx._mm256_add_pd(a[0], b[0]), self.token.avx._mm256_add_pd(a[1], b[1])]
-    }
-
-    #[inline(always)]
-    fn sub(self, a: [__m256d; 2], b: [__m256d; 2]) -> [__m256d; 2] {
-        [self.token.avx._mm256_sub_pd(a[0], b[0]), self.token.avx._mm256_sub_pd(a[1], b[1])]
-    }
-
-    #[inline(always)]
-    fn mul(self, a: [__m256d; 2], b: [__m256d; 2]) -> [__m256d; 2] {
-        [self.token.avx._mm256_mul_pd(a[0], b[0]), self.token.avx._mm256_mul_pd(a[1], b[1])]
-    }
-
-    #[inline(always)]
-    fn div(self, a: [__m256d; 2], b: [__m256d; 2]) -> [__m256d; 2] {
-        [self.token.avx._mm256_div_pd(a[0], b[0]), self.token.avx._mm256_div_pd(a[1], b[1])]
-    }
+    halves! { add = _mm256_add_pd, sub = _mm256_sub_pd, mul = _mm256_mul_pd, div = _mm256_div_pd, and = _mm256_and_pd }
 
     #[inline(always)]
     fn sqrt(self, a: [__m256d; 2]) -> [__m256d; 2] {
@@ -131,38 +123,14 @@ impl Arithmetic for Avx2 {
     }
 
     #[inline(always)]
-    fn differences(self, found: [__m256d; 2], a: [__m256d; 2], b: [__m256d; 2]) -> [__m256d; 2] {
-        let avx = self.token.avx;
-        [
-            avx._mm256_or_pd(found[0], avx._mm256_xor_pd(a[0], b[0])),
-            avx._mm256_or_pd(found[1], avx._mm256_xor_pd(a[1], b[1])),
-        ]
-    }
-
-    #[inline(always)]
-    fn and(self, a: [__m256d; 2], b: [__m256d; 2]) -> [__m256d; 2] {
-        [self.token.avx._mm256_and_pd(a[0], b[0]), self.token.avx._mm256_and_pd(a[1], b[1])]
-    }
-
-    #[inline(always)]
     fn select(self, mask: [__m256d; 2], yes: [__m256d; 2], no: [__m256d; 2]) -> [__m256d; 2] {
         let avx = self.token.avx;
         [avx._mm256_blendv_pd(no[0], yes[0], mask[0]), avx._mm256_blendv_pd(no[1], yes[1], mask[1])]
     }
 }
 
-impl Lanes for Avx2 {
-    type Singles = AvxSingles;
-
-    #[inline(always)]
-    fn singles(self) -> AvxSingles {
-        AvxSingles(self.token)
-    }
-
-    #[inline(always)]
-    fn lane(row: usize) -> usize {
-        row
-    }
+impl EightLanes for Avx2 {
+    type Element = f64;
 
     #[inline(always)]
     fn to_array(self, a: [__m256d; 2]) -> [f64; LANES] {
@@ -173,6 +141,50 @@ impl Lanes for Avx2 {
     fn bits(self, mask: [__m256d; 2]) -> u8 {
         let avx = self.token.avx;
         (avx._mm256_movemask_pd(mask[0]) | avx._mm256_movemask_pd(mask[1]) << 4) as u8
+    }
+
+    #[inline(always)]
+    fn columns(self, [a, b, c, d, e, f, g, h]: [&[f64; 4]; LANES]) -> [[__m256d; 2]; 4] {
+        let low = self.transposed([pulp::cast(*a), pulp::cast(*b), pulp::cast(*c), pulp::cast(*d)]);
+        let high = self.transposed([pulp::cast(*e), pulp::cast(*f), pulp::cast(*g), pulp::cast(*h)]);
+        [[low[0], high[0]], [low[1], high[1]], [low[2], high[2]], [low[3], high[3]]]
+    }
+
+    #[inline(always)]
+    fn rows(self, [a, b, c, d]: [[__m256d; 2]; 4]) -> Rows<f64> {
+        let low = self.transposed([a[0], b[0], c[0], d[0]]);
+        let high = self.transposed([a[1], b[1], c[1], d[1]]);
+        Rows(pulp::cast([low, high]))
+    }
+
+    #[inline(always)]
+    fn add_row(self, sum: &mut [f64; 4], row: &[f64; 4]) {
+        *sum = pulp::cast(self.token.avx._mm256_add_pd(pulp::cast(*sum), pulp::cast(*row)));
+    }
+
+    #[inline(always)]
+    fn add_scaled_row(self, sum: &mut [f64; 4], row: &[f64; 4], factor: f64) {
+        let avx = self.token.avx;
+        let term = avx._mm256_mul_pd(pulp::cast(*row), avx._mm256_set1_pd(factor));
+        *sum = pulp::cast(avx._mm256_add_pd(pulp::cast(*sum), term));
+    }
+}
+
+impl Lanes for Avx2 {
+    type Singles = AvxSingles;
+
+    #[inline(always)]
+    fn singles(self) -> AvxSingles {
+        AvxSingles { token: self.token }
+    }
+
+    #[inline(always)]
+    fn differences(self, found: [__m256d; 2], a: [__m256d; 2], b: [__m256d; 2]) -> [__m256d; 2] {
+        let avx = self.token.avx;
+        [
+            avx._mm256_or_pd(found[0], avx._mm256_xor_pd(a[0], b[0])),
+            avx._mm256_or_pd(found[1], avx._mm256_xor_pd(a[1], b[1])),
+        ]
     }
 
     #[inline(always)]
@@ -191,32 +203,6 @@ impl Lanes for Avx2 {
             self.pair_of_singles(&rows, 3),
         ]);
         [self.widened(x), self.widened(y), self.widened(z)]
-    }
-
-    #[inline(always)]
-    fn columns(self, [a, b, c, d, e, f, g, h]: [&[f64; 4]; LANES]) -> [[__m256d; 2]; 4] {
-        let low = self.transposed([pulp::cast(*a), pulp::cast(*b), pulp::cast(*c), pulp::cast(*d)]);
-        let high = self.transposed([pulp::cast(*e), pulp::cast(*f), pulp::cast(*g), pulp::cast(*h)]);
-        [[low[0], high[0]], [low[1], high[1]], [low[2], high[2]], [low[3], high[3]]]
-    }
-
-    #[inline(always)]
-    fn rows(self, [a, b, c, d]: [[__m256d; 2]; 4]) -> Rows {
-        let low = self.transposed([a[0], b[0], c[0], d[0]]);
-        let high = self.transposed([a[1], b[1], c[1], d[1]]);
-        Rows(pulp::cast([low, high]))
-    }
-
-    #[inline(always)]
-    fn add_row(self, sum: &mut [f64; 4], row: &[f64; 4]) {
-        *sum = pulp::cast(self.token.avx._mm256_add_pd(pulp::cast(*sum), pulp::cast(*row)));
-    }
-
-    #[inline(always)]
-    fn add_scaled_row(self, sum: &mut [f64; 4], row: &[f64; 4], factor: f64) {
-        let avx = self.token.avx;
-        let term = avx._mm256_mul_pd(pulp::cast(*row), avx._mm256_set1_pd(factor));
-        *sum = pulp::cast(avx._mm256_add_pd(pulp::cast(*sum), term));
     }
 
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! Eight lanes in one register of AVX-512.
 
-use super::singles::AvxSingles;
-use super::{Arithmetic, Avx2, LANES, Lanes, Rows};
+use super::avx_singles::AvxSingles;
+use super::{Arithmetic, Avx2, EightLanes, LANES, Lanes, Rows, instructions};
 use crate::num::product::{Fused, Product};
 use pulp::x86::V4;
 use std::arch::x86_64::{__m256, __m512d, __m512i, _CMP_LT_OQ};
@@ -72,25 +72,7 @@ impl Arithmetic for Avx512 {
         self.token.avx512f._mm512_set1_pd(x)
     }
 
-    #[inline(always)]
-    fn add(self, a: __m512d, b: __m512d) -> __m512d {
-        self.token.avx512f._mm512_add_pd(a, b)
-    }
-
-    #[inline(always)]
-    fn sub(self, a: __m512d, b: __m512d) -> __m512d {
-        self.token.avx512f._mm512_sub_pd(a, b)
-    }
-
-    #[inline(always)]
-    fn mul(self, a: __m512d, b: __m512d) -> __m512d {
-        self.token.avx512f._mm512_mul_pd(a, b)
-    }
-
-    #[inline(always)]
-    fn div(self, a: __m512d, b: __m512d) -> __m512d {
-        self.token.avx512f._mm512_div_pd(a, b)
-    }
+    instructions! { avx512f: add = _mm512_add_pd, sub = _mm512_sub_pd, mul = _mm512_mul_pd, div = _mm512_div_pd }
 
     #[inline(always)]
     fn sqrt(self, a: __m512d) -> __m512d {
@@ -113,12 +95,6 @@ impl Arithmetic for Avx512 {
     }
 
     #[inline(always)]
-    fn differences(self, found: __m512d, a: __m512d, b: __m512d) -> __m512d {
-        let dq = self.token.avx512dq;
-        dq._mm512_or_pd(found, dq._mm512_xor_pd(a, b))
-    }
-
-    #[inline(always)]
     fn and(self, a: u8, b: u8) -> u8 {
         a & b
     }
@@ -129,13 +105,8 @@ impl Arithmetic for Avx512 {
     }
 }
 
-impl Lanes for Avx512 {
-    type Singles = AvxSingles;
-
-    #[inline(always)]
-    fn singles(self) -> AvxSingles {
-        self.narrower.singles()
-    }
+impl EightLanes for Avx512 {
+    type Element = f64;
 
     /// Rows 0, 2, 4, 6 and then 1, 3, 5, 7: so transposed registers hold rows that are neighbours in memory.
     #[inline(always)]
@@ -154,6 +125,46 @@ impl Lanes for Avx512 {
     }
 
     #[inline(always)]
+    fn columns(self, rows: [&[f64; 4]; LANES]) -> [__m512d; 4] {
+        self.transposed([
+            self.pair(rows[0], rows[1]),
+            self.pair(rows[2], rows[3]),
+            self.pair(rows[4], rows[5]),
+            self.pair(rows[6], rows[7]),
+        ])
+    }
+
+    #[inline(always)]
+    fn rows(self, columns: [__m512d; 4]) -> Rows<f64> {
+        Rows(pulp::cast(self.transposed(columns)))
+    }
+
+    #[inline(always)]
+    fn add_row(self, sum: &mut [f64; 4], row: &[f64; 4]) {
+        self.narrower.add_row(sum, row);
+    }
+
+    #[inline(always)]
+    fn add_scaled_row(self, sum: &mut [f64; 4], row: &[f64; 4], factor: f64) {
+        self.narrower.add_scaled_row(sum, row, factor);
+    }
+}
+
+impl Lanes for Avx512 {
+    type Singles = AvxSingles;
+
+    #[inline(always)]
+    fn singles(self) -> AvxSingles {
+        self.narrower.singles()
+    }
+
+    #[inline(always)]
+    fn differences(self, found: __m512d, a: __m512d, b: __m512d) -> __m512d {
+        let dq = self.token.avx512dq;
+        dq._mm512_or_pd(found, dq._mm512_xor_pd(a, b))
+    }
+
+    #[inline(always)]
     fn equal_bits(self, numbers: &[u32; LANES], number: u32) -> u8 {
         self.narrower.equal_bits(numbers, number)
     }
@@ -167,31 +178,6 @@ impl Lanes for Avx512 {
         let d = avx._mm256_castps_pd(self.pair_of_singles(rows[6], rows[7]));
         let [x, y, z] = self.narrower.transposed_singles([a, b, c, d]);
         [f._mm512_cvtps_pd(x), f._mm512_cvtps_pd(y), f._mm512_cvtps_pd(z)]
-    }
-
-    #[inline(always)]
-    fn columns(self, rows: [&[f64; 4]; LANES]) -> [__m512d; 4] {
-        self.transposed([
-            self.pair(rows[0], rows[1]),
-            self.pair(rows[2], rows[3]),
-            self.pair(rows[4], rows[5]),
-            self.pair(rows[6], rows[7]),
-        ])
-    }
-
-    #[inline(always)]
-    fn rows(self, columns: [__m512d; 4]) -> Rows {
-        Rows(pulp::cast(self.transposed(columns)))
-    }
-
-    #[inline(always)]
-    fn add_row(self, sum: &mut [f64; 4], row: &[f64; 4]) {
-        self.narrower.add_row(sum, row);
-    }
-
-    #[inline(always)]
-    fn add_scaled_row(self, sum: &mut [f64; 4], row: &[f64; 4], factor: f64) {
-        self.narrower.add_scaled_row(sum, row, factor);
     }
 
     #[inline(always)]

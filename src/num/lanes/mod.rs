@@ -14,8 +14,9 @@ mod avx512;
 mod plain;
 // Numbers and vectors for formulas, for any number of lanes.
 mod scalars;
-// Eight numbers of single precision.
-mod singles;
+// Eight lanes of single precision in one register of AVX.
+#[cfg(target_arch = "x86_64")]
+mod avx_singles;
 
 #[cfg(target_arch = "x86_64")]
 pub(super) use avx2::Avx2;
@@ -24,9 +25,9 @@ pub(super) use avx512::Avx512;
 pub(crate) use plain::OneLane;
 pub(super) use plain::Plain;
 pub(crate) use scalars::{Scalars, Truth, Vectors};
-pub(crate) use singles::SingleLanes;
 
 use super::product::Product;
+use super::real::Real;
 
 /// How many numbers a kernel works on at a time.
 pub(crate) const LANES: usize = 8;
@@ -51,51 +52,56 @@ pub(crate) trait Arithmetic: Copy {
     fn product_error(self, a: Self::Number, b: Self::Number, product: Self::Number) -> Self::Number;
     /// a < b; no for NaN.
     fn less(self, a: Self::Number, b: Self::Number) -> Self::Mask;
-    /// Bits that `found` has or in which a and b differ, as a number.
-    fn differences(self, found: Self::Number, a: Self::Number, b: Self::Number) -> Self::Number;
     fn and(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
     /// `yes` where the mask says so, elsewhere `no`.
     fn select(self, mask: Self::Mask, yes: Self::Number, no: Self::Number) -> Self::Number;
 }
 
+/// Methods of two numbers that are one instruction of an instruction set in the token.
+#[cfg(target_arch = "x86_64")]
+macro_rules! instructions {
+    ($set:ident: $($method:ident = $instruction:ident),*) => {$(
+        #[inline(always)]
+        fn $method(self, a: Self::Number, b: Self::Number) -> Self::Number {
+            self.token.$set.$instruction(a, b)
+        }
+    )*};
+}
+#[cfg(target_arch = "x86_64")]
+use instructions;
+
 /// Eight rows of four numbers, such as a vector and its length for each of eight faces.
 #[derive(Clone, Copy)]
 #[repr(align(64))]
-pub(crate) struct Rows(pub(crate) [[f64; 4]; LANES]);
+pub(crate) struct Rows<T>(pub(crate) [[T; 4]; LANES]);
 
-impl Rows {
-    pub(crate) const ZERO: Self = Self([[0.0; 4]; LANES]);
+impl<T: Real> Rows<T> {
+    pub(crate) const ZERO: Self = Self([[T::ZERO; 4]; LANES]);
 }
 
-/// Eight lanes, and the way between them and rows in memory.
-pub(crate) trait Lanes: Arithmetic + Product {
-    /// Eight lanes of single precision.
-    type Singles: SingleLanes;
+/// Eight lanes of single or double precision, and the way between them and rows in memory.
+pub(crate) trait EightLanes: Arithmetic {
+    /// The number in a lane.
+    type Element: Real;
 
-    /// Those that the same CPU has.
-    fn singles(self) -> Self::Singles;
     /// The lane that a row becomes: where columns come from rows, any order serves as long as it is kept.
-    fn lane(row: usize) -> usize;
+    #[inline(always)]
+    fn lane(row: usize) -> usize {
+        row
+    }
+
     /// The numbers of all lanes, by lane.
-    fn to_array(self, a: Self::Number) -> [f64; LANES];
+    fn to_array(self, a: Self::Number) -> [Self::Element; LANES];
     /// The mask, one bit a lane.
     fn bits(self, mask: Self::Mask) -> u8;
-    /// Which of some whole numbers equal another, one bit each in their order.
-    fn equal_bits(self, numbers: &[u32; LANES], number: u32) -> u8;
-    /// The first three columns of eight rows.
-    fn columns_of_singles(self, rows: [&[f32; 4]; LANES]) -> [Self::Number; 3];
     /// The columns of eight rows.
-    fn columns(self, rows: [&[f64; 4]; LANES]) -> [Self::Number; 4];
+    fn columns(self, rows: [&[Self::Element; 4]; LANES]) -> [Self::Number; 4];
     /// Columns as rows.
-    fn rows(self, columns: [Self::Number; 4]) -> Rows;
+    fn rows(self, columns: [Self::Number; 4]) -> Rows<Self::Element>;
     /// sum += row.
-    fn add_row(self, sum: &mut [f64; 4], row: &[f64; 4]);
+    fn add_row(self, sum: &mut [Self::Element; 4], row: &[Self::Element; 4]);
     /// sum += factor · row, rounded twice.
-    fn add_scaled_row(self, sum: &mut [f64; 4], row: &[f64; 4], factor: f64);
-    /// factor · row.
-    fn scaled_row(self, row: &[f64; 4], factor: f64) -> [f64; 4];
-    /// factor · row, rounded once more to single precision.
-    fn scaled_row_of_singles(self, row: &[f64; 4], factor: f64) -> [f32; 4];
+    fn add_scaled_row(self, sum: &mut [Self::Element; 4], row: &[Self::Element; 4], factor: Self::Element);
 
     /// The mask, one bit a row.
     #[inline(always)]
@@ -107,6 +113,26 @@ pub(crate) trait Lanes: Arithmetic + Product {
         }
         (0..LANES).fold(0, |rows, row| rows | (bits >> Self::lane(row) & 1) << row)
     }
+}
+
+/// Eight lanes of double precision, and what kernels need with them.
+pub(crate) trait Lanes: EightLanes<Element = f64> + Product {
+    /// Eight lanes of single precision. Products have no error term there: formulas that correct for it lose the
+    /// correction, nothing else.
+    type Singles: EightLanes<Element = f32>;
+
+    /// Those that the same CPU has.
+    fn singles(self) -> Self::Singles;
+    /// Bits that `found` has or in which a and b differ, as a number.
+    fn differences(self, found: Self::Number, a: Self::Number, b: Self::Number) -> Self::Number;
+    /// Which of some whole numbers equal another, one bit each in their order.
+    fn equal_bits(self, numbers: &[u32; LANES], number: u32) -> u8;
+    /// The first three columns of eight rows.
+    fn columns_of_singles(self, rows: [&[f32; 4]; LANES]) -> [Self::Number; 3];
+    /// factor · row.
+    fn scaled_row(self, row: &[f64; 4], factor: f64) -> [f64; 4];
+    /// factor · row, rounded once more to single precision.
+    fn scaled_row_of_singles(self, row: &[f64; 4], factor: f64) -> [f32; 4];
 }
 
 #[cfg(test)]
@@ -163,7 +189,7 @@ mod tests {
         let mut numbers = Numbers::new(12);
         for round in 0..20_000 {
             let rows = [[(); 4]; LANES].map(|row| row.map(|()| numbers.spread([2, 100][round % 2])));
-            let truth = Everything(&rows).run(Plain::<Split>::new());
+            let truth = Everything(&rows).run(Plain::<f64, Split>::new());
             assert_eq!(dispatch(Everything(&rows)), truth, "{rows:?}");
             #[cfg(target_arch = "x86_64")]
             if let Some(avx2) = Avx2::new() {
@@ -191,7 +217,7 @@ mod tests {
             ([0x100, 0x1_0000, 1 << 24, 2, 3, 4, 5, 6], 1, 0),
         ] {
             assert_eq!(dispatch(Equal(&numbers, number)), places);
-            assert_eq!(Equal(&numbers, number).run(Plain::<Split>::new()), places);
+            assert_eq!(Equal(&numbers, number).run(Plain::<f64, Split>::new()), places);
             #[cfg(target_arch = "x86_64")]
             if let Some(avx2) = Avx2::new() {
                 assert_eq!(Equal(&numbers, number).run(avx2), places);
@@ -201,7 +227,7 @@ mod tests {
 
     #[test]
     fn plain_lanes_come_from_rows_in_order() {
-        let arch = Plain::<Split>::new();
+        let arch = Plain::<f64, Split>::new();
         let rows = std::array::from_fn(|row| std::array::from_fn(|column| (10 * row + column) as f64));
         let columns = arch.columns(std::array::from_fn(|row| &rows[row]));
         assert_eq!(columns[2], [2.0, 12.0, 22.0, 32.0, 42.0, 52.0, 62.0, 72.0]);
@@ -209,5 +235,49 @@ mod tests {
         let low = arch.less(columns[0], arch.splat(25.0));
         assert_eq!(arch.row_bits(low), 0b111);
         assert_eq!(arch.select(low, columns[0], columns[1])[2..4], [20.0, 31.0]);
+    }
+
+    /// Everything that lanes of single precision can do, as bits.
+    fn everything<A: EightLanes<Element = f32>>(arch: A, rows: [&[f32; 4]; LANES]) -> Vec<u32> {
+        let [a, b, c, d] = arch.columns(rows);
+        let (first, second) = (arch.less(a, b), arch.less(c, d));
+        let numbers = [
+            arch.add(a, b),
+            arch.sub(a, b),
+            arch.mul(a, b),
+            arch.div(a, b),
+            arch.abs(a),
+            arch.sqrt(arch.abs(c)),
+            arch.product_error(a, b, arch.mul(a, b)),
+            arch.select(first, c, d),
+            arch.select(arch.and(first, second), c, arch.splat(0.5)),
+        ];
+        let mut found: Vec<f32> = numbers.into_iter().flat_map(|x| arch.to_array(x)).collect();
+        found.extend(arch.rows([d, a, c, b]).0.as_flattened());
+        found.push(f32::from(arch.bits(first)));
+        let mut sum = *rows[0];
+        arch.add_row(&mut sum, rows[1]);
+        arch.add_scaled_row(&mut sum, rows[2], rows[3][0]);
+        found.extend(sum);
+        found.into_iter().map(f32::to_bits).collect()
+    }
+
+    #[test]
+    #[cfg(target_arch = "x86_64")]
+    fn singles_do_what_plain_arithmetic_does() {
+        let Some(avx2) = Avx2::new() else { return };
+        let mut numbers = Numbers::new(13);
+        for _ in 0..20_000 {
+            let mut rows = [[(); 4]; LANES].map(|row| row.map(|()| numbers.spread(20) as f32));
+            if numbers.below(4) == 0 {
+                rows.iter_mut().for_each(|row| row[0] = row[1] - 1.0);
+            }
+            let plain = Plain::<f64, Split>::new().singles();
+            assert_eq!(
+                everything(avx2.singles(), rows.each_ref()),
+                everything(plain, rows.each_ref()),
+                "{rows:?}"
+            );
+        }
     }
 }

@@ -1,109 +1,37 @@
 //! Arithmetic without any particular instructions.
 
-use super::singles::PlainSingles;
-use super::{Arithmetic, LANES, Lanes, Rows};
-use crate::num::product::Product;
+use super::{Arithmetic, EightLanes, LANES, Lanes, Rows};
+use crate::num::product::{Product, Uncorrected};
+use crate::num::real::Real;
 use std::marker::PhantomData;
 
-/// One number at a time: formulas for lanes, for those who have a single number.
+/// Lanes as arrays: eight for CPUs whose vector instructions are not written out here, one for those who have a single number.
 #[derive(Clone, Copy)]
-pub(crate) struct OneLane<P>(PhantomData<P>);
+pub(crate) struct Plain<R, P, const N: usize = LANES>(PhantomData<(R, P)>);
 
-impl<P> OneLane<P> {
+/// A single number, for formulas without cross products.
+pub(crate) type OneLane = Plain<f64, Uncorrected, 1>;
+
+impl<R, P, const N: usize> Plain<R, P, N> {
     pub(crate) fn new() -> Self {
         Self(PhantomData)
     }
 }
 
-impl<P: Product> Arithmetic for OneLane<P> {
-    type Number = f64;
-    type Mask = bool;
-
-    #[inline(always)]
-    fn splat(self, x: f64) -> f64 {
-        x
-    }
-
-    #[inline(always)]
-    fn add(self, a: f64, b: f64) -> f64 {
-        a + b
-    }
-
-    #[inline(always)]
-    fn sub(self, a: f64, b: f64) -> f64 {
-        a - b
-    }
-
-    #[inline(always)]
-    fn mul(self, a: f64, b: f64) -> f64 {
-        a * b
-    }
-
-    #[inline(always)]
-    fn div(self, a: f64, b: f64) -> f64 {
-        a / b
-    }
-
-    #[inline(always)]
-    fn sqrt(self, a: f64) -> f64 {
-        a.sqrt()
-    }
-
-    #[inline(always)]
-    fn abs(self, a: f64) -> f64 {
-        a.abs()
-    }
-
-    #[inline(always)]
-    fn product_error(self, a: f64, b: f64, _: f64) -> f64 {
-        P::two_product(a, b).1
-    }
-
-    #[inline(always)]
-    fn less(self, a: f64, b: f64) -> bool {
-        a < b
-    }
-
-    #[inline(always)]
-    fn differences(self, found: f64, a: f64, b: f64) -> f64 {
-        f64::from_bits(found.to_bits() | (a.to_bits() ^ b.to_bits()))
-    }
-
-    #[inline(always)]
-    fn and(self, a: bool, b: bool) -> bool {
-        a & b
-    }
-
-    #[inline(always)]
-    fn select(self, mask: bool, yes: f64, no: f64) -> f64 {
-        if mask { yes } else { no }
-    }
-}
-
-/// Eight lanes as arrays, for CPUs whose vector instructions are not written out here.
-#[derive(Clone, Copy)]
-pub(crate) struct Plain<P>(OneLane<P>);
-
-impl<P> Plain<P> {
-    pub(crate) fn new() -> Self {
-        Self(OneLane::new())
-    }
-}
-
-impl<P: Product> Product for Plain<P> {
+impl<P: Product> Product for Plain<f64, P> {
     #[inline(always)]
     fn two_product(a: f64, b: f64) -> (f64, f64) {
         P::two_product(a, b)
     }
 }
 
-impl<P: Product> Arithmetic for Plain<P> {
-    type Number = [f64; LANES];
-    type Mask = [bool; LANES];
+impl<R: Real, P: Product<R>, const N: usize> Arithmetic for Plain<R, P, N> {
+    type Number = [R; N];
+    type Mask = [bool; N];
 
     #[inline(always)]
     fn splat(self, x: f64) -> Self::Number {
-        [x; LANES]
+        [R::of(x); N]
     }
 
     #[inline(always)]
@@ -147,11 +75,6 @@ impl<P: Product> Arithmetic for Plain<P> {
     }
 
     #[inline(always)]
-    fn differences(self, found: Self::Number, a: Self::Number, b: Self::Number) -> Self::Number {
-        P::each(|i| self.0.differences(found[i], a[i], b[i]))
-    }
-
-    #[inline(always)]
     fn and(self, a: Self::Mask, b: Self::Mask) -> Self::Mask {
         P::each(|i| a[i] & b[i])
     }
@@ -162,27 +85,51 @@ impl<P: Product> Arithmetic for Plain<P> {
     }
 }
 
-impl<P: Product> Lanes for Plain<P> {
-    type Singles = PlainSingles;
+impl<R: Real, P: Product<R>> EightLanes for Plain<R, P> {
+    type Element = R;
 
     #[inline(always)]
-    fn singles(self) -> PlainSingles {
-        PlainSingles
-    }
-
-    #[inline(always)]
-    fn lane(row: usize) -> usize {
-        row
-    }
-
-    #[inline(always)]
-    fn to_array(self, a: Self::Number) -> [f64; LANES] {
+    fn to_array(self, a: Self::Number) -> [R; LANES] {
         a
     }
 
     #[inline(always)]
     fn bits(self, mask: Self::Mask) -> u8 {
         mask.into_iter().enumerate().fold(0, |bits, (lane, yes)| bits | u8::from(yes) << lane)
+    }
+
+    #[inline(always)]
+    fn columns(self, rows: [&[R; 4]; LANES]) -> [Self::Number; 4] {
+        std::array::from_fn(|column| P::each(|i| rows[i][column]))
+    }
+
+    #[inline(always)]
+    fn rows(self, columns: [Self::Number; 4]) -> Rows<R> {
+        Rows(P::each(|i| columns.map(|column| column[i])))
+    }
+
+    #[inline(always)]
+    fn add_row(self, sum: &mut [R; 4], row: &[R; 4]) {
+        *sum = std::array::from_fn(|i| sum[i] + row[i]);
+    }
+
+    #[inline(always)]
+    fn add_scaled_row(self, sum: &mut [R; 4], row: &[R; 4], factor: R) {
+        *sum = std::array::from_fn(|i| sum[i] + row[i] * factor);
+    }
+}
+
+impl<P: Product> Lanes for Plain<f64, P> {
+    type Singles = Plain<f32, Uncorrected>;
+
+    #[inline(always)]
+    fn singles(self) -> Self::Singles {
+        Plain::new()
+    }
+
+    #[inline(always)]
+    fn differences(self, found: Self::Number, a: Self::Number, b: Self::Number) -> Self::Number {
+        P::each(|i| f64::from_bits(found[i].to_bits() | (a[i].to_bits() ^ b[i].to_bits())))
     }
 
     #[inline(always)]
@@ -194,26 +141,6 @@ impl<P: Product> Lanes for Plain<P> {
     #[inline(always)]
     fn columns_of_singles(self, rows: [&[f32; 4]; LANES]) -> [Self::Number; 3] {
         std::array::from_fn(|column| P::each(|i| f64::from(rows[i][column])))
-    }
-
-    #[inline(always)]
-    fn columns(self, rows: [&[f64; 4]; LANES]) -> [Self::Number; 4] {
-        std::array::from_fn(|column| P::each(|i| rows[i][column]))
-    }
-
-    #[inline(always)]
-    fn rows(self, columns: [Self::Number; 4]) -> Rows {
-        Rows(P::each(|i| columns.map(|column| column[i])))
-    }
-
-    #[inline(always)]
-    fn add_row(self, sum: &mut [f64; 4], row: &[f64; 4]) {
-        *sum = std::array::from_fn(|i| sum[i] + row[i]);
-    }
-
-    #[inline(always)]
-    fn add_scaled_row(self, sum: &mut [f64; 4], row: &[f64; 4], factor: f64) {
-        *sum = std::array::from_fn(|i| sum[i] + row[i] * factor);
     }
 
     #[inline(always)]

@@ -1,6 +1,6 @@
 //! Numbers and vectors for formulas, for any number of lanes.
 
-use super::{Arithmetic, Lanes};
+use super::{Arithmetic, EightLanes, Lanes};
 use std::ops::{Add, BitAnd, Div, Mul, Sub};
 
 /// A number in every lane.
@@ -38,12 +38,6 @@ impl<A: Arithmetic> Scalars<A> {
         Truth { arch: self.arch, mask: self.arch.less(self.value, other.value) }
     }
 
-    /// Bits that this has or in which a and b differ.
-    #[inline(always)]
-    pub(crate) fn differences(self, a: Self, b: Self) -> Self {
-        Self::new(self.arch, self.arch.differences(self.value, a.value, b.value))
-    }
-
     #[inline(always)]
     pub(crate) fn min(self, other: Self) -> Self {
         other.less(self).select(other, self)
@@ -71,41 +65,28 @@ impl<A: Arithmetic> Scalars<A> {
     }
 }
 
-impl<A: Arithmetic> Add for Scalars<A> {
-    type Output = Self;
-
+impl<A: Lanes> Scalars<A> {
+    /// Bits that this has or in which a and b differ.
     #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Self::new(self.arch, self.arch.add(self.value, other.value))
+    pub(crate) fn differences(self, a: Self, b: Self) -> Self {
+        Self::new(self.arch, self.arch.differences(self.value, a.value, b.value))
     }
 }
 
-impl<A: Arithmetic> Sub for Scalars<A> {
-    type Output = Self;
+macro_rules! operators {
+    ($($operator:ident: $method:ident),*) => {$(
+        impl<A: Arithmetic> $operator for Scalars<A> {
+            type Output = Self;
 
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Self::new(self.arch, self.arch.sub(self.value, other.value))
-    }
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self::new(self.arch, self.arch.$method(self.value, other.value))
+            }
+        }
+    )*};
 }
 
-impl<A: Arithmetic> Mul for Scalars<A> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        Self::new(self.arch, self.arch.mul(self.value, other.value))
-    }
-}
-
-impl<A: Arithmetic> Div for Scalars<A> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        Self::new(self.arch, self.arch.div(self.value, other.value))
-    }
-}
+operators!(Add: add, Sub: sub, Mul: mul, Div: div);
 
 /// A yes or no in every lane.
 #[derive(Clone, Copy)]
@@ -115,11 +96,6 @@ pub(crate) struct Truth<A: Arithmetic> {
 }
 
 impl<A: Arithmetic> Truth<A> {
-    #[inline(always)]
-    pub(crate) fn mask(self) -> A::Mask {
-        self.mask
-    }
-
     /// `yes` where it is true, elsewhere `no`.
     #[inline(always)]
     pub(crate) fn select(self, yes: Scalars<A>, no: Scalars<A>) -> Scalars<A> {
@@ -127,7 +103,7 @@ impl<A: Arithmetic> Truth<A> {
     }
 }
 
-impl<A: Lanes> Truth<A> {
+impl<A: EightLanes> Truth<A> {
     /// One bit a row.
     #[inline(always)]
     pub(crate) fn row_bits(self) -> u8 {
@@ -193,12 +169,14 @@ impl<A: Arithmetic> Vectors<A> {
     /// The same of vectors that have low parts, which correct it to first order.
     #[inline(always)]
     pub(crate) fn cross_with_low_parts(self, low: Self, other: Self, other_low: Self) -> Self {
-        let (u, v) = (Parts { high: self, low }, Parts { high: other, low: other_low });
-        Self {
-            x: minor(u.y(), v.z(), u.z(), v.y()),
-            y: minor(u.z(), v.x(), u.x(), v.z()),
-            z: minor(u.x(), v.y(), u.y(), v.x()),
-        }
+        let ([ux, uy, uz], [vx, vy, vz]) = (self.parts(low), other.parts(other_low));
+        Self { x: minor(uy, vz, uz, vy), y: minor(uz, vx, ux, vz), z: minor(ux, vy, uy, vx) }
+    }
+
+    /// Each component with its low part.
+    #[inline(always)]
+    fn parts(self, low: Self) -> [(Scalars<A>, Scalars<A>); 3] {
+        [(self.x, low.x), (self.y, low.y), (self.z, low.z)]
     }
 
     /// The difference without error, as a high and a low part.
@@ -216,29 +194,6 @@ impl<A: Arithmetic> Sub for Vectors<A> {
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
         Self { x: self.x - other.x, y: self.y - other.y, z: self.z - other.z }
-    }
-}
-
-/// Vectors with their low parts.
-struct Parts<A: Arithmetic> {
-    high: Vectors<A>,
-    low: Vectors<A>,
-}
-
-impl<A: Arithmetic> Parts<A> {
-    #[inline(always)]
-    fn x(&self) -> (Scalars<A>, Scalars<A>) {
-        (self.high.x, self.low.x)
-    }
-
-    #[inline(always)]
-    fn y(&self) -> (Scalars<A>, Scalars<A>) {
-        (self.high.y, self.low.y)
-    }
-
-    #[inline(always)]
-    fn z(&self) -> (Scalars<A>, Scalars<A>) {
-        (self.high.z, self.low.z)
     }
 }
 
