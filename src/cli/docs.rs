@@ -23,7 +23,9 @@ pub fn manual(verb: Option<&str>) -> Exit {
         None => command,
         Some(verb) => match command.find_subcommand(verb) {
             Some(found) => found.clone(),
-            None => usage_error("man", format!("unknown verb {verb:?}")),
+            None => {
+                usage_error("man", format!("unknown verb {verb:?}\nhelp: `crease --help` lists the verbs"))
+            }
         },
     };
     match page(&command) {

@@ -41,8 +41,8 @@ pub(super) fn check_count(
 ) -> Result<(), SurfaceError> {
     let found = found.into();
     let limit = found.clamp(*limits.start(), *limits.end());
-    let many = if found < limit { "too few" } else { "too many" };
-    let error = || SurfaceError::Segments(format!("{found} {what} are {many}; {limit} is the limit"));
+    let bound = if found < limit { "at least" } else { "at most" };
+    let error = || SurfaceError::Segments(format!("{found} {what}; {bound} {limit} expected"));
     if found == limit { Ok(()) } else { Err(error()) }
 }
 

@@ -98,7 +98,9 @@ impl<'a> Request<'a> {
     fn check_combinations(&self) -> Result<(), String> {
         let args = self.args;
         if args.output.bits == Some(Bits::Sixteen) && self.file == FileKind::Gif {
-            return usage("--bits 16 needs a PNG output: GIF has 8 bits per component");
+            return usage(
+                "--bits 16 needs a PNG output: GIF has 8 bits per component\nhelp: name a .png file",
+            );
         }
         let compares = |wanted: fn(&Variant) -> bool| args.output.compare.iter().any(wanted);
         if args.shading.shading.is_some() && compares(|it| matches!(it, Variant::Shading(_))) {
@@ -163,12 +165,14 @@ impl<'a> Request<'a> {
         if x >= width || y >= height {
             let last = [width, height].map(|side| side - 1);
             return usage(format!(
-                "--probe {x},{y} is outside the picture of {width}x{height} pixels (last pixel {},{})",
+                "--probe {x},{y} is outside the picture of {width}x{height} pixels\nhelp: give a pixel from 0,0 to {},{}",
                 last[0], last[1]
             ));
         }
         if settings.shading == Shading::Wireframe {
-            return usage("--probe needs shaded pixels; it does not work with --shading wireframe");
+            return usage(
+                "--probe needs shaded pixels; it does not work with --shading wireframe\nhelp: use --shading phong",
+            );
         }
         Ok(())
     }

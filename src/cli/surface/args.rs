@@ -19,10 +19,10 @@ Examples:
 ///
 /// Positions lie on the surface to the last digits of a double. Normals are those of the surface, not of the mesh. OBJ
 /// and PLY store positions as doubles, PLY also normals. OBJ and glTF store normals in single precision, with an error of
-/// up to 3e-6 degrees. STL stores facet normals instead. The axis of surfaces of revolution is y;
-/// planes, waves and saddles lie in x and y and face +z.
+/// up to 3e-6 degrees. STL stores facet normals instead. The axis of surfaces of revolution is y; planes,
+/// waves and saddles lie in x and y and face +z.
 #[derive(Args)]
-#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
 pub struct SurfaceArgs {
     /// Surface by its name
     #[arg(value_name = "SURFACE", value_parser = one_of::<Kind>())]

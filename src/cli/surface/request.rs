@@ -140,13 +140,13 @@ fn tessellation(kind: Kind, args: &PatternArgs) -> Result<Tessellation, String> 
     }
     let has_ratio = matches!(pattern, Pattern::Stretched(_) | Pattern::Slivers(_));
     let has_levels = matches!(pattern, Pattern::Icosphere(_));
-    for (option, typed, has) in [
-        ("--ratio", args.ratio.is_some(), has_ratio),
-        ("--level", args.level.is_some(), has_levels),
-        ("--segments", args.segments.is_some(), !has_levels),
+    for (option, typed, has, help) in [
+        ("--ratio", args.ratio.is_some(), has_ratio, "--pattern stretched and slivers have it"),
+        ("--level", args.level.is_some(), has_levels, "--pattern icosphere has it"),
+        ("--segments", args.segments.is_some(), !has_levels, "use --level"),
     ] {
         if typed && !has {
-            return Err(format!("the pattern {} has no {option}", pattern.name()));
+            return Err(format!("the pattern {} has no {option}\nhelp: {help}", pattern.name()));
         }
     }
     let usual = Tessellation::default();

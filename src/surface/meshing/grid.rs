@@ -64,7 +64,7 @@ impl Grid {
         let [u, v] = self.segments.map(u64::from);
         let Chart { wraps_u, wraps_v, pole_low, pole_high } = self.chart;
         let least = |wraps, poles| if wraps { 3 } else { 1 + u64::from(poles) };
-        check_count("segments round", u, least(wraps_u, false)..=u64::MAX)?;
+        check_count("segments around the axis", u, least(wraps_u, false)..=u64::MAX)?;
         check_count("segments along", v, least(wraps_v, pole_low && pole_high)..=u64::MAX)?;
         check_count("cells", u.saturating_mul(v).saturating_mul(charts), 0..=MOST_CELLS)
     }

@@ -21,17 +21,22 @@ impl Surface {
         let missing = |reason| SurfaceError::pattern(pattern.name(), reason);
         let net = match pattern {
             Pattern::Icosphere(level) => {
-                let star = self.star_shaped().ok_or_else(|| missing("the surface is no stretched sphere"))?;
+                let star = self
+                    .star_shaped()
+                    .ok_or_else(|| missing("the pattern needs a sphere, an ellipsoid or a superquadric"))?;
                 icosphere::net(star, level)?
             }
             Pattern::Marching => {
                 let zero_set = self.zero_set().zip(self.room());
-                let (surface, room) = zero_set.ok_or_else(|| missing("the surface is no zero set"))?;
+                let (surface, room) = zero_set.ok_or_else(|| {
+                    missing("the pattern needs a surface other than a Bézier patch or the teapot")
+                })?;
                 marching::net(surface, room, segments[0], hash)?
             }
             Pattern::Scattered => {
-                let height =
-                    self.heights().ok_or_else(|| missing("the surface is no height over a plane"))?;
+                let height = self
+                    .heights()
+                    .ok_or_else(|| missing("the pattern needs a plane, a wave or a monkey saddle"))?;
                 scattered::net(height, segments, hash)?
             }
             _ => self.grid(tessellation)?,

@@ -240,7 +240,7 @@ fn what_cannot_be_is_refused_before_anything_is_written() {
             &["sphere", "--offset", "1e308,0,0", "--scale", "1e308", "--radius", "1e3", "-o", path],
             "beyond the range",
         ),
-        (&["sphere", "--segments", "2x9", "-o", path], "too few"),
+        (&["sphere", "--segments", "2x9", "-o", path], "2 segments around the axis; at least 3 expected"),
         (&["sphere", "--segments", "0", "-o", path], "a number of cells"),
         (&["sphere", "--segments", "99999", "-o", path], "too many"),
         (&["sphere", "--level", "2", "-o", path], "the pattern triangles has no --level"),

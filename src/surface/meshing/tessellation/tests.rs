@@ -261,7 +261,7 @@ fn impossible_settings_are_refused_with_their_reason() {
         assert!(matches!(refuse(&sphere, Tessellation { pattern, ..plain }), SurfaceError::OutOfRange(_)));
     }
     let error = refuse(&sphere, Tessellation { pattern: Pattern::Icosphere(11), ..plain });
-    assert_eq!(error.to_string(), "11 levels of division are too many; 10 is the limit");
+    assert_eq!(error.to_string(), "11 levels of division; at most 10 expected");
     for (surface, pattern) in [
         (&Surface::Teapot, Pattern::Marching),
         (&plane, Pattern::Icosphere(1)),
