@@ -91,7 +91,7 @@ fn vertex_indices_out_of_range_are_errors_with_their_line() {
         error(format!("{TRIANGLE}f -1 -2 -4\n{TRIANGLE}"))
             .starts_with("line 4: vertex index -4 is out of range")
     );
-    assert!(error(format!("{TRIANGLE}f 1 0 2\n")).starts_with("line 4: vertex 0"));
+    assert!(error(format!("{TRIANGLE}f 1 0 2\n")).starts_with("line 4: index 0 is not valid"));
     assert!(error(format!("{TRIANGLE}l 1 9\n")).starts_with("line 4: vertex index 9"));
     assert!(error(format!("{TRIANGLE}p 1 2\\\n 5\n")).starts_with("line 5: vertex index 5"));
     let huge = error(format!("{TRIANGLE}f 1 2 99999999999999999999999\n"));
