@@ -58,7 +58,7 @@ pub(crate) fn companion(base: &Path, name: &str, options: &ReadOptions) -> Resul
     find(base, Path::new(""), name, options).map_err(|refusal| {
         let advice = match refusal {
             Refusal::Remote => "copy it to this machine",
-            Refusal::Outside => "move it into that folder",
+            Refusal::Outside => "move it into that folder, or name its folder with --root",
             Refusal::Missing => "check the name",
             Refusal::NoFile => "name a file",
         };

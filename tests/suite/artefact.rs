@@ -85,7 +85,11 @@ fn pages_come_in_portuguese() {
     let output = artefact(&["orientation", "--size", "64", "--lang", "pt", "-q", "-o", &path(out.path())]);
     assert_eq!(code(&output), 0, "{}", text(&output.stderr));
     let page = fs::read_to_string(out.path().join("orientation.html")).unwrap();
-    assert!(page.contains("<html lang=\"pt") && page.contains("Dependência da orientação"), "{page:.300}");
+    assert!(
+        page.contains("<html lang=\"pt")
+            && page.contains("A interpolação por varredura depende da orientação"),
+        "{page:.300}"
+    );
 }
 
 #[test]
@@ -154,15 +158,15 @@ fn a_polygon_of_ones_own_is_turned_and_what_does_not_suit_is_refused() {
         (&["mach-bands", "--size", "5"], 2, "--size"),
         (&["mach-band"], 2, "mach-bands"),
         (&["mach-bands", "--exponent", "1e308"], 2, "no exponent"),
-        (&["lost-highlight", "--exponent", "1e308"], 2, "--exponent is 1e308;"),
+        (&["lost-highlight", "--exponent", "1e308"], 2, "--exponent is 1e308\nhelp: give a number"),
         (&["silhouette", "--animate", "x.gif"], 2, "these have one: orientation"),
         (&["orientation", "--animate", "turn.png"], 2, "use turn.gif"),
         (&["orientation", "--animate", "-"], 2, "turn.gif"),
         (&["list", "-o", "out"], 2, "`list` ignores -o"),
         (&["list", "--segments", "12"], 2, "`list` ignores --segments"),
         (&["list", "--animate", "x.gif"], 2, "`list` ignores --animate"),
-        (&["all", "--segments", "2"], 2, "--segments is 2; give a number from 3 to 1024"),
-        (&["all", "--light", "200"], 2, "--light is 200; give an angle"),
+        (&["all", "--segments", "2"], 2, "--segments is 2\nhelp: give a number from 3 to 1024"),
+        (&["all", "--light", "200"], 2, "--light is 200\nhelp: give an angle"),
         (&["silhouette", "--mesh", "no.obj"], 3, "no.obj: there is no such file"),
         (&["silhouette", "--mesh", &square, "--finer", "no.obj"], 3, "no.obj: there is no such file"),
         (&["silhouette", "--mesh", &nan], 3, "`crease normals --force`"),

@@ -149,7 +149,8 @@ impl GltfDocument {
             left.extend((count > 0).then(|| counted(count, one, many)));
         }
         let primitives = self.records.meshes.iter().flat_map(|mesh| &mesh.primitives);
-        let names = primitives.flat_map(|primitive| primitive.vertices.sets[0].keys().map(String::as_str));
+        let names =
+            primitives.flat_map(|primitive| primitive.vertices.sets[0].iter().map(|(name, _)| name.as_str()));
         let names: BTreeSet<&str> = names.filter(|name| !KNOWN.contains(name)).collect();
         let names: Vec<&str> = names.into_iter().collect();
         if !names.is_empty() {

@@ -131,7 +131,9 @@ impl<'a> Assembler<'a> {
         }
         let is_stored = |&accessor: &usize| records.accessors[accessor].view.is_some();
         let compressed = records.fields(primitive.object).extension(DRACO);
-        if compressed.is_some() && !primitive.vertices.sets[0].values().all(is_stored) {
+        if compressed.is_some()
+            && !primitive.vertices.sets[0].iter().map(|(_, accessor)| accessor).all(is_stored)
+        {
             let found = "the vertices are stored only compressed by KHR_draco_mesh_compression";
             return Err(only_compressed(primitive.place(), found));
         }

@@ -105,10 +105,11 @@ impl Primitive {
 }
 
 /// The vertex accessors of a primitive, which shares its vertices with those that have equal ones. Set 0 are the attributes,
-/// set n + 1 those of morph target n: the accessor of each semantic.
+/// set n + 1 those of morph target n: pairs of semantic and accessor, sorted by semantic. A list of one pair takes a tenth of the
+/// memory of a map, and a hostile file may have many.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct VertexAccessors {
-    pub sets: Vec<BTreeMap<String, usize>>,
+    pub sets: Vec<Vec<(String, usize)>>,
 }
 
 impl VertexAccessors {
@@ -117,7 +118,7 @@ impl VertexAccessors {
     }
 
     pub fn of_set(&self, set: usize, semantic: &str) -> Option<usize> {
-        self.sets.get(set)?.get(semantic).copied()
+        self.sets.get(set)?.iter().find(|(name, _)| name == semantic).map(|&(_, accessor)| accessor)
     }
 
     /// The accessor of positions, which all primitives have whose vertices are read.
@@ -282,12 +283,13 @@ fn primitive(number: (usize, usize), fields: Fields<'_>, counts: Counts) -> Resu
 }
 
 /// Of duplicates the last counts, as everywhere.
-fn vertex_set(fields: Fields<'_>, accessors: usize) -> Result<BTreeMap<String, usize>, ReadError> {
+fn vertex_set(fields: Fields<'_>, accessors: usize) -> Result<Vec<(String, usize)>, ReadError> {
     let json = fields.json;
     let member = |(key, value)| {
         let index = json.integer(value).unwrap_or(u64::MAX);
         let index = checked_index(index, accessors, "accessor", || fields.place())?;
         Ok((json.string(key).unwrap_or_default().into_owned(), index))
     };
-    json.members(fields.object).map(member).collect()
+    let set: BTreeMap<String, usize> = json.members(fields.object).map(member).collect::<Result<_, _>>()?;
+    Ok(set.into_iter().collect())
 }

@@ -242,7 +242,7 @@ fn what_cannot_be_is_refused_before_anything_is_written() {
         ),
         (&["sphere", "--segments", "2x9", "-o", path], "2 segments around the axis; at least 3 expected"),
         (&["sphere", "--segments", "0", "-o", path], "a number of cells"),
-        (&["sphere", "--segments", "99999", "-o", path], "too many"),
+        (&["sphere", "--segments", "99999", "-o", path], "9999800001 cells; at most 16777216 expected"),
         (&["sphere", "--level", "2", "-o", path], "the pattern triangles has no --level"),
         (&["sphere", "--ratio", "2", "-o", path], "the pattern triangles has no --ratio"),
         (&["sphere", "--pattern", "icosphere", "--segments", "4", "-o", path], "icosphere has no --segments"),
