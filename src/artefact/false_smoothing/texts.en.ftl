@@ -5,7 +5,7 @@ claim =
 source-1 = Lectures: 1.6.4 (figure 41), 1.6.13 (figure 44), 1.6.15, 1.6.47
 source-2 = Cure in the lectures: no interpolation. Common cure since then: split vertices at sharp edges
 formula-1 = {"δ_\\mathrm{cube} = \\arctan(\\sqrt{2}) = 54.7356°"}
-formula-1-says = angle between a face of the cube and the mean normal of the three faces at its corner
+formula-1-says = angle between a face normal of the cube and the mean normal of the three faces at its corner
 formula-2 = {"δ_\\mathrm{zigzag} = s, \\quad δ_\\mathrm{roof} = s/2"}
 formula-2-says = zig-zag: strips tilted by s to either side; roof: every other strip tilted by s
 formula-3 = {"I_\\mathrm{faces} = \\cos(s), \\quad I_\\mathrm{mean} = 1"}
@@ -27,7 +27,7 @@ holds =
     next to a sharp edge, but do not correct the normals on the edge.
 note-1 =
     On the zig-zag, every vertex has one face tilted to the left and one tilted by the same angle to the right. Every
-    mean normal therefore points straight up. With any light and any reflection model, the zig-zag looks like a flat
+    mean normal therefore points towards the viewer. With any light and any reflection model, the zig-zag looks like a flat
     sheet.
 note-2 =
     Splitting gives each side of a sharp edge its own normal. The crease angle must be between the dihedral angles of

@@ -1,33 +1,34 @@
 title = A tonalização de Gouraud perde brilhos entre vértices
 claim =
-    Se um brilho está no interior de um polígono e nenhum vértice está nele, a tonalização de Gouraud perde o brilho. A
-    tonalização de Phong o mostra.
+    Se um brilho está no interior de um polígono e nenhum vértice está dentro do brilho, a tonalização de Gouraud o
+    perde. A tonalização de Phong o mostra.
 source-1 = Aulas: 1.6.7, 1.6.13, 1.6.15
 source-2 = Ting 2008: “perda de pontos de brilho”
 formula-1 = {"I_{\\max} = k_d \\cos(α) + k_s \\cos(α)^n"}
 formula-1-says =
-    maior luminância da tonalização de Gouraud; α é o ângulo do brilho verdadeiro à normal do vértice mais próximo. Aqui
-    k_d = 0,4 e k_s = 0,6
+    maior luminância da tonalização de Gouraud; α é o ângulo entre o brilho verdadeiro e a normal do vértice mais
+    próximo. Aqui k_d = 0,4 e k_s = 0,6
 formula-2 = {"F = 1 − k_d \\cos(Δ/2) − k_s \\cos(Δ/2)^n"}
 formula-2-says = cintilação do brilho numa esfera que gira: α vai de 0 a Δ/2 e volta, com Δ = 2π/N
 shown-by =
-    Use um brilho de alguns pixels em facetas mais largas que ele (expoentes de 16 a 1000, uma imagem grande) para
-    mostrá-lo.
+    Para mostrá-lo, use um brilho de alguns pixels em facetas mais largas que ele (expoentes de 16 a 1000, uma imagem
+    grande).
 highlight-below-pixel = não comparado: o brilho verdadeiro é mais estreito que um pixel
 facets-below-pixels = não comparado com a fórmula: as facetas são pouco maiores que pixels
 sphere-by =
-    luminância no vértice mais próximo pela fórmula; tolerância: o centro de um pixel fica a até 0,71 pixel do vértice
-plate-measure = placa: pico de Gouraud sobre o pico de Phong
+    luminância dada pela fórmula no vértice mais próximo; tolerância: o centro de um pixel fica a até 0,71 pixel do
+    vértice
+plate-measure = placa: razão entre o pico de Gouraud e o de Phong
 plate-by =
     k_d cos α + k_s cos(α)^n nos cantos, α = 35°; tolerância: precisão simples, e o pico de Phong fica entre pixels
-sphere-measure = esfera, brilho entre dois vértices: pico de Gouraud sobre o pico verdadeiro
+sphere-measure = esfera, brilho entre dois vértices: razão entre o pico de Gouraud e o verdadeiro
 displacement-measure = esfera girada um quarto de segmento: deslocamento do pico
 displacement-by = R sin(Δ/4), a distância ao vértice mais próximo; tolerância: meia diagonal de pixel em cada pico
-flicker-gouraud-measure = Gouraud: cintilação do pico numa rotação
-flicker-phong-measure = Phong: cintilação do pico numa rotação
+flicker-gouraud-measure = Gouraud: cintilação do pico durante uma rotação
+flicker-phong-measure = Phong: cintilação do pico durante uma rotação
 flicker-beyond-diffuse-measure = Gouraud: cintilação do pico além da cintilação da reflexão difusa
 flicker-cure = tonalização de Phong
-missing-effect = perda de brilho no pico, até onde os pixels o resolvem
+missing-effect = perda do brilho no pico, na medida em que os pixels o resolvem
 plate-gouraud-title = placa, Gouraud
 plate-gouraud-caption = As normais nos quatro cantos da placa apontam para longe da luz.
 plate-phong-title = placa, Phong
@@ -46,16 +47,16 @@ film-caption =
     O brilho visto de perto enquanto a esfera gira um segmento, da esquerda para a direita. A animação (--animate)
     mostra o mesmo.
 note-1 =
-    A tonalização de Gouraud interpola as cores dos vértices, e nenhum ponto é mais claro que o vértice mais claro.
-    Enquanto a esfera gira, os vértices passam um a um sob o brilho, e ele pulsa uma vez para cada um. A tonalização de
-    Phong interpola normais e calcula a luz em cada pixel.
+    A tonalização de Gouraud interpola as cores dos vértices, e por isso nenhum ponto é mais claro que o vértice mais
+    claro. Enquanto a esfera gira, os vértices passam um a um sob o brilho, que pulsa uma vez para cada um. A
+    tonalização de Phong interpola normais e calcula a luz em cada pixel.
 flicker-title = O brilho de uma esfera que gira
 flicker-caption =
     { $is-cured ->
         [yes]
-            Luminância do pixel mais claro em função da rotação. Na tonalização de Gouraud ela cai e sobe a cada
-            segmento, como a fórmula. Ela é um pouco menor que a fórmula, pois os centros dos pixels ficam a até meio
-            pixel do vértice. Na de Phong ela é constante.
+            Luminância do pixel mais claro em função da rotação. Na tonalização de Gouraud, ela cai e sobe a cada
+            segmento, como na fórmula. O valor medido é um pouco menor que o da fórmula, pois os centros dos pixels
+            ficam a até meio pixel do vértice. Na de Phong, ela é constante.
        *[no]
             Luminância do pixel mais claro em função da rotação, nas tonalizações de Gouraud e de Phong, e a fórmula
             para Gouraud.
@@ -65,16 +66,17 @@ flicker-y = luminância do pico
 law-curve = fórmula, Gouraud
 flicker-gouraud-by = { sphere-by }
 missing-cure = { flicker-cure }
-flicker-effect = cintilação do pico do brilho além da cintilação da reflexão difusa, até onde os pixels a resolvem
-plate-gouraud-seen = A placa toda é mais escura que o brilho que deveria estar no seu meio.
-sphere-gouraud-seen = Entre eles a esfera é mais escura que o seu brilho.
-film-seen = Na fileira de cima ele escurece e volta.
+flicker-effect =
+    cintilação do pico do brilho além da cintilação da reflexão difusa, na medida em que os pixels a resolvem
+plate-gouraud-seen = A placa toda é mais escura que o brilho que deveria aparecer no meio dela.
+sphere-gouraud-seen = Entre esses vértices, a esfera é mais escura que o brilho.
+film-seen = Na fileira de cima, o brilho escurece e volta.
 gouraud-curve = Gouraud
 phong-curve = Phong
 holds =
-    se o brilho é mais estreito que o ângulo dele à normal do vértice mais próximo. Com N facetas em volta da esfera,
-    isso exige expoentes a partir de cerca de (N/π)², aqui { $least }. Enquanto a esfera gira, o brilho cintila.
+    se o brilho for mais estreito que o ângulo entre ele e a normal do vértice mais próximo. Com N facetas em volta da
+    esfera, isso exige expoentes a partir de cerca de (N/π)², aqui { $least }. Enquanto a esfera gira, o brilho cintila.
 holds-only-if =
-    o brilho é mais estreito que o ângulo dele à normal do vértice mais próximo. Com N = { $segments } facetas em volta
-    desta esfera, isso exige expoentes a partir de cerca de (N/π)² = { $least }. Com o expoente { $exponent } o brilho é
-    mais largo que uma faceta: ele escurece, mas não se perde.
+    o brilho for mais estreito que o ângulo entre ele e a normal do vértice mais próximo. Com N = { $segments } facetas
+    em volta desta esfera, isso exige expoentes a partir de cerca de (N/π)² = { $least }. Com o expoente { $exponent },
+    o brilho é mais largo que uma faceta: ele escurece, mas não se perde.

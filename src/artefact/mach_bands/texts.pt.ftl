@@ -19,52 +19,53 @@ fine-jump-by = a mesma fórmula com o Δ menor
 shading-effect = maior salto de inclinação a até 60° da direção de visão
 flat-effect = maior degrau de luminância a até 60° da direção de visão
 fails =
-    a luz está tão longe da direção de visão que a tonalização de Phong tem os saltos de inclinação maiores. Isso é
+    a luz está tão longe da direção de visão que a tonalização de Phong tem os maiores saltos de inclinação. Isso é
     possível acima de 70,5288°.
 note-1 =
     Onde a inclinação da luminância salta, o olho vê uma banda de Mach: uma linha escura na base da rampa, uma linha
     clara no topo. Nenhum pixel ali é mais escuro ou mais claro que os vizinhos dos dois lados. A tonalização plana tem
-    saltos da própria luminância. As de Gouraud e de Phong são contínuas, mas as suas inclinações não.
+    saltos da própria luminância. As de Gouraud e de Phong são contínuas, mas a inclinação delas não é.
 note-2 =
     O excesso previsto é o de uma diferença de gaussianas, um modelo da inibição lateral. O modelo prevê onde as bandas
-    podem ser visíveis e como se comparam numa imagem. Ele não prevê com que intensidade são vistas.
+    podem ser visíveis e como se comparam dentro de uma mesma imagem. Ele não prevê com que intensidade são vistas.
 note-3 =
     O cilindro exato também tem uma banda: onde a luz termina. As arestas são medidas onde as duas facetas estão
     iluminadas, até 60° da direção de visão. Além de 60° as facetas são vistas em ângulo rasante, e as inclinações ao
-    longo da imagem crescem sem limite, também as do cilindro exato.
+    longo da imagem crescem sem limite, inclusive as do cilindro exato.
 note-4 =
-    Os saltos de inclinação são de primeira ordem na largura da faceta. Quatro vezes mais segmentos os reduzem a cerca
-    de um quarto.
-why-slope = um salto em que a luminância na faceta fica a meio passo de 8 bits de uma curva suave
+    Os saltos de inclinação são de primeira ordem na largura da faceta. Com quatro vezes mais segmentos, eles caem a
+    cerca de um quarto.
+why-slope = um salto com o qual a luminância na faceta difere de uma curva suave em meio passo de 8 bits
 grazing-ratio-measure =
-    luz a 80°: salto de Phong sobre o de Gouraud numa aresta girada a θ = 40° (cilindro não mostrado)
+    luz a 80°: razão entre os saltos de inclinação de Phong e de Gouraud numa aresta girada a θ = 40° (cilindro não
+    mostrado)
 border-angle-measure = ângulo da luz acima do qual Phong tem o maior salto de inclinação
 facets-lit-in-part = não comparado com sin(θ − θ_L) sin θ / cos θ_L: facetas tão largas só são iluminadas em parte
 grazing-ratio-by = sin(θ − θ_L) sin θ / cos θ_L; tolerância: arredondamento dos dois saltos
-border-angle-by = arccos(1/3), achado por bissecção em imagens; a razão cresce ali 7,4 % por grau
-gouraud-caption = Tonalização de Gouraud das mesmas facetas: a luminância é contínua, a sua inclinação não.
+border-angle-by = arccos(1/3), encontrado por bissecção em imagens; ali a razão cresce 7,4 % por grau
+gouraud-caption = Tonalização de Gouraud das mesmas facetas: a luminância é contínua, mas sua inclinação não é.
 phong-caption = Tonalização de Phong das mesmas facetas: a luminância é curva em cada faceta.
 flat-title = plana
 flat-caption =
     Tonalização plana de { $segments } facetas, com a luz a { $light }° da direção de visão. Cada faceta tem uma só
     luminância.
-flat-seen = Cada faceta é visível como uma faixa de um só cinza.
-fine-seen = Os saltos de inclinação são cerca de um quarto dos anteriores.
+flat-seen = Cada faceta é visível como uma faixa de um só tom de cinza.
+fine-seen = Os saltos de inclinação têm cerca de um quarto do tamanho.
 exact-title = cilindro exato
 exact-caption = O cilindro com a normal exata em cada pixel: a única banda está onde a luz termina.
-phong-80-jumps-seen = A tonalização de Phong tem aqui os saltos de inclinação maiores.
-gouraud-80-jumps-seen = A tonalização de Gouraud tem aqui os saltos de inclinação menores.
+phong-80-jumps-seen = Aqui a tonalização de Phong tem os maiores saltos de inclinação.
+gouraud-80-jumps-seen = Aqui a tonalização de Gouraud tem os menores saltos de inclinação.
 phong-80-title = Phong, luz a 80°
 phong-80-caption =
-    Tonalização de Phong com a luz a 80° da direção de visão. A luminância é curva dentro de cada faceta. Os saltos da
-    sua inclinação quase não são visíveis; o mapa os mostra.
+    Tonalização de Phong com a luz a 80° da direção de visão. A luminância é curva dentro de cada faceta. Os saltos de
+    inclinação quase não são visíveis; o mapa os mostra.
 gouraud-80-title = Gouraud, luz a 80°
 gouraud-80-caption =
     A mesma luz com tonalização de Gouraud: em facetas totalmente iluminadas, a luminância é quase linear ao longo da
     imagem.
 phong-80-jumps-caption =
-    Uma barra marca cada aresta a até 60° cujas facetas estão totalmente iluminadas. A sua cor é o salto de inclinação:
-    violeta 0, amarelo { $full }. As regiões não medidas são omitidas.
+    Uma barra marca cada aresta a até 60° cujas facetas estão totalmente iluminadas. A cor da barra é o salto de
+    inclinação: violeta é 0, amarelo é { $full }. As regiões não medidas são omitidas.
 luminance-caption =
     A luminância na tonalização plana tem degraus. Na de Gouraud ela é uma poligonal. Na de Phong ela é curva em cada
     faceta.
@@ -93,20 +94,21 @@ predicted-y = excesso previsto, em luminância
 predicted-title = Excesso previsto: inclinações
 predicted-caption =
     Previsão de uma diferença de duas gaussianas (σ de 1 e 1,6 pixel, 67 pixels por grau). Há uma linha em cada aresta
-    iluminada, com altura próxima à do salto de inclinação. É um modelo: a intensidade visível das bandas difere dele.
+    iluminada, com altura próxima à do salto de inclinação. É um modelo: a intensidade com que as bandas são vistas
+    difere da prevista.
 predicted-flat-title = Excesso previsto: degraus
 predicted-flat-caption =
-    O mesmo modelo aplicado à tonalização plana prevê uma linha clara e uma escura junto a cada degrau. Para degraus se
-    sabe que o modelo erra: essas bandas quase não são visíveis (Kingdom 2014).
+    O mesmo modelo aplicado à tonalização plana prevê uma linha clara e uma escura junto a cada degrau. Sabe-se que o
+    modelo erra para degraus: essas bandas quase não são visíveis (Kingdom 2014).
 phong-jump-measure = Phong: maior salto de inclinação a até 60° da direção de visão
 fine-jump-measure = { $worse } com { $finer } segmentos: salto de inclinação na mesma aresta
-finer-effect = { $worse }: salto de inclinação na aresta, a até 60° da direção de visão, em que ele é maior
+finer-effect = { $worse }: salto de inclinação na aresta em que ele é maior, a até 60° da direção de visão
 finer-cure = { $factor } vezes mais segmentos, na mesma aresta
 shading-cure = a outra tonalização
 holds-only-if =
-    se compara o maior salto de inclinação de cada tonalização, como aqui. Se a luz está a mais de 70,5288° da direção
-    de visão, a tonalização de Phong pode ter o maior salto de inclinação em algumas arestas. A 90° a tonalização de
-    Gouraud de facetas totalmente iluminadas é exata, e só a de Phong tem bandas.
+    o maior salto de inclinação de cada tonalização for comparado, como aqui. Se a luz está a mais de 70,5288° da
+    direção de visão, a tonalização de Phong pode ter o maior salto de inclinação em algumas arestas. A 90°, a
+    tonalização de Gouraud de facetas totalmente iluminadas é exata, e só a de Phong tem bandas.
 gouraud-title = Gouraud
 phong-title = Phong
 gouraud-curve = Gouraud

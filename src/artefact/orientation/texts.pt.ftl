@@ -6,34 +6,34 @@ source-1 = Aulas: 1.5.2.1, 1.5.2.3, 1.6.15, 1.6.25
 source-2 = Ting 2008: “Resultados distintos para diferentes triangulações”
 formula-1 = {"c(θ) = \\frac{|\\cos(θ)| (c_1 + c_3)/2 + |\\sin(θ)| (c_2 + c_4)/2}{|\\cos(θ)| + |\\sin(θ)|}"}
 formula-1-says =
-    cor no centro do losango girado de θ; c₁ a c₄ são as cores dos cantos, no sentido anti-horário a partir do direito,
-    e θ = 0 é a posição 1
-own-mesh = a sua primeira face com quatro cantos ou mais, com cores nos vértices se houver
-shown-by = Para mostrá-lo, use um polígono com quatro cantos ou mais cujas cores não estão num plano.
-law-by = a fórmula da linha de varredura; tolerância: os cantos se ajustam a 1/256 pixel
-law-measure = maior diferença da fórmula em 72 rotações
+    cor no centro do losango girado de θ; c₁ a c₄ são as cores dos cantos, em sentido anti-horário a partir do direito.
+    θ = 0 é a posição 1
+own-mesh = a primeira face com quatro cantos ou mais, com cores nos vértices se houver
+shown-by = Para mostrá-lo, use um polígono com quatro cantos ou mais cujas cores não estejam num mesmo plano.
+law-by = a fórmula da linha de varredura; tolerância: os cantos se ajustam a 1/256 de pixel
+law-measure = maior diferença em relação à fórmula em 72 rotações
 largest-change-measure = maior mudança da cor no centro
 mean-change-measure = mudança média da cor no centro
 triangles-change-measure = triângulos: maior mudança da cor no centro
-triangles-change-by = 0, pois coordenadas baricêntricas não mudam; tolerância: os cantos se ajustam a 1/256 pixel
+triangles-change-by = 0, pois coordenadas baricêntricas não mudam; tolerância: os cantos se ajustam a 1/256 de pixel
 centre-effect = maior mudança da cor no centro numa rotação completa
 centre-cure = triangulação
 holds =
-    para polígonos com quatro cantos ou mais cujas cores não estão num plano. Triângulos não dependem da orientação, mas
-    as cores de um polígono passam a depender da sua triangulação.
+    para polígonos com quatro cantos ou mais cujas cores não estejam num mesmo plano. Triângulos não dependem da
+    orientação, mas as cores de um polígono passam a depender de sua triangulação.
 note-1 =
-    Numa vista frontal, nenhum triângulo depende da orientação. Numa vista oblíqua, as suas cores precisam de
-    interpolação correta em perspectiva (1/profundidade). Com interpolação afim elas também mudam com a rotação, menos
-    que com a interpolação por varredura.
+    Numa vista frontal, nenhum triângulo depende da orientação. Numa vista oblíqua, as cores dos triângulos precisam de
+    interpolação correta em perspectiva (1/profundidade). Com interpolação afim, elas também mudam com a rotação, mas
+    menos que com a interpolação por varredura.
 note-2 =
     O algoritmo interpola ao longo das duas arestas que a linha de varredura cruza, e depois entre elas. Se o polígono
-    gira, a linha pelo seu centro cruza outras arestas em outros pontos.
+    gira, a linha que passa pelo centro cruza outras arestas em outros pontos.
 note-3 =
-    A animação (--animate) mostra a rotação. Com --interpolation affine ou perspective ela mostra triângulos; então as
+    A animação (--animate) mostra a rotação. Com --interpolation affine ou perspective, ela mostra triângulos, e as
     cores não mudam.
 note-4 =
-    Triângulos curam isso, pois três cantos determinam um plano de cores. O resultado então depende da diagonal: o
-    centro do losango tem a média dos dois cantos que a diagonal liga.
+    A divisão em triângulos cura isso, pois três cantos determinam um plano de cores. O resultado passa a depender da
+    diagonal: o centro do losango tem a média dos dois cantos que a diagonal liga.
 short-edges = não comparado: este polígono tem arestas menores que um pixel, que as linhas de varredura podem perder
 exercise-by = exercício 1.6.25 b, resposta C
 diagonal-by = média dos cantos que a diagonal liga
@@ -41,38 +41,38 @@ position-1 = posição 1
 position-2 = posição 2
 diagonal-13-cut = diagonal 1–3 (triângulos)
 diagonal-24-cut = diagonal 2–4 (triângulos)
-oblique-scanline-measure = vista oblíqua, mudança por uma rotação de 90°: varredura
-oblique-scanline-by = a linha do canto 3 ao 1, depois a do 2 ao 4, interpolada por distâncias na imagem
-oblique-triangles-measure = vista oblíqua, mudança por uma rotação de 90°: triângulos
+oblique-scanline-measure = vista oblíqua, mudança com uma rotação de 90°: varredura
+oblique-scanline-by = a linha do canto 3 ao 1, depois a do 2 ao 4, interpolada pelas distâncias na imagem
+oblique-triangles-measure = vista oblíqua, mudança com uma rotação de 90°: triângulos
 oblique-triangles-by =
-    s/2d da diferença entre os cantos 1 e 3, pois a aresta entre eles muda de profundidade numa posição só
-oblique-perspective-measure = vista oblíqua, mudança por uma rotação de 90°: triângulos, corretos em perspectiva
+    s/2d da diferença entre os cantos 1 e 3, pois a aresta entre eles muda de profundidade em só uma das posições
+oblique-perspective-measure = vista oblíqua, mudança com uma rotação de 90°: triângulos, corretos em perspectiva
 oblique-perspective-by = 0, pois a interpolação por 1/profundidade segue o polígono
 back-scanline-by =
-    a fórmula da linha de varredura em cada pixel, 0 em triângulos; tolerância: os cantos se ajustam a 1/256 pixel
-seam-effect = maior mudança da cor de um pixel depois de uma rotação de 90° e de volta
+    a fórmula da linha de varredura em cada pixel, 0 em triângulos; tolerância: os cantos se ajustam a 1/256 de pixel
+seam-effect = maior mudança da cor de um pixel depois de uma rotação de 90° e da rotação inversa
 diagonal-13-seen = As cores são as mesmas em qualquer orientação.
 halves-title = varredura: 0° acima, 90° abaixo
 halves-seen = As duas metades não combinam na emenda.
 halves-triangles-title = triângulos: 0° acima, 90° abaixo
-halves-triangles-caption = A mesma comparação em triângulos.
+halves-triangles-caption = A mesma comparação com triângulos.
 halves-triangles-seen = Não há emenda.
 position-1-title = linha de varredura, 0°
-position-1-seen = Depois de uma rotação ele tem outras cores.
+position-1-seen = Depois de uma rotação, o polígono tem outras cores.
 turned-45-title = linha de varredura, 45°
 turned-45-seen = As cores mudam com a rotação.
 position-2-title = linha de varredura, 90°
 position-2-seen = O mesmo polígono tem outras cores.
-difference-title = diferença, 90° e de volta
+difference-title = diferença, 90° e volta
 difference-caption =
     Diferença entre o polígono sem rotação e o polígono desenhado a 90° e girado de volta. Escuro é 0, amarelo é
-    { $full } da faixa numa componente.
+    { $full } da faixa total numa componente.
 diagonals-title =
     { $shape ->
         [diamond] diferença das diagonais
        *[polygon] diferença da triangulação
     }
-diagonals-caption = Diferença entre as duas triangulações. Amarelo é { $full } da faixa numa componente.
+diagonals-caption = Diferença entre as duas triangulações. Amarelo é { $full } da faixa total numa componente.
 r-scanline-curve = R, linha de varredura
 g-scanline-curve = G, linha de varredura
 b-scanline-curve = B, linha de varredura
@@ -82,16 +82,17 @@ g-law-curve = G, fórmula
 b-law-curve = B, fórmula
 centre-title = Cor no centro numa rotação
 centre-caption =
-    Com o algoritmo de varredura, a cor no centro muda em até { $bad } numa rotação completa, como a fórmula. Em
-    triângulos ela muda em até { $cured }.
+    Com o algoritmo de varredura, a cor no centro muda em até { $bad } numa rotação completa, como na fórmula. Com
+    triângulos, ela muda em até { $cured }.
 centre-x = rotação, graus
 centre-y = componente linear
 largest-change-by = { law-by }
 mean-change-by = { law-by }
 seam-cure = { centre-cure }
-back-scanline-measure = varredura: mudança depois de uma rotação de 90° e de volta (rms)
-back-triangles-measure = triângulos: mudança depois de uma rotação de 90° e de volta (rms)
-back-perspective-measure = triângulos, corretos em perspectiva: mudança depois de uma rotação de 90° e de volta (rms)
+back-scanline-measure = varredura: mudança depois de uma rotação de 90° e da rotação inversa (rms)
+back-triangles-measure = triângulos: mudança depois de uma rotação de 90° e da rotação inversa (rms)
+back-perspective-measure =
+    triângulos, corretos em perspectiva: mudança depois de uma rotação de 90° e da rotação inversa (rms)
 back-triangles-by = { back-scanline-by }
 back-perspective-by = { back-scanline-by }
 exercise-measure = { $case }: { $component } no centro
@@ -105,7 +106,7 @@ halves-caption =
 position-1-caption =
     { $shape ->
         [diamond] Posição 1: a linha de varredura pelo centro vai do canto 3 ao canto 1.
-       *[polygon] Sem rotação: cada pixel é interpolado entre as duas arestas que a sua linha encontra primeiro.
+       *[polygon] Sem rotação: cada pixel é interpolado entre as duas arestas que sua linha encontra primeiro.
     }
 turned-45-caption =
     { $shape ->
@@ -144,7 +145,7 @@ diagonal-24-caption =
         [diamond] Diagonal do canto 2 ao canto 4: o resultado das linhas de varredura na posição 2.
        *[polygon]
             { $cuts ->
-                [one] Nenhuma outra triangulação fica dentro deste polígono; esta é a mesma.
+                [one] Nenhuma outra triangulação cabe neste polígono; esta é a mesma.
                *[two] Outra triangulação do mesmo polígono.
             }
     }

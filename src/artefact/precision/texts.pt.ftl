@@ -1,8 +1,8 @@
 title = Normais quantizadas são visíveis primeiro nos brilhos
 claim =
     O arredondamento das normais é visível primeiro nos brilhos. Uma normal com erro δ muda a reflexão difusa em no
-    máximo k_d δ. Ela muda o brilho de Blinn em até cerca de k_s √(n/e) δ, e o de Phong no dobro disso, pois o raio
-    refletido gira o dobro do ângulo.
+    máximo k_d δ. Ela muda o brilho de Blinn em até cerca de k_s √(n/e) δ. No brilho de Phong a mudança é o dobro, pois
+    o raio refletido gira o dobro do ângulo.
 source-1 = Aulas: 1.3.1.2, 1.6.21 (normais e expoentes; a precisão dos números não é discutida)
 source-2 =
     Artigo: Z. H. Cigolle et al., A survey of efficient representations for independent unit vectors, JCGT 3(2), 2014
@@ -19,7 +19,7 @@ mean-error-by =
     desse passo, ou 0,1726°; em todas as direções é 0,1701°
 largest-error-measure = 3 × 8 bits: maior erro nos vértices
 largest-error-by = o mesmo arredondamento; no máximo meio passo em cada uma de três componentes, √3/254 ou 0,391°
-change-over-bound-measure = 3 × 8 bits: mudança da luz sobre o seu limite
+change-over-bound-measure = 3 × 8 bits: mudança da luz dividida pelo seu limite
 change-over-bound-by = o limite (k_d + k_s M(n)) δ
 change-measure = 3 × 8 bits: maior mudança da luz
 change-diffuse-measure = 3 × 8 bits: maior mudança só da reflexão difusa, k_d = 1
@@ -45,34 +45,34 @@ sixteen-bits-title = 2 × 16 bits por normal
 sixteen-bits-caption = As mesmas normais em codificação octaédrica com 2 × 16 bits, um byte a mais.
 sixteen-bits-seen = O brilho é quase liso.
 far-away-title = longe da origem
-far-away-seen = As normais calculadas dessas posições tornam a luz irregular.
+far-away-seen = As normais calculadas com essas posições tornam a luz irregular.
 centred-title = posições centradas
 centred-caption = A mesma esfera com as posições centradas antes do arredondamento.
 centred-seen = A luz é lisa.
 note-1 =
-    Longe da origem, uma aritmética melhor não ajuda. As diferenças das posições arredondadas são exatas; a precisão se
-    perdeu quando as posições foram guardadas. Para lascas, uma aritmética melhor ajuda. Com produtos simples, o produto
-    vetorial de duas arestas quase paralelas se cancela; com diferenças exatas de produtos, ele está certo até o último
-    dígito.
+    Longe da origem, uma aritmética melhor não ajuda. As diferenças entre posições arredondadas são exatas; a precisão
+    se perdeu quando as posições foram guardadas. Para lascas, uma aritmética melhor ajuda. Com produtos simples, o
+    produto vetorial de duas arestas quase paralelas sofre cancelamento; com diferenças exatas de produtos, ele é
+    correto até o último dígito.
 fails =
     a reflexão difusa muda mais que o brilho aqui. √(n/e) é a inclinação no ponto mais íngreme de cos^n; num brilho tão
     largo, esse ponto não é visível.
-few-faces = não comparado: faces de menos para uma média de erros de arredondamento
+few-faces = não comparado: poucas faces para uma média de erros de arredondamento
 far-faces-by =
     u √(a² + b² + c²)/(2A√12) de cada face, com u a distância entre números vizinhos ali; tolerância: três desvios
     padrão da amostra dos erros de arredondamento
 needles-title = Normais de lascas
 needles-caption =
-    Maior erro da normal de um triângulo em função da altura sobre o comprimento, com posições em precisão simples. Com
+    Maior erro da normal de um triângulo em função da razão altura/comprimento, com posições em precisão simples. Com
     produtos simples, uma lasca dez vezes mais fina tem um erro dez vezes maior. Com diferenças exatas de produtos, o
     erro não cresce.
-needles-x = altura sobre comprimento
+needles-x = razão altura/comprimento
 needles-y = maior erro em graus
 plain-curve = produtos simples
 exact-curve = diferenças exatas de produtos
 rounding-curve = um arredondamento sobre r: 2⁻²⁴/r
 plate-effect = maior mudança da luz em relação à única normal exata da placa
-plate-measure = placa de lascas, produtos simples: mudança da luz sobre o seu limite
+plate-measure = placa de lascas, produtos simples: mudança da luz dividida pelo seu limite
 plate-by = o limite (k_d + k_s M(n)) δ para o maior erro, { $largest }°
 needles-plain-title = lascas, produtos simples
 needles-plain-caption =

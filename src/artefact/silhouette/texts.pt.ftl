@@ -1,4 +1,4 @@
-title = A tonalização interpolada deixa os contornos poligonais
+title = A tonalização interpolada mantém os contornos poligonais
 claim =
     A tonalização interpolada faz as faces parecerem curvas, mas a silhueta continua um polígono visível. Normais
     interpoladas não movem vértices.
@@ -10,19 +10,19 @@ formula-2 = {"\\frac{A}{A_0} = \\frac{n}{2π} \\sin(2π/n)"}
 formula-2-says = área do n-ágono dividida pela área do círculo
 formula-3 = {"n_{1/2} = \\frac{π}{2 \\arcsin(1/(2 \\sqrt{R}))} ≈ π \\sqrt{R}"}
 formula-3-says = número de segmentos n acima do qual e é menor que meio pixel
-own-mesh = o seu contorno, comparado com o de --finer ARQUIVO ou com o dos seus próprios triângulos curvos
+own-mesh = o contorno, comparado com o de --finer ARQUIVO ou com o de seus próprios triângulos curvos
 shown-by = Use menos segmentos, uma imagem maior ou uma malha mais grosseira para mostrá-lo.
 ball = esfera
-mean-distance-measure = esfera: distância média dos contornos
+mean-distance-measure = esfera: distância média entre os contornos
 mean-distance-by =
     média de e sobre o polígono e sobre o círculo; tolerância: um terço de um pixel do contorno para cada contorno
 fewest-segments-measure =
     esfera: menor número de segmentos cujo erro de contorno excede o de uma esfera muito fina em no máximo meio pixel
 fewest-segments-by =
-    π/(2 arcsin(1/(2√R))), achado por bissecção em imagens. Só os pixels já dão um erro de contorno até a um círculo,
-    por isso a base é uma esfera muito fina. Tolerância: os pixels do contorno, convertidos em segmentos
+    π/(2 arcsin(1/(2√R))), encontrado por bissecção em imagens. Os pixels por si sós já dão um erro de contorno até a um
+    círculo; por isso, a base é uma esfera muito fina. Tolerância: os pixels do contorno, convertidos em segmentos
 torus = toro
-flat-shading-measure = tonalização plana comparada com a de Phong: distância dos contornos
+flat-shading-measure = tonalização plana comparada com a de Phong: distância entre os contornos
 flat-shading-by = a tonalização não move arestas
 outline-effect = maior distância do contorno
 why-half-pixel-of-outlines = meio pixel, mais a tolerância dos contornos
@@ -32,13 +32,13 @@ note-1 =
     esfera, porém, termina onde as faces terminam. O olho nota primeiro o contorno.
 note-2 =
     Perto do contorno, as faces são vistas em ângulo rasante e têm poucos pixels de largura. Cada uma delas é um lado do
-    polígono. Refine a malha primeiro onde ela se afasta do observador.
+    polígono. Refine a malha primeiro onde ela vira de costas para o observador.
 distance-by = R (1 − cos(π/n)); tolerância: um terço de um pixel do contorno para cada contorno
 area-by = n/(2π) sin(2π/n); tolerância: o comprimento do contorno vezes a tolerância das distâncias
 error-by-segments-title = Erro do contorno
 error-by-segments-caption =
-    Distância do contorno da esfera ao círculo em função do número de segmentos. A maior distância e a média caem como
-    1/n², como as suas fórmulas. Com muitos segmentos, só resta o erro dos pixels do contorno.
+    Distância do contorno da esfera ao círculo em função do número de segmentos. A maior distância e a média caem com
+    1/n², como nas fórmulas. Com muitos segmentos, só resta o erro dos pixels do contorno.
 error-by-segments-x = segmentos n
 error-by-segments-y = distância em pixels
 largest-curve = maior
@@ -59,15 +59,15 @@ torus-fine-caption = O toro com tantos segmentos quanto a esfera mais fina.
 torus-fine-seen = Os dois contornos parecem redondos.
 control-mesh =
     Triângulos curvos mantêm os vértices da malha. Os vértices de uma malha de controle de uma superfície de subdivisão
-    não estão nessa superfície. Nesse caso, subdivida a malha ou mova os seus vértices para a superfície de subdivisão.
+    não estão nessa superfície. Nesse caso, subdivida a malha ou mova seus vértices para a superfície de subdivisão.
 same-outlines =
     As duas malhas têm o mesmo contorno neste tamanho. Use uma imagem maior (--size) ou uma malha mais fina em --finer.
 own-title = malha
 own-caption = A malha com tonalização de Phong.
-own-seen = O seu contorno difere da referência.
+own-seen = O contorno difere da referência.
 own-curved-title = triângulos curvos
-own-curved-caption = A mesma malha como triângulos curvos que resultam das suas normais.
-own-curved-seen = O seu contorno fica mais perto da referência.
+own-curved-caption = A mesma malha como triângulos curvos obtidos de suas normais.
+own-curved-seen = O contorno fica mais perto da referência.
 finer-caption = A referência para os contornos.
 no-finer-mesh =
     Sem malha mais fina, a referência são triângulos curvos, e o contorno deles é o mesmo. Indique uma malha mais fina
@@ -89,13 +89,13 @@ curved-distance-measure = triângulos curvos: maior distância do contorno
 curved-mean-distance-measure = triângulos curvos: distância média do contorno
 shorter-edges-measure = fator pelo qual as arestas devem ser encurtadas para um erro de meio pixel
 holds =
-    com qualquer tonalização; só mais faces ajudam. O erro cai como 1/n². Para meio pixel, esta esfera com raio de
-    { $radius } pixels precisa de { $enough } segmentos; um raio de 200 pixels precisa de 45. Os erros medidos podem ser
-    até { $open } px maiores, pois contornos são feitos de pixels.
+    com qualquer tonalização; só mais faces ajudam. O erro cai com 1/n². Para meio pixel, esta esfera, com raio de
+    { $radius } pixels, precisa de { $enough } segmentos; um raio de 200 pixels precisa de 45. Os erros medidos podem
+    ser até { $open } px maiores, pois contornos são feitos de pixels.
 no-finer-mesh-sharp-edges =
-    Sem malha mais fina, a referência são triângulos curvos. Neles { $sharp-edges } arestas ficam vivas, pois o seu
-    ângulo diedro excede { $crease }°. Se essas arestas pertencem a uma forma curva, alise-as com --crease 180. Para
-    comparar com a forma verdadeira, use --finer ARQUIVO.
+    Sem malha mais fina, a referência são triângulos curvos. Neles { $sharp-edges } arestas ficam vivas, pois seu ângulo
+    diedro excede { $crease }°. Se essas arestas pertencem a uma forma curva, alise-as com --crease 180. Para comparar
+    com a forma verdadeira, use --finer ARQUIVO.
 own-holds = o contorno desta malha difere em mais de meio pixel aqui. { compared-with }
 lacking-title =
     { $compared ->
@@ -108,7 +108,7 @@ lacking-caption =
             Amarelo onde a esfera cobre a imagem e os polígonos não. Há um crescente em cada lado do polígono; com mais
             lados ele é mais fino.
         [finer] Amarelo onde só a malha ou só a malha mais fina cobre a imagem.
-       *[itself] Amarelo onde só a malha ou só os seus triângulos curvos cobrem a imagem.
+       *[itself] Amarelo onde só a malha ou só seus triângulos curvos cobrem a imagem.
     }
 finer-title =
     { $compared ->
@@ -120,6 +120,6 @@ compared-with =
         [finer] A referência é a malha mais fina `{ $finer }`.
        *[itself]
             A referência é a malha como triângulos curvos, com cada aresta dividida em { $parts }. São triângulos de
-            Bézier cúbicos (curved PN triangles): em cada vértice são perpendiculares à sua normal, e nos vincos às
+            Bézier cúbicos (curved PN triangles): em cada vértice são perpendiculares à normal dele e, nos vincos, às
             normais dos dois lados. A forma verdadeira pode ser outra; indique-a com --finer ARQUIVO.
     }

@@ -19,10 +19,10 @@ shown-by = Use outros pesos (--weight uniform) para mostrá-lo.
 equal-weights = pesos iguais
 area-weights = pesos pela área
 angle-weights = pesos pelo ângulo
-angle-area-weights = pesos ângulo × área
+angle-area-weights = pesos por ângulo × área
 max-weights = pesos de Max
 edge-weights = pesos das arestas 1/(|e₁| |e₂|)
-slivers-effect = esfera com filas finas: erro das normais nos vértices (rms)
+slivers-effect = esfera com filas estreitas: erro das normais nos vértices (rms)
 cube-effect = cubo: maior ângulo em relação à diagonal
 box-effect = caixa: maior ângulo em relação à diagonal
 torus-effect = toro irregular: erro das normais nos vértices (rms)
@@ -37,20 +37,21 @@ note-2 =
 fails =
     estes pesos dão ao cubo as mesmas normais com qualquer triangulação. Em superfícies curvas a média ainda depende dos
     triângulos.
-torus-rms-by = outro programa na mesma malha; tolerância: os dígitos que imprimiu
-ball-by = exatos se todos os vértices de um leque estão numa esfera (Max 1999)
-error-by-slivers-title = Pesos numa esfera com filas finas
+torus-rms-by = outro programa na mesma malha; tolerância: os dígitos que ele imprime
+ball-by = exatos se todos os vértices de um leque estiverem numa esfera (Max 1999)
+error-by-slivers-title = Pesos numa esfera com filas estreitas
 error-by-slivers-caption =
     Erro das normais nos vértices (rms) se uma fila de triângulos sim, outra não, é mais estreita. Com quase todos os
-    pesos ele cresce com a razão das alturas; com os de Max continua 0.
-error-by-slivers-x = altura da fila larga sobre a da fina
+    pesos, ele cresce com a razão das alturas; com os de Max, permanece 0.
+error-by-slivers-x = altura da fila larga / altura da fila estreita
 error-by-slivers-y = erro em graus
 cube-1-caption = O cubo alisado, com uma das duas diagonais em cada face.
 cube-1-seen = As normais em alguns vértices se inclinam para um lado.
 cube-2-caption = O mesmo cubo com a outra diagonal em todas as faces.
-cube-2-seen = As áreas claras e escuras estão em outro lugar.
+cube-2-seen = As áreas claras e escuras ficam em outros lugares.
 cube-difference-title = diferença
-cube-difference-caption = Diferença entre as duas imagens: violeta 0, amarelo { $full-light } da faixa ou mais.
+cube-difference-caption =
+    Diferença entre as duas imagens: violeta é 0, amarelo é { $full-light } da faixa total ou mais.
 cube-angle-caption = O cubo com pesos pelo ângulo.
 cube-angle-seen = Com qualquer triangulação, a normal em cada vértice é a diagonal do cubo.
 box-max-caption = A caixa de 1 × 1 × 10 com os pesos de Max.
@@ -60,7 +61,7 @@ box-angle-seen = As três faces num vértice contam igualmente.
 slivers-caption = Uma esfera em que uma fila de triângulos sim, outra não, é doze vezes mais estreita.
 slivers-seen = As filas são visíveis como faixas na luz.
 slivers-angle-caption = Pesos pelo ângulo não ajudam aqui.
-slivers-angle-seen = Um triângulo estreito pode ter num vértice um ângulo tão grande quanto um largo.
+slivers-angle-seen = Num vértice, um triângulo estreito pode ter um ângulo tão grande quanto o de um largo.
 slivers-max-caption = Os pesos de Max nos mesmos triângulos.
 slivers-max-seen = As normais são exatas em cada vértice de uma esfera, e a luz é lisa.
 torus-caption = Um toro com uma triangulação irregular.
@@ -76,13 +77,13 @@ box-cure = { $flat }
 torus-largest-by = { torus-rms-by }
 torus-rms-measure = toro irregular: erro rms nos vértices, { $weighting }
 torus-largest-measure = toro irregular: maior erro nos vértices, { $weighting }
-ball-measure = esfera com filas finas: erro rms nos vértices, { $weighting }
+ball-measure = esfera com filas estreitas: erro rms nos vértices, { $weighting }
 cube-largest-measure = cubo: maior ângulo entre todas as triangulações, { $weighting }
 cube-next-measure = cubo: menor ângulo acima de 0, { $weighting }
 box-largest-measure = caixa 1 × 1 × 10: maior ângulo, { $weighting }
 box-least-measure = caixa 1 × 1 × 10: menor ângulo, { $weighting }
 cube-largest-by =
-    cada face conta com os pesos dos seus um ou dois triângulos no vértice; tolerância: poucos arredondamentos
+    cada face conta com os pesos de seus um ou dois triângulos no vértice; tolerância: alguns arredondamentos
 cube-next-by = { cube-largest-by }
 box-largest-by = { cube-largest-by }
 box-least-by = { cube-largest-by }
@@ -91,11 +92,11 @@ cube-2-title = outra diagonal, { $weight }
 cube-angle-title = cubo, { $flat }
 box-max-title = caixa, { $round }
 box-angle-title = caixa, { $flat }
-slivers-title = filas finas, { $weight }
-slivers-angle-title = filas finas, { $flat }
-slivers-max-title = filas finas, { $round }
-slivers-error-title = filas finas, erro, { $weight }
-slivers-error-caption = Ângulo entre normais interpoladas e exatas: violeta 0°, amarelo { $full-angle }° ou mais.
+slivers-title = filas estreitas, { $weight }
+slivers-angle-title = filas estreitas, { $flat }
+slivers-max-title = filas estreitas, { $round }
+slivers-error-title = filas estreitas, erro, { $weight }
+slivers-error-caption = Ângulo entre normais interpoladas e exatas: violeta é 0°, amarelo é { $full-angle }° ou mais.
 torus-title = toro irregular, { $weight }
 torus-max-title = toro irregular, { $round }
 torus-error-title = toro irregular, erro, { $weight }
@@ -107,6 +108,6 @@ angle-area-weights-curve = { angle-area-weights }
 max-weights-curve = { max-weights }
 edge-weights-curve = { edge-weights }
 holds =
-    com pesos que contam uma face de outro modo se a sua diagonal termina no vértice, como nestas imagens ({ $weight }).
-    Pesos pelo ângulo não dependem da triangulação de faces planas, e os de Max são exatos em esferas. Nenhum peso é
-    correto em toda parte.
+    com pesos que contam uma face de modo diferente quando sua diagonal termina no vértice, como nestas imagens
+    ({ $weight }). Pesos pelo ângulo não dependem da triangulação de faces planas, e os de Max são exatos em esferas.
+    Nenhum peso é correto em toda parte.

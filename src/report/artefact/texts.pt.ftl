@@ -1,11 +1,11 @@
 laboratory = Artefatos de tonalização: afirmações e medidas
 lead =
-    Cada página testa uma afirmação de livros sobre um artefato de tonalização. Ela mostra imagens, números medidos com
-    os seus valores esperados e as condições em que a afirmação falha.
+    Cada página testa uma afirmação de livros-texto sobre um artefato de tonalização. Ela mostra imagens, números
+    medidos com seus valores esperados e as condições em que a afirmação não vale.
 contents = Conteúdo
 all = Todos os experimentos
 claim = Afirmação
-no-formulas = As fórmulas deste experimento valem para as suas próprias formas. Execute-o sem --mesh para vê-las.
+no-formulas = As fórmulas deste experimento só valem para as formas dele. Execute-o sem --mesh para vê-las.
 verdict = Veredito
 holds = A afirmação vale
 holds-only-if = A afirmação vale somente se
@@ -14,7 +14,7 @@ absent = Não testada aqui
 pictures = Imagens
 effect = Efeito da cura
 measured = Medidas
-numbers = Todas as grandezas medidas e os seus valores esperados
+numbers = Todas as grandezas medidas e seus valores esperados
 plots = Gráficos
 explained = Explicação
 reproduce = Reproduzir
@@ -50,15 +50,15 @@ effect-absent =
     artefato aqui. Com a cura ({ $cure }) a grandeza vale { $cured }.
 effect-present =
     Grandeza medida: { $name }. Vale { $bad } com o artefato, { $cured } depois da cura ({ $cure }): { $less }. Há
-    artefato acima de { $from } ({ $why }). A cura deve levar a grandeza abaixo desse limiar ou torná-la ao menos
+    artefato acima de { $from } ({ $why }). A cura deve levar a grandeza para baixo desse limiar ou torná-la ao menos
     { $factor } vezes menor.
 absent-below-threshold =
     o artefato não é visível: { $name } vale { $bad }, e o limiar é { $from } ({ $why }). { $shown-by }
 absent-in-pictures = as imagens não mostram o artefato com estes parâmetros ({ $name }: { $bad }). { $shown-by }
 shown-in = { $said } Mesmo assim, estas imagens o mostram em parte: { $labels }.
 cure-fails =
-    { $condition } A cura falha aqui ({ $cure }): { $name } vai de { $bad } a { $cured }. São { $less }; são necessárias
-    ao menos { $factor } vezes menos.
+    { $condition } A cura falha aqui ({ $cure }): { $name } vai de { $bad } a { $cured }. Ou seja, { $less }; são
+    necessárias ao menos { $factor } vezes menos.
 near = { $value } ± { $tolerance }
 at-most = no máximo { $value }
 miss = { $name }: medido { $found }, esperado { $wanted } ({ $by })
