@@ -15,7 +15,7 @@ pub(crate) fn place_key(p: DVec3) -> [u64; 3] {
 /// For each of so many items, the first one at the same place. `vertex` is the vertex of each; two vertices are at the same
 /// place if their [keys](place_key) are equal in every shape, a list of positions.
 ///
-/// A flat table of item numbers per thread, each for a share of the places: beside the result at most 9 bytes an item.
+/// A flat table of item numbers per thread, each for a share of the positions: at most 9 bytes an item in addition to the result.
 pub(super) fn first_at_place(
     count: usize,
     shapes: &[&[DVec3]],

@@ -54,7 +54,7 @@ pub struct Summary {
     /// Edges whose dihedral angle is within 0.1° of the crease angle, or within what the digits allow where positions were
     /// rounded to few decimals: as far as the normals of the two faces can have turned by that.
     pub near_crease: usize,
-    /// Chains of crease edges; none are counted if any edge is [`marked`](EdgeCounts::marked).
+    /// Chains of crease edges; none are counted if any edge is [`marked`](EdgeCounts::marked) or none is smooth.
     pub crease_chains: CreaseChains,
     /// The crease angle applied, in degrees; `None` where smoothing groups decide alone.
     pub crease_degrees: Option<f64>,

@@ -122,11 +122,17 @@ impl Finding {
     /// # Ok::<(), crease::io::ReadError>(())
     /// ```
     pub fn command(&self, input: &str, output: &str) -> Option<String> {
-        let options = self.remedy.as_ref()?;
-        let space = if options.is_empty() { "" } else { " " };
-        let [input, output] = [input, output].map(shell_word);
-        Some(format!("crease normals {input} -o {output}{space}{options}"))
+        self.remedy.as_ref().map(|options| fix_command(input, output, options))
     }
+}
+
+/// The command that fixes a file with some options of `crease normals`, for a POSIX shell. Standard input (`-`) is read from
+/// `FILE`, in place of which the user puts a name.
+pub fn fix_command(input: &str, output: &str, options: &str) -> String {
+    let space = if options.is_empty() { "" } else { " " };
+    let from = if input == "-" { " < FILE" } else { "" };
+    let [input, output] = [input, output].map(shell_word);
+    format!("crease normals {input} -o {output}{space}{options}{from}")
 }
 
 /// The title with the remark or the sum, and with what was not counted.

@@ -96,7 +96,7 @@ pub use diagnosis::{Diagnosis, PartDiagnosis, diagnose};
 pub use effect::lost_light::key_light_steps;
 pub use element::{Element, Severity};
 pub use estimate::recipe::{Estimate, SAMPLE};
-pub use finding::{Finding, Site};
+pub use finding::{Finding, Site, fix_command};
 pub use findings::storage::quantisation::Precision;
 pub use survey::{Survey, survey};
 pub use thresholds::Thresholds;

@@ -286,7 +286,7 @@ impl Segment {
         }
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
         let (low, high) = (a[0].min(b[0]) - radius, a[0].max(b[0]) + radius);
-        // Between the two lines beside it, or round an end.
+        // Between the lines on its two sides, or around an end.
         let (middle, half) = (a[0] + (y - a[1]) * (dx / dy), radius * (dx / dy).abs() + 2.0 * radius);
         let [low, high] =
             if middle.is_finite() { [low.max(middle - half), high.min(middle + half)] } else { [low, high] };

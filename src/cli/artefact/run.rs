@@ -22,8 +22,8 @@ use std::time::Instant;
 /// Runs the verb.
 pub fn main(args: &ArtefactArgs, color: Color) -> Exit {
     let console = Console::new(&args.run, color, None);
-    let Chosen { run: experiments, left_out } = chosen(args)
-        .unwrap_or_else(|message| usage_error("artefact", message.to_string().replacen("; ", "\nhelp: ", 1)));
+    let Chosen { run: experiments, left_out } =
+        chosen(args).unwrap_or_else(|message| usage_error("artefact", Failure::advised(message).message));
     args.run.use_threads();
     if args.experiment == LIST {
         list(args, &console);

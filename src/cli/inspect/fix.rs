@@ -1,8 +1,7 @@
 //! One command that fixes all that can be fixed together.
 
-use crease::io::shell_word;
 use crease::quality::catalogue::Kind;
-use crease::quality::{Finding, Severity};
+use crease::quality::{Finding, Severity, fix_command};
 use std::collections::BTreeMap;
 
 /// Values of options of which one does all that another does, least first.
@@ -12,10 +11,10 @@ const STRONGER: [(&str, &[&str]); 2] =
 /// The command that fixes the findings, which are in order of severity; `None` if none can be fixed.
 ///
 /// The remedies are merged: the stronger value of `--when` and `--orient`, and for other options the value that the more severe
-/// finding needs. For standard input, `FILE` stands where the reader puts a name. Recomputing all normals includes the broken and missing ones, so one step is enough.
+/// finding needs. Recomputing all normals includes the broken and missing ones. Authored normals are kept, unless a finding above
+/// a note needs all normals to be computed.
 pub fn command(findings: &[&Finding], input: &str, output: &str) -> Option<String> {
     let has_authored = findings.iter().any(|finding| finding.kind == Kind::Custom);
-    // Authored normals are kept, unless more than a note needs all to be computed.
     let is_due = |finding: &&&Finding| {
         let keeps = finding.remedy.as_deref().is_some_and(|options| options.contains("--when"));
         finding.severity > Severity::Note || keeps || !has_authored
@@ -38,18 +37,10 @@ pub fn command(findings: &[&Finding], input: &str, output: &str) -> Option<Strin
             options.entry(option).or_insert(value);
         }
     }
-    let mut command = format!("crease normals {} -o {}", shell_word(input), shell_word(output));
-    for (option, value) in options {
-        let is_set = STRONGER.iter().all(|(known, _)| *known != option) || !value.is_empty();
-        for word in [option, value].iter().filter(|word| is_set && !word.is_empty()) {
-            command.push(' ');
-            command.push_str(word);
-        }
-    }
-    if input == "-" {
-        command.push_str(" < FILE");
-    }
-    (!remedies.is_empty()).then_some(command)
+    options.retain(|option, value| STRONGER.iter().all(|(known, _)| known != option) || !value.is_empty());
+    let words: Vec<&str> = options.into_iter().flat_map(|(option, value)| [option, value]).collect();
+    let words: Vec<&str> = words.into_iter().filter(|word| !word.is_empty()).collect();
+    (!remedies.is_empty()).then(|| fix_command(input, output, &words.join(" ")))
 }
 
 /// Options and their values; an option without one has an empty value.
@@ -86,5 +77,20 @@ mod tests {
             merged(&["--orient consistent", "--orient outward --crease 30", "--crease 40 --flip"]),
             format!("{start} --crease 30 --flip --orient outward")
         );
+
+        let of = |kind: Kind, severity: Severity, remedy: Option<&str>| Finding {
+            kind,
+            severity,
+            remedy: remedy.map(str::to_owned),
+            ..finding.clone()
+        };
+        let authored = of(Kind::Custom, Severity::Note, None);
+        let with_authored = |severity: Severity, remedy: &str| {
+            let other = of(Kind::Faceted, severity, Some(remedy));
+            command(&[&other, &authored], "a.obj", "b.obj")
+        };
+        assert_eq!(with_authored(Severity::Note, "--crease 40"), None);
+        assert!(with_authored(Severity::Note, "--when broken").is_some());
+        assert!(with_authored(Severity::Warning, "--crease 40").is_some());
     }
 }

@@ -46,15 +46,21 @@ fn scene_help(page: &str) -> String {
     let (mut out, mut is_code) = (String::new(), false);
     let is_rule = |line: &str| line.starts_with("|---");
     let mut lines = page.lines().peekable();
+    let mut headers: Vec<&str> = Vec::new();
     while let Some(line) = lines.next() {
         is_code ^= line.starts_with("```");
         let row = line.strip_prefix("| ").and_then(|row| row.strip_suffix('|'));
         match row {
-            _ if is_rule(line) || lines.peek().is_some_and(|next| is_rule(next)) => {}
+            _ if is_rule(line) => {}
+            Some(row) if lines.peek().is_some_and(|next| is_rule(next)) => headers = cells(row).collect(),
             Some(row) => {
-                let mut keys: Vec<&str> = row.split(" |").map(str::trim).collect();
-                let meaning = keys.pop().unwrap_or_default();
-                keys.retain(|cell| !cell.is_empty());
+                let mut named: Vec<(&str, &str)> = cells(row).zip(headers.iter().copied()).collect();
+                let (meaning, _) = named.pop().unwrap_or_default();
+                let keys = named.into_iter().filter(|(cell, _)| !cell.is_empty()).map(|(cell, header)| {
+                    let is_default = header == "default" && !cell.starts_with("required");
+                    if is_default { format!("[default: {cell}]") } else { cell.to_owned() }
+                });
+                let keys: Vec<String> = keys.collect();
                 push_wrapped(&mut out, &keys.join("  "), ["  "; 2]);
                 if !meaning.is_empty() {
                     push_wrapped(&mut out, &without_links(meaning), ["      "; 2]);
@@ -73,6 +79,11 @@ fn scene_help(page: &str) -> String {
         }
     }
     out
+}
+
+/// The cells of a row of a table.
+fn cells(row: &str) -> impl Iterator<Item = &str> {
+    row.split(" |").map(str::trim)
 }
 
 /// A text with the words of links to other parts of its page only.

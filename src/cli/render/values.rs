@@ -176,7 +176,7 @@ choices! { Bits {
 
 choices! { Terminator {
     "smooth" => Smooth: "kept: only the interpolated normal counts",
-    "hard" => Hard: "removed: the face shadows itself, with an edge along the faces",
+    "hard" => Hard: "removed at once, so that shadows end at edges of faces",
     "soft" => Soft: "removed gradually (Chiang, Li and Burley 2019)",
 } }
 

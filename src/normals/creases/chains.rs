@@ -9,7 +9,7 @@ use rustc_hash::FxHashMap;
 pub struct CreaseChains {
     /// All chains.
     pub all: usize,
-    /// Chains of one or two edges with a free end, at which no other crease edge meets.
+    /// Chains of one or two edges with a free end: within the surface, where no other crease edge meets.
     pub short: usize,
 }
 
@@ -20,24 +20,30 @@ impl CreaseChains {
         self.all >= FEWEST && 2 * self.short > self.all
     }
 
-    /// The chains of edges, each given by its two vertices. Vertices with equal positions are one.
-    pub(crate) fn of(edges: &[[u32; 2]], positions: &[DVec3]) -> Self {
-        let mut edges_at: FxHashMap<[u64; 3], Vec<u32>> = FxHashMap::default();
-        for (edge, ends) in (0..).zip(edges) {
-            ends.iter().for_each(|&end| {
-                let key = place_key(positions[end as usize]);
-                edges_at.entry(key).or_default().push(edge);
-            });
-        }
+    /// The chains of crease edges on a surface with these boundary edges, each given by its two vertices. Vertices with equal
+    /// positions are one.
+    pub(crate) fn of(edges: &[[u32; 2]], boundary: &[[u32; 2]], positions: &[DVec3]) -> Self {
+        let key = |vertex: u32| place_key(positions[vertex as usize]);
+        // How many edges meet at each position, and one of them.
+        let mut ends: FxHashMap<[u64; 3], (u32, u32)> = FxHashMap::default();
         let mut chains = DisjointSets::new(edges.len());
-        for pair in edges_at.values() {
-            if let &[a, b] = pair.as_slice() {
-                chains.union(a, b);
+        let numbered = || (0..).zip(edges).flat_map(|(edge, ends)| ends.map(|vertex| (edge, vertex)));
+        for (edge, vertex) in numbered() {
+            let (count, _) = ends.entry(key(vertex)).or_insert((0, edge));
+            *count += 1;
+        }
+        for (edge, vertex) in numbered() {
+            let (count, other) = ends[&key(vertex)];
+            if count == 2 {
+                chains.union(edge, other);
             }
         }
+        for &vertex in boundary.as_flattened() {
+            ends.remove(&key(vertex));
+        }
         let mut has_free_end = vec![false; edges.len()];
-        for edge in edges_at.values().filter(|edges| edges.len() == 1).flatten() {
-            has_free_end[chains.find(*edge) as usize] = true;
+        for &(_, edge) in ends.values().filter(|(count, _)| *count == 1) {
+            has_free_end[chains.find(edge) as usize] = true;
         }
         let mut lengths = vec![0_usize; edges.len()];
         (0..edges.len() as u32).for_each(|edge| lengths[chains.find(edge) as usize] += 1);
@@ -65,7 +71,7 @@ mod tests {
     fn chains_end_at_forks_and_close_in_loops() {
         let positions: Vec<DVec3> = (0..20).map(|i| DVec3::splat(i as f64)).collect();
         let chains = |edges: &[[u32; 2]]| {
-            let CreaseChains { all, short } = CreaseChains::of(edges, &positions);
+            let CreaseChains { all, short } = CreaseChains::of(edges, &[], &positions);
             (all, short)
         };
         assert_eq!(chains(&[]), (0, 0));
@@ -79,9 +85,16 @@ mod tests {
     }
 
     #[test]
+    fn chains_to_the_boundary_have_no_free_end() {
+        let positions: Vec<DVec3> = (0..6).map(|i| DVec3::splat(i as f64)).collect();
+        let short = |boundary: &[[u32; 2]]| CreaseChains::of(&[[0, 1], [2, 3]], boundary, &positions).short;
+        assert_eq!([short(&[]), short(&[[0, 4]]), short(&[[0, 4], [1, 5]])], [2, 2, 1]);
+    }
+
+    #[test]
     fn equal_positions_are_one_vertex() {
         let positions = [DVec3::X, DVec3::ZERO, DVec3::NEG_Y, -DVec3::ZERO, DVec3::Y, DVec3::Z];
-        let chains = CreaseChains::of(&[[0, 1], [3, 4], [4, 5]], &positions);
+        let chains = CreaseChains::of(&[[0, 1], [3, 4], [4, 5]], &[], &positions);
         assert_eq!(chains, CreaseChains { all: 1, short: 0 });
     }
 }

@@ -48,11 +48,14 @@ pub(crate) struct FoundEdges {
     pub(crate) near: usize,
     /// The ends of those that are hard for their angle, the lower first.
     pub(crate) creases: Vec<[u32; 2]>,
+    /// The ends of those with one face.
+    pub(crate) open: Vec<[u32; 2]>,
 }
 
 impl FoundEdges {
-    fn join(mut self, other: Self) -> Self {
-        self.creases.extend(other.creases);
+    fn join(mut self, mut other: Self) -> Self {
+        self.creases.append(&mut other.creases);
+        self.open.append(&mut other.open);
         Self { counts: self.counts + other.counts, near: self.near + other.near, ..self }
     }
 
@@ -68,10 +71,13 @@ impl FoundEdges {
         }
     }
 
-    /// The chains of creases. Chains may end at marked edges, too, which are modelled: then none are counted.
+    /// The chains of creases. None are counted if chains may end at marked edges, too, which are modelled, or if nothing is
+    /// smooth.
     pub(crate) fn chains(&self, positions: &[DVec3]) -> CreaseChains {
-        match self.counts.marked {
-            0 => CreaseChains::of(&self.creases, positions),
+        match self.counts {
+            EdgeCounts { marked: 0, smooth: 1.., .. } => {
+                CreaseChains::of(&self.creases, &self.open, positions)
+            }
             _ => CreaseChains::default(),
         }
     }
@@ -105,6 +111,7 @@ impl Tally {
             }
             Link::Boundary => {
                 counts.boundary += 1;
+                edges.open.push(ends(walker, half_edge).into());
                 return;
             }
             Link::NonManifold | Link::Ambiguous | Link::Collapsed => return,
@@ -153,15 +160,12 @@ impl Verdict {
 #[derive(Default)]
 pub(crate) struct RingCounts {
     pub(crate) edges: FoundEdges,
-    /// The ends of edges with one face.
-    pub(crate) open: Vec<[u32; 2]>,
     /// The ends of edges with more than two, lower one first, as often as they are met.
     non_manifold: Vec<[u32; 2]>,
 }
 
 impl RingCounts {
     pub(crate) fn join(mut self, mut other: Self) -> Self {
-        self.open.append(&mut other.open);
         self.non_manifold.append(&mut other.non_manifold);
         Self { edges: self.edges.join(other.edges), ..self }
     }

@@ -84,7 +84,7 @@ pub(in crate::normals) fn of_triangles(
     let mut corner_slot = bytemuck::zeroed_vec(faces.corners().len());
     let (slots, found) = creases.entries(mesh.vertex_count(), &mut memory, &mut corner_slot);
     let is_joined = joined.is_some();
-    if recipe.weld == Weld::Exact && !is_joined && !joins_no_edges(mesh, &found.open) {
+    if recipe.weld == Weld::Exact && !is_joined && !joins_no_edges(mesh, &found.edges.open) {
         return None;
     }
     let groups = if is_joined {

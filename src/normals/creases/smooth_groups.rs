@@ -40,7 +40,7 @@ impl SlotCorners {
 }
 
 impl SmoothGroups {
-    /// `alike`: for each entry one that stands for all of its slot, or nothing if each has a slot of its own.
+    /// `alike`: for each entry the entry that represents its slot, or nothing if each has a slot of its own.
     fn new(corner_entry: Vec<u32>, entry_vertex: Vec<u32>, mut alike: Vec<u32>) -> Self {
         let mut slots = 0;
         let mut number = vec![NONE; alike.len()];

@@ -249,7 +249,7 @@ impl<'a> Walk<'a> {
         let vertices = creases.faces.corners();
         walker.fans.find(matcher, vertex as u32, ring, |corner, link| {
             let to = vertices[next_in_triangle(corner) as usize];
-            found.open.extend((link == Link::Boundary).then_some([vertex as u32, to]));
+            found.edges.open.extend((link == Link::Boundary).then_some([vertex as u32, to]));
             if let Some(turns) = creases.counts {
                 found.add(&creases.crease, creases.normals, turns, [vertex as u32, to], corner, link);
             }
@@ -390,12 +390,14 @@ mod tests {
             let mut open: Vec<_> =
                 open.map(|h| <[u32; 2]>::from(topology.ends(faces.corners(), h))).collect();
             open.sort_unstable();
-            let mut found_open = found.open.clone();
+            let mut found_open = found.edges.open.clone();
             found_open.sort_unstable();
             assert_eq!(found_open, open);
             if all_counted {
                 let (mut found, mut expected) = (found.finish(false), edge_counts(&walker, turns));
-                [&mut found, &mut expected].into_iter().for_each(|edges| edges.creases.sort_unstable());
+                [&mut found, &mut expected].into_iter().for_each(|edges| {
+                    [&mut edges.creases, &mut edges.open].into_iter().for_each(|ends| ends.sort_unstable())
+                });
                 assert_eq!(found, expected, "{triangles:?} {positions:?} {crease:?}");
                 sharp_and_smooth += usize::from(expected.counts.smooth > 0 && expected.counts.crease > 0);
                 near += usize::from(expected.near > 0);

@@ -221,7 +221,7 @@ impl FaceField {
         &self.0.unit
     }
 
-    /// The same for keeps.
+    /// The unit normal of every face, without the rest.
     pub(in crate::normals) fn into_units(self) -> Vec<DVec3> {
         self.0.unit
     }

@@ -2,6 +2,7 @@
 
 use crate::mesh::FacesRef;
 use crate::normals::faces::positions::Source;
+use crate::normals::faces::shape::FaceState;
 use crate::normals::recipe::Slivers;
 use crate::normals::sums::corner_mean::{Term, mean};
 use crate::normals::sums::corner_terms::CornerTerms;
@@ -12,14 +13,14 @@ use rayon::prelude::*;
 /// What every corner of a mesh adds to a sum, computed once.
 pub(crate) struct TermTable<'a> {
     faces: FacesRef<'a>,
-    corners: Vec<CornerTerm>,
+    vectors: Vec<[f64; 4]>,
+    states: Vec<FaceState>,
+    weights: Vec<f64>,
+    /// The face of each corner.
+    owners: Vec<u32>,
+    /// Which corners coincide with the corner before them in their face.
+    coincident: Vec<bool>,
     slivers: Slivers,
-}
-
-struct CornerTerm {
-    term: Term,
-    /// Whether it coincides with the corner before it in its face.
-    coincides: bool,
 }
 
 /// Faces that one task computes.
@@ -33,38 +34,63 @@ impl<'a> TermTable<'a> {
         let starts: Vec<usize> = (0..faces.len()).step_by(TASK).collect();
         let terms_of = |&first: &usize| {
             let mut scalar = CornerTerms::default();
-            let mut terms = Vec::new();
+            let (mut vectors, mut states) = (Vec::new(), Vec::new());
+            let (mut weights, mut owners, mut coincident) = (Vec::new(), Vec::new(), Vec::new());
             for face in first..(first + TASK).min(faces.len()) {
                 let vertices = faces.face(face);
                 let before = |corner: usize| vertices[(corner + vertices.len() - 1) % vertices.len()];
                 scalar
                     .fill(faces, &source, request.weight, face, |corner| vertices[corner] == before(corner));
+                vectors.push(scalar.vector);
+                states.push(scalar.state);
+                weights.extend_from_slice(&scalar.weights);
+                owners.extend(vertices.iter().map(|_| face as u32));
                 // A triangle with two corners in one position has no area and adds nothing.
                 let coincides = |corner: usize| {
                     vertices.len() > 3 && source.point(vertices[corner]).0 == source.point(before(corner)).0
                 };
-                let CornerTerms { vector, state, ref weights, .. } = scalar;
-                terms.extend(weights.iter().enumerate().map(|(corner, &weight)| CornerTerm {
-                    term: Term { vector, weight, face: face as u32, state },
-                    coincides: coincides(corner),
-                }));
+                coincident.extend((0..vertices.len()).map(coincides));
             }
-            terms
+            (vectors, states, (weights, owners, coincident))
         };
-        Self { faces, corners: starts.par_iter().flat_map_iter(terms_of).collect(), slivers: request.slivers }
+        let tasks: Vec<_> = starts.par_iter().map(terms_of).collect();
+        let mut table = Self {
+            faces,
+            vectors: Vec::with_capacity(faces.len()),
+            states: Vec::with_capacity(faces.len()),
+            weights: Vec::with_capacity(faces.corners().len()),
+            owners: Vec::with_capacity(faces.corners().len()),
+            coincident: Vec::with_capacity(faces.corners().len()),
+            slivers: request.slivers,
+        };
+        for (vectors, states, (weights, owners, coincident)) in tasks {
+            table.vectors.extend(vectors);
+            table.states.extend(states);
+            table.weights.extend(weights);
+            table.owners.extend(owners);
+            table.coincident.extend(coincident);
+        }
+        table
     }
 
     /// The mean over a set of corners of one vertex or of welded ones, given ascending, by the rules of all sums. A corner adds
     /// nothing of its own if the corner before it has the same position and is in the set as well.
     pub(crate) fn mean(&self, corners: &[u32], terms: &mut Vec<Term>) -> (DVec3, SlotState) {
         terms.clear();
-        terms.extend(corners.iter().filter_map(|&corner| {
-            let CornerTerm { term, coincides } = &self.corners[corner as usize];
-            let face = self.faces.range(term.face as usize);
-            let before =
-                if corner as usize == face.start { face.end as u32 - 1 } else { corner.wrapping_sub(1) };
-            (!coincides || corners.binary_search(&before).is_err()).then_some(*term)
+        let is_first = |corner: &&u32| {
+            !self.coincident[**corner as usize] || corners.binary_search(&self.before(**corner)).is_err()
+        };
+        terms.extend(corners.iter().filter(is_first).map(|&corner| {
+            let face = self.owners[corner as usize];
+            let (vector, state) = (self.vectors[face as usize], self.states[face as usize]);
+            Term { vector, weight: self.weights[corner as usize], face, state }
         }));
         mean(terms, self.slivers)
+    }
+
+    /// The corner before a corner in its face.
+    fn before(&self, corner: u32) -> u32 {
+        let face = self.faces.range(self.owners[corner as usize] as usize);
+        if corner as usize == face.start { face.end as u32 - 1 } else { corner - 1 }
     }
 }

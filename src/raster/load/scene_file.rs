@@ -173,7 +173,7 @@ pub(super) fn plain_material() -> Material {
 /// Reads a scene, or a mesh as a scene: framed by itself, with a light of its own, in a plain material.
 ///
 /// A name that ends in `.toml` is a scene file, unless a format is given; without one, any other file's content and name
-/// tell what it is. A glTF file is a scene too: nodes, the first camera, punctual lights, base colours.
+/// determine its format. A glTF file is a scene too: nodes, the first camera, punctual lights, base colours.
 ///
 /// ```no_run
 /// use crease::raster::{LoadOptions, load, render};

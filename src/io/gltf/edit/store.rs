@@ -316,7 +316,7 @@ fn bounds(bytes: &[u8], format: Format) -> Bounds {
     Bounds { low, high }
 }
 
-/// What an edit changes besides normals: its rank among the notes, the nouns behind its count, and its text.
+/// What an edit changes besides normals: its rank among the notes, the noun for its count, and its text.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Remark(u8, pub [&'static str; 2], pub &'static str);
 
