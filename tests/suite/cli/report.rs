@@ -275,3 +275,29 @@ fn dropped_faces_have_no_row() {
     assert_eq!(rows.iter().filter(|row| row.is_none()).count(), part.dropped_faces);
     assert!(part.dropped_faces > 0 && rows.len() == part.faces);
 }
+
+/// Only scans have the row: the folds of a corrugated sheet are chains of two edges, too, but end at its boundary.
+#[test]
+fn scattered_creases_are_reported_of_scans_and_not_of_folds() {
+    let (mut folds, mut faces) = (String::new(), String::new());
+    for i in 0..30 {
+        let (x, z) = (0.5 * f64::from(i), 0.5 * f64::from(i % 2));
+        folds += &format!("v {x} 0 {z}\nv {x} 1 {z}\nv {x} 2 {z}\n");
+        for v in [3 * i - 2, 3 * i - 1].into_iter().filter(|_| i > 0) {
+            faces += &format!("f {v} {} {} {}\n", v + 3, v + 4, v + 1);
+        }
+    }
+    let files = folder(&[("folds.obj", &(folds + &faces))]);
+    let scan = path(files.path().join("scan.ply"));
+    let noisy =
+        ["surface", "torus", "--segments", "48x24", "--jitter", "0.5", "--noise", "0.15", "-o", &scan];
+    assert!(super::crease().args(noisy).output().unwrap().status.success());
+    let said = |file: &str, more: &[&str]| {
+        text(&succeed([&[file, "--dry-run"], more].concat()).stdout).contains("scattered")
+    };
+    let folds = path(files.path().join("folds.obj"));
+    assert!(said(&scan, &[]) && !said(&scan, &["--crease", "0"]) && !said(&folds, &[]));
+    for crease in ["10", "25", "40", "60"] {
+        assert!(!said(&path(data("gear.obj")), &["--crease", crease]), "{crease}");
+    }
+}

@@ -172,6 +172,19 @@ fn the_recipe_that_made_the_normals_is_among_those_reported() {
     }
 }
 
+/// Groups are part of the recipe also where a crease angle alone comes within 5° of all normals.
+#[test]
+fn normals_by_smoothing_groups_are_attributed_to_them() {
+    for name in ["bracket.obj", "gear.obj"] {
+        let mesh = file(name).with_normals(None);
+        for weight in Weight::ALL.into_iter().filter(|&weight| weight != Weight::Quadric) {
+            let made = NormalRecipe { weight, ..NormalRecipe::default() };
+            let estimate = estimate(&with_normals(mesh.clone(), &made));
+            assert!(estimate.groups, "{name}, {weight:?}: {}", estimate.in_words());
+        }
+    }
+}
+
 /// The ends of `crease 28° to 60°`, `crease 28°`, `crease 28° or more` or `any crease angle`.
 fn reported_range(report: &str) -> [f64; 2] {
     let Some((_, from)) = report.split_once(" fit crease ") else { return [0.0, 180.0] };
