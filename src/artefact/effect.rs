@@ -50,7 +50,8 @@ impl Threshold {
         Self { value: Self::HALF_PIXEL, why: SHARED.get("half-pixel") }
     }
 
-    /// The angle in degrees by which a normal in light from the side changes diffuse light by half a step of 8 bits.
+    /// The angle in degrees by which a normal in light from the side changes diffuse light by half a step of 8 bits:
+    /// there N·L is steepest, and changes by as much as the angle in radians.
     pub fn half_step_of_tilt() -> Self {
         Self { value: 0.5 / 255.0 * 180.0 / PI, why: SHARED.get("half-step-of-tilt") }
     }
@@ -62,7 +63,8 @@ impl Effect {
         if self.bad == 0.0 && self.cured == 0.0 { 1.0 } else { self.bad.abs() / self.cured.abs() }
     }
 
-    /// A value as texts state it: 0 where it is less than a thousandth of the threshold, which is rounding.
+    /// A value as texts state it: 0 if it is less than a thousandth of the threshold. For light from 0 to 1, and for
+    /// tilts in radians, that is 2·10⁻⁶, about sixteen roundings of single precision.
     pub(crate) fn reported(&self, value: f64) -> f64 {
         if value.abs() < 1e-3 * self.present.value { 0.0 } else { value }
     }

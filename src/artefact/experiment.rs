@@ -15,8 +15,9 @@ use std::ops::RangeInclusive;
 pub struct Experiment {
     /// Its name: lower-case letters, digits and hyphens. It does not change between versions.
     pub id: &'static str,
-    /// Its texts: `title`, `claim`, `source-N`, `formula-N` with `formula-N-says`, `own-mesh` (what is measured on a user's mesh) and
-    /// `shown-by` (how to show the artefact where it is absent: the end of a sentence).
+    /// Its texts: `title`, `claim`, `source-N` (a section or exercise of the lectures, or a paper), `formula-N` with
+    /// `formula-N-says` (closed forms), `own-mesh` (what is measured on a user's mesh) and `shown-by` (how to show the
+    /// artefact where it is absent: the end of a sentence).
     pub(super) texts: &'static Catalogue,
     /// What may be changed about it.
     pub takes: &'static [ParameterName],

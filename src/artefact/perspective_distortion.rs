@@ -20,7 +20,8 @@ const RATIO: f64 = 4.0;
 const FULL: f64 = 0.35;
 /// Those of the plot.
 const RATIOS: [f64; 6] = [1.1, 1.5, 2.0, 4.0, 6.0, 10.0];
-/// Squares of the board along each side: not the same as pieces, whose corners are right.
+/// Squares of the board along each side: 9, or 10 if the number of pieces is a multiple of 9. Colours are right at the
+/// corners of pieces; if all corners of squares were such corners, the errors between them would not be visible.
 fn squares(pieces: u32) -> f64 {
     if pieces.is_multiple_of(9) { 10.0 } else { 9.0 }
 }

@@ -72,7 +72,8 @@ impl TriangleMesh {
         Self::new(&positions, (0..columns * rows).flat_map(cut).collect(), &normals)
     }
 
-    /// The unit sphere with its own normals: circles of so many vertices round the y axis, turned by an angle in radians.
+    /// The unit sphere with its own normals: circles of so many vertices around the y axis, of which one is the
+    /// equator. A vertex of the equator is rotated from +z to the right by an angle in radians.
     pub(super) fn globe(segments: u32, turn: f64) -> Self {
         let rows = 2 * segments.div_ceil(4);
         Self::grid([segments, rows], Diagonal::Rising, |u, v| {

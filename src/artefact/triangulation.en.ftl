@@ -52,7 +52,7 @@ note-1 =
     Each triangle uses three of the four corners, so only the two ends of the diagonal determine the colours along it.
     The scanline algorithm on the whole polygon prefers no diagonal, but depends on the rotation of the polygon (see the
     experiment `orientation`). The effect is measured against the exact surface, because both triangulations have
-    errors. At least one of the two errors is at least half of their difference.
+    errors. At least one of the two errors is at least half the difference between the two triangulations.
 order-measure = waves: order of the difference in h
 order-of-black-slopes =
     not compared with O(h²): slopes that face away from the light are black, and luminance has a kink at their borders

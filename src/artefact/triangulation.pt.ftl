@@ -51,13 +51,13 @@ note-1 =
     Cada triângulo usa três dos quatro cantos, e por isso só as duas pontas da diagonal determinam as cores ao longo
     dela. O algoritmo de varredura no polígono inteiro não favorece nenhuma diagonal, mas depende da rotação do polígono
     (veja o experimento `orientation`). O efeito é medido em relação à superfície exata, pois as duas triangulações têm
-    erros. Ao menos um dos dois erros é pelo menos metade da diferença entre eles.
+    erros. Ao menos um dos dois erros é pelo menos metade da diferença entre as duas triangulações.
 order-measure = ondas: ordem da diferença em h
 order-of-black-slopes =
     não comparado com O(h²): as encostas de costas para a luz são pretas, e a luminância tem uma quebra nas bordas delas
 order-below-precision = não comparado com O(h²): a diferença dos quadrados mais finos é próxima da precisão simples
 order-below-pixels = não comparado com O(h²): os quadrados mais finos são menores que dois pixels
-order-of-coarse-squares = não comparado com O(h²): há poucos quadrados por onda
+order-of-coarse-squares = não comparado com O(h²): os quadrados por onda não bastam
 order-by = O(h²); tolerância: facetas de 1/12 de onda ainda não são pequenas
 difference-by-cells-title = Diferença entre as duas diagonais
 difference-by-cells-caption =

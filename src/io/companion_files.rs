@@ -26,6 +26,25 @@ impl fmt::Display for Refusal {
     }
 }
 
+impl Refusal {
+    /// What to do about it; `is_stream`: if the input has no folder of its own.
+    pub(super) fn advice(self, is_stream: bool) -> &'static str {
+        match self {
+            Refusal::Remote => "copy it to this machine",
+            Refusal::Outside => "move it into that folder, or allow its folder with --root",
+            Refusal::Missing if is_stream => "name its folder with --root",
+            Refusal::Missing => "check the name",
+            Refusal::NoFile => "name a file",
+        }
+    }
+
+    /// The same in a note, which has no advice of its own.
+    pub(super) fn in_note(self) -> String {
+        let hint = if self == Refusal::Outside { " (--root allows its folder)" } else { "" };
+        format!("{self}{hint}")
+    }
+}
+
 /// The file that a name refers to from `folder`, relative to the input's folder `base`. It must lie in that folder or in the
 /// root of the options; symbolic links are followed before the check.
 pub(super) fn find(
@@ -56,13 +75,7 @@ pub(super) fn find(
 /// The file that a name refers to from the folder `base`, in which it must lie, or else within the root of the options.
 pub(crate) fn companion(base: &Path, name: &str, options: &ReadOptions) -> Result<PathBuf, ReadError> {
     find(base, Path::new(""), name, options).map_err(|refusal| {
-        let advice = match refusal {
-            Refusal::Remote => "copy it to this machine",
-            Refusal::Outside => "move it into that folder, or name its folder with --root",
-            Refusal::Missing => "check the name",
-            Refusal::NoFile => "name a file",
-        };
-        ReadError::new(Problem::Companion, Place::File, format!("the file {refusal}"), advice)
+        ReadError::new(Problem::Companion, Place::File, format!("the file {refusal}"), refusal.advice(false))
     })
 }
 

@@ -117,7 +117,6 @@ pub fn read_bytes(
     let Some(format) = format.or_else(|| detect(&bytes, None)) else {
         return Err(unknown(&bytes));
     };
-    check_size(bytes.len() as u64, &options.limits)?;
     let is_other = bytes.is_empty() || other_format(&bytes).is_some();
     let what_it_is = is_other.then(|| unknown(&bytes));
     let loaded = match format {
@@ -127,11 +126,21 @@ pub fn read_bytes(
         Format::Ply => ply::read(bytes, base, options),
     };
     let mut loaded = loaded.map_err(|error| match what_it_is {
-        Some(other) if error.problem == Problem::Syntax => other,
+        Some(other) if is_about_the_start(&error) => other,
         _ => error,
     })?;
     loaded.notes.extend(face_notes(&loaded.parts));
     Ok(loaded)
+}
+
+/// Whether an error may come from another format than the reader's. Behind the first line, the format is right. A binary STL has
+/// no signature: its reader takes the first bytes for a header, and misses data.
+fn is_about_the_start(error: &ReadError) -> bool {
+    match error.problem {
+        Problem::Syntax => matches!(error.place, Place::File | Place::Line(1) | Place::Byte(0..4)),
+        Problem::Truncated => matches!(error.place, Place::Byte(_)),
+        _ => false,
+    }
 }
 
 /// The name of a format that is no mesh that crease reads, by its first bytes, and what to do.
@@ -211,5 +220,25 @@ mod tests {
         let mut options = ReadOptions::default();
         options.limits.bytes = 4;
         assert_eq!(read(&path, None, &options).unwrap_err().problem, Problem::Limit);
+        for reader in [obj::read, gltf::read, stl::read, ply::read] {
+            assert_eq!(reader(vec![b' '; 5], None, &options).unwrap_err().problem, Problem::Limit);
+        }
+    }
+
+    /// A wrong suffix is the fault that is reported, unless the reader has come beyond the first line.
+    #[test]
+    fn files_of_other_formats_are_named_whatever_their_suffix() {
+        let page = format!("<!DOCTYPE html>{}", " ".repeat(200)).into_bytes();
+        let gzip = [&b"\x1f\x8b\x08"[..], &[b'0'; 200]].concat();
+        let error = |bytes: &[u8], format| {
+            read_bytes(bytes.to_vec(), Some(format), None, &ReadOptions::default()).unwrap_err().to_string()
+        };
+        for format in Format::ALL {
+            assert!(error(&page, format).contains("starts like XML or HTML"), "{format}");
+            assert!(error(&gzip, format).contains("starts like a gzip archive"), "{format}");
+        }
+        assert!(error(b"", Format::Gltf).contains("the file is empty"));
+        let obj = b"<!-- a line of no meaning -->\nv 0 0 0\nv 1 0 0\nv 0 1 zz\n";
+        assert!(error(obj, Format::Obj).starts_with("line 4: "), "{}", error(obj, Format::Obj));
     }
 }

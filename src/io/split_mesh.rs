@@ -10,7 +10,7 @@ pub(super) struct SplitMesh<'a> {
     pub vertex_of: Cow<'a, [u32]>,
     /// `None` if no vertex has to be split. Its `corners` are in `vertex_of`.
     split: Option<VertexSplit>,
-    /// Whether faces use a vertex, where that matters and `split` does not specify it.
+    /// Whether faces use a vertex. Filled only if nothing is split, and a column is per corner or normals are absent.
     is_used: Vec<bool>,
 }
 

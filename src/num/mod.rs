@@ -19,6 +19,8 @@ mod least_squares;
 // Reproducible numbers to test with.
 #[cfg(any(test, feature = "stress"))]
 pub(crate) mod numbers;
+// Lists of a fixed length in files.
+mod list;
 // xⁿ by arithmetic alone: no call in the loop, the same bits on every machine, many at once.
 mod power;
 // Exact products, with and without a fused multiply-add.
@@ -52,6 +54,7 @@ pub(crate) use dispatch::{Kernel, dispatch};
 pub(crate) use exact::ExactSum;
 pub(crate) use lanes::{Arithmetic, EightLanes, LANES, Lanes, OneLane, Rows, Scalars, Truth, Vectors};
 pub(crate) use least_squares::least_squares;
+pub(crate) use list::{List, list};
 #[cfg(test)]
 pub(crate) use numbers as test_numbers;
 #[cfg(feature = "stress")]

@@ -19,8 +19,8 @@ use serde::Serialize;
 
 /// The surface that is visible at one sample of a pixel. Objects, faces and vertices count from 0.
 ///
-/// The visible face is that of the picture, on snapped vertices. All numbers are computed from unsnapped ones: at a rim a weight
-/// may be a little below 0.
+/// The visible face is that of the picture, on snapped vertices. All numbers are computed from unsnapped ones: at a rim
+/// the sample may lie outside the face by 1/512 of a pixel, and a weight may be a little below 0.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ProbePoint {
     /// The number of the object.
@@ -37,7 +37,8 @@ pub struct ProbePoint {
     pub position: [f64; 3],
     /// Distance along the camera's axis.
     pub distance: f64,
-    /// The weighted sum of the vertices' normals, of the lit side; of an analytic surface its normal.
+    /// The weighted sum of the vertices' normals, of the lit side: shorter than 1 where they differ. On an analytic
+    /// surface its unit normal.
     pub interpolated_normal: [f64; 3],
     /// The face's normal, of the side that is lit; of an analytic surface its own.
     pub face_normal: [f64; 3],

@@ -32,7 +32,8 @@ pub struct Scene<'a> {
 pub struct Object<'a> {
     /// Its form, in its own space.
     pub shape: Shape<'a>,
-    /// From its own space to the scene's: any invertible affine map. Normals and front faces of mirrored objects stay right.
+    /// From its own space to the scene's: any invertible affine map. Normals are multiplied by the inverse transpose;
+    /// front faces of mirrored objects stay front faces.
     pub transform: DMat4,
     /// Its colour.
     pub paint: Paint<'a>,
@@ -131,7 +132,8 @@ pub enum LinePath {
 }
 
 impl Scene<'_> {
-    /// The bounding box of all that is drawn, in the scene's space, without unused vertices and lines along objects.
+    /// The smallest and the largest corner of the bounding box of all that is drawn, in the scene's space, without
+    /// unused vertices and lines along objects. `None` if nothing is drawn.
     pub fn bounds(&self) -> Option<(DVec3, DVec3)> {
         let mut bounds: Option<(DVec3, DVec3)> = None;
         self.each_point(|point| {

@@ -21,7 +21,8 @@ pub enum Shading {
     Phong,
     /// Nowhere: the edges of the faces are drawn as lines.
     Wireframe,
-    /// At every sample, with position and normal of the analytic surface of the object, by casting a ray.
+    /// At every sample, with position and normal of the analytic surface of the object, by casting a ray. An object
+    /// without an analytic surface is an error.
     Exact,
 }
 
@@ -29,10 +30,11 @@ pub enum Shading {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Interpolation {
-    /// Along the edges of the polygon, then along the scanline between them, on the picture (F19). It depends on the rotation of a
-    /// face of four corners or more; in triangles it is [`Affine`](Self::Affine).
+    /// Along the edges of the polygon, then along the scanline between them, on the picture (Gouraud 1971; F19). The
+    /// colours of a face of four corners or more change when it rotates; in triangles it is [`Affine`](Self::Affine).
     Scanline,
-    /// Barycentric on the triangles that a face is cut into, on the picture: depends on the cut and ignores perspective.
+    /// Barycentric on the triangles that a face is cut into, on the picture. It depends on the cut, not on the rotation
+    /// of the face, and ignores perspective.
     Affine,
     /// Barycentric on the triangles, in the scene: right under perspective.
     #[default]
@@ -86,7 +88,7 @@ pub enum Show {
     /// A colour for each face.
     FaceId,
     /// The angle between the interpolated normal and that of the object's analytic surface, else that of the face. Black at 0, over
-    /// red and yellow to white at the given angle.
+    /// red and yellow to white at the given angle and above.
     Deviation(Degrees),
 }
 
@@ -128,8 +130,11 @@ impl Bits {
     }
 }
 
-/// The number of samples of each pixel, which is their mean: the centre, or a standard pattern of Direct3D 11
-/// (`D3D11_STANDARD_MULTISAMPLE_PATTERN`).
+/// The number of samples of each pixel. Each sample is shaded separately; the pixel is the mean of its samples.
+///
+/// Positions are in 256ths of a pixel from its upper left corner, in multiples of 16. One sample is at the centre; 4, 8
+/// and 16 are the standard patterns of Direct3D 11 (`D3D11_STANDARD_MULTISAMPLE_PATTERN`), in which no two samples
+/// share a row or a column.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Samples {
     /// The centre.
@@ -185,7 +190,8 @@ impl Samples {
     }
 }
 
-/// Everything about a picture that is not in the scene.
+/// Everything about a picture that is not in the scene. The number of threads is not here: drawing uses the current
+/// thread pool of rayon, and the picture has the same bytes at any number of threads.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RenderSettings {
     /// Width and height in pixels, 1 to 16384 each.
@@ -208,7 +214,8 @@ pub struct RenderSettings {
     pub infinite_viewer: bool,
     /// The guards of the lighting formulas.
     pub guards: Guards,
-    /// The treatment of light that reaches a face from behind, under [`Shading::Phong`] only.
+    /// The treatment of light that reaches a face from behind, under [`Shading::Phong`] only. Gouraud shading lights
+    /// corners, which several faces share, and flat shading has no normal but that of the face.
     pub terminator: Terminator,
     /// Fading with the distance to the viewer.
     pub depth_cue: Option<DepthCue>,

@@ -9,7 +9,8 @@ use std::f64::consts::{PI, TAU};
 
 /// Corners of the polygon that approximates a disc.
 ///
-/// It has the disc's area. On the axis of the disc its irradiance is too small by at most 1.3e-7 of it.
+/// It has the disc's area. On the axis of a disc of radius R, at the distance h, the irradiance is below R²/(R²+h²) by
+/// a relative error of at most 1.3e-7, at h = R.
 const DISC_CORNERS: usize = 64;
 
 /// Cutting a convex polygon by a plane adds one corner at the most.
@@ -133,7 +134,7 @@ fn sign(x: f64) -> f64 {
 
 /// Lambert's formula: (1/2π) Σ Θ Γ over the edges of a polygon seen from the origin, Θ the angle of an edge and Γ the unit
 /// normal of the plane through it and the origin; edges without such a plane add nothing. Its product with a normal is the
-/// diffuse irradiance from a polygon above the horizon (Baum, Rushmeier & Winget, SIGGRAPH 1989).
+/// diffuse irradiance from a polygon above the horizon (Lambert 1760; Baum, Rushmeier & Winget, SIGGRAPH 1989).
 fn vector_irradiance(polygon: &[DVec3]) -> DVec3 {
     let mut sum = DVec3::ZERO;
     let mut from = polygon.last().copied().unwrap_or_default();

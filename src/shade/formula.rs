@@ -45,7 +45,8 @@ fn squared_cross<R: Real>(a: Triple<R>, b: Triple<R>) -> R {
     dot([x, y, z], [x, y, z])
 }
 
-/// The unit vector of a normal: zero if its square underflows, NaN if it overflows.
+/// The unit vector of a normal: zero if its square underflows, NaN if it overflows. With a normal of zero a point shows
+/// ambient light only.
 #[inline(always)]
 pub(super) fn normalised<R: Real>(v: Triple<R>) -> Triple<R> {
     let square = dot(v, v);
@@ -125,7 +126,8 @@ pub(super) fn phong_cosine<R: Real>(normal: Triple<R>, light: Triple<R>, view: T
     (product + product) - dot(light, view)
 }
 
-/// N·H with H = (L+V)/‖L+V‖ (F6); 0 where L + V is no more than rounding.
+/// N·H with H = (L+V)/‖L+V‖ (F6). If L and V are opposite, H is 0/0 and L + V is only rounding: then there is no
+/// highlight, and the result is 0.
 #[inline(always)]
 pub(super) fn blinn_cosine<R: Real>(normal: Triple<R>, light: Triple<R>, view: Triple<R>) -> R {
     let sum = plus(light, view);

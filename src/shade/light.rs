@@ -53,7 +53,8 @@ pub enum Light {
 /// The cone of a spot: the factor cosᵉ∠(axis, ray) times the soft edge.
 ///
 /// Inside the cut-off angle c a soft edge of width s has the factor ((cos θ − cos c)/(cos(c−s) − cos c))², at most 1, as in
-/// glTF's KHR_lights_punctual.
+/// glTF's KHR_lights_punctual. It is computed from 1 − cos, because cosines in single precision cannot distinguish the
+/// angles of narrow cones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone {
     /// The direction of the light along the middle, of any length but zero.
@@ -106,12 +107,12 @@ pub enum Attenuation {
     None,
     /// 1/d²: geometry alone. Infinite at the light.
     InverseSquare,
-    /// max(1 − (d/r)⁴, 0)/d² with the range r, as glTF's KHR_lights_punctual recommends.
+    /// max(1 − (d/r)⁴, 0)/d² with the range r > 0, as glTF's KHR_lights_punctual recommends.
     InverseSquareWithin(f64),
-    /// 1/(d + k): at most 1/k.
+    /// 1/(d + k) with k ≥ 0: at most 1/k.
     Offset(f64),
-    /// 1/(kc + kl·d + kq·d²) with kc, kl, kq.
-    Quadratic([f64; 3]),
+    /// 1/(kc + kl·d + kq·d²) with kc, kl, kq ≥ 0, not all of them 0.
+    Quadratic(#[serde(deserialize_with = "crate::num::list")] [f64; 3]),
 }
 
 impl Attenuation {

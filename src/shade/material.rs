@@ -100,7 +100,8 @@ impl Material {
         }
     }
 
-    /// A warning if K_d + K_s is above 1 in a component (F1). Exercise 1.6.19 of the lectures does it, so it is no error.
+    /// A warning if K_d + K_s is above 1 in a component: the surface then reflects more light than it receives (F1).
+    /// It is not an error, because exercise 1.6.19 of the lectures has such a material.
     pub fn gain(&self) -> Option<EnergyGain> {
         let sum = self.diffuse.merged() + self.specular.merged();
         // A sum of two rounded numbers that are 1 together is not a gain.
@@ -155,7 +156,10 @@ pub fn phong_exponent(blinn: f64) -> f64 {
 }
 
 /// The exponent of Blinn's highlight for a roughness of glTF, from 0 for a mirror to 1: n = 2/α² − 2 with α = roughness², at
-/// least 1 and at most 10⁴ (B. Walter et al., *Microfacet models for refraction through rough surfaces*, EGSR 2007, §5.2).
+/// least 1 and at most 10⁴ (B. Walter et al., *Microfacet models for refraction through rough surfaces*, EGSR 2007,
+/// §5.2).
+///
+/// An exponent of 0 would make a step where N·L is 0. Above 10⁴ the highlight is smaller than the pixels of a picture.
 ///
 /// ```
 /// use crease::shade::roughness_exponent;

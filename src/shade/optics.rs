@@ -5,7 +5,8 @@
 use crate::num::Radians;
 use glam::DVec3;
 
-/// R = 2N(N·L) − L: the mirror direction of L at a surface with the unit normal N (F2, F5).
+/// R = 2N(N·L) − L: the mirror direction of L at a surface with the unit normal N (F5). L and R have the same angle to
+/// N and lie in one plane with it (F2).
 ///
 /// ```
 /// use crease::shade::reflect;
@@ -17,8 +18,11 @@ pub fn reflect(normal: DVec3, towards: DVec3) -> DVec3 {
     normal * (2.0 * normal.dot(towards)) - towards
 }
 
-/// The direction of light from the unit vector `towards`, in a medium of index n1, in a medium of index n2 behind a surface:
-/// n1 sin θ = n2 sin θ″ (Snell). `None` for total reflection and for light from below the surface.
+/// The direction of a light ray after refraction: n1 sin θ = n2 sin θ″ (Snell).
+///
+/// `normal` is the unit normal. `towards` is the unit vector from the surface to the light, on the side of the normal,
+/// in the medium of index n1. The result is a unit vector that points into the medium of index n2, behind the surface.
+/// `None` for total reflection, and if `towards` points below the surface.
 pub fn refract(normal: DVec3, towards: DVec3, n1: f64, n2: f64) -> Option<DVec3> {
     let cosine = normal.dot(towards);
     if cosine.is_nan() || cosine < 0.0 {

@@ -33,7 +33,8 @@ pub enum Terminator {
     /// It is kept: only N counts. Right for smooth surfaces without shadows.
     #[default]
     Smooth,
-    /// It is removed, as by the face's own shadow: the border of light follows the edges of faces.
+    /// It is removed where N_g·L ≤ 0, as by the face's own shadow. The border of light follows the edges of faces, and
+    /// a whole face becomes lit at once when the light moves.
     Hard,
     /// It is removed gradually, highlights too: times −g³ + g² + g for g = N_g·L/((N·L)(N_g·N)) < 1
     /// (M. J.-Y. Chiang, Y. K. Li, B. Burley, *Taming the shadow terminator*, SIGGRAPH 2019 Talks).
@@ -98,7 +99,7 @@ pub struct Guards {
     pub highlight: bool,
     /// Diffuse light is 0 where N·L < 0, not negative (F3).
     pub diffuse: bool,
-    /// A spot does not shine where D·L ≤ 0 (F12). Off, cosᵉ keeps the sign of cos.
+    /// A spot does not shine where D·L ≤ 0, and its light is never negative (F12). Off, cosᵉ keeps the sign of cos.
     pub spot: bool,
     /// Normals are made unit vectors again (F22). Pictures switch it off only for interpolated normals under Phong's shading.
     pub renormalise: bool,

@@ -12,7 +12,8 @@ use glam::DVec3;
 
 /// Lights, one material and the settings, resolved to the terms that this combination needs.
 ///
-/// `Shader<f32>` is for pictures, `Shader<f64>` for probes: the same formulas. Make one for each material.
+/// `Shader<f32>` is for pictures, `Shader<f64>` for probes: the same formulas. Make one for each material: it is cheap,
+/// and threads can share it.
 ///
 /// ```
 /// use crease::num::LinearRgb;
@@ -58,7 +59,9 @@ pub struct SurfacePoint<R> {
 /// The direction to the viewer.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum View<R> {
+    /// V, the same at every point.
     Same(Triple<R>),
+    /// The position of the viewer, in the frame of the shader.
     From(Triple<R>),
 }
 
@@ -84,6 +87,7 @@ impl<R: Real> Limits<R> {
 }
 
 impl<R: Real> Shader<R> {
+    /// Resolves lights and a material to the terms that they need.
     ///
     /// # Errors
     /// Invalid numbers: not finite, negative, a direction of length 0, an angle out of range, depth cueing without a viewer at a
@@ -162,7 +166,9 @@ impl<R: Real> Shader<R> {
         self.shade_on(point, None)
     }
 
-    /// The same on a face with this unit normal, if any, to which [`ShadeSettings::terminator`] applies.
+    /// The light that a point on a face with this unit normal sends to the viewer. [`ShadeSettings::terminator`] uses
+    /// the normal to reduce light from behind the face. With `None` or [`Terminator::Smooth`] it is that of
+    /// [`shade`](Self::shade).
     ///
     /// # Errors
     /// As [`shade`](Self::shade).
@@ -256,6 +262,7 @@ impl<R: Real> Shader<R> {
         incoming.factor() * self.power.of(cosine)
     }
 
+    /// N·L, and 0 where it is negative and the guard `diffuse` is on (F3).
     #[inline(always)]
     pub(super) fn diffuse_cosine(&self, normal: Triple<R>, towards: Triple<R>) -> R {
         formula::at_least(formula::dot(normal, towards), self.limits.diffuse)

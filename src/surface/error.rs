@@ -48,7 +48,8 @@ pub(super) fn check_count(
 
 /// A length, if it is valid.
 pub(super) fn length(what: &str, found: f64) -> Result<f64, SurfaceError> {
-    let error = || out_of_range(what, format!("{found:?}"), "a length from 1e-60 to 1e60");
+    let error =
+        || out_of_range(what, format!("{found:?}").trim_end_matches(".0"), "a length from 1e-60 to 1e60");
     if LENGTHS.contains(&found) { Ok(found) } else { Err(error()) }
 }
 

@@ -200,5 +200,6 @@ fn settings_out_of_range_are_refused() {
     assert!(Wave::new(f64::INFINITY).is_err() && MonkeySaddle::new(0.0).is_err());
     let mut points = *BezierPatch::default().points();
     points[2][1].y = f64::NAN;
-    assert!(BezierPatch::new(points).unwrap_err().to_string().contains("row 2, column 1"));
+    let fact = "the control point in row 2, column 1 is not finite or beyond 1e60";
+    assert_eq!(BezierPatch::new(points), Err(SurfaceError::Invalid(fact.into())));
 }

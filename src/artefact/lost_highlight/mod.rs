@@ -22,7 +22,8 @@ const CLOSE: f64 = 1.1;
 /// Pictures of one turn by a segment.
 const FRAMES: u32 = 8;
 
-/// Whether a vertex at this angle from a highlight has less than e^(−1/2) of its height: the highlight is lost, not only dulled.
+/// Whether a vertex at this angle from a highlight has at most e^(−1/2) of its height, its height where it is steepest.
+/// A narrower highlight is lost, a wider one is only dulled.
 fn is_lost(angle: f64, exponent: f64) -> bool {
     libm::pow(libm::cos(angle), exponent) <= libm::exp(-0.5)
 }

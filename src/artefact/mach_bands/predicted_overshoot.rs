@@ -1,4 +1,4 @@
-//! The overshoot at edges that a model of lateral inhibition predicts.
+//! The overshoot at edges that a model of lateral inhibition predicts. It says nothing about what observers report.
 
 use super::super::outcome::Curve;
 use super::super::prelude::*;
@@ -44,7 +44,8 @@ impl Prediction {
     }
 
     /// Adds the answer to Phong's curvature next to the edge, −Y″ (σs² − σc²)/2: the normal turns along the chord of a facet of
-    /// width w by α′ = sin Δ/w at its ends and α″ = ±2 sin Δ (1 − cos Δ)/w². On the edge that is the mean of both sides.
+    /// width w by α′ = sin Δ/w at its ends and α″ = ±2 sin Δ (1 − cos Δ)/w². On the edge that is the mean of both
+    /// sides; two pixels away one side counts more, which is in the tolerance.
     fn with_bends(self, theta: f64, light: Degrees, delta: f64) -> Self {
         let [centre, surround] = DifferenceOfGaussians::default().widths();
         let (sine, cosine) = libm::sincos(theta - Radians::from(light).0);

@@ -10,7 +10,8 @@ pub(super) const WINDOW: f64 = 2.2;
 const LINE: u32 = 16_384;
 /// Edges farther round are seen so much from the side that their facets have few pixels.
 const FARTHEST: Degrees = Degrees(60.0);
-/// The part of a facet that slopes are taken over, in radians: Phong's luminance is a polynomial of fourth degree there.
+/// The part of a facet that slopes are taken over, in radians. Over a larger part Phong's luminance is no polynomial of
+/// fourth degree; over a smaller one roundings are too large.
 const SPAN: f64 = 0.1;
 
 /// A prism with N sides of radius 1 about the y axis, with the cylinder's own normals.

@@ -145,7 +145,9 @@ impl Spheres {
     /// The error of the faces' normals far from the origin.
     fn measure_far_faces(&self, segments: u32, out: &mut Recorder) {
         let law = self.own.rounded_faces(AWAY);
-        // One in four of mirrored vertices is rounded by itself: three times the scatter of a root of a mean of so many squares.
+        // The vertices lie mirrored on both sides of the middle, across and up, and mirrored vertices have the same
+        // rounding errors up to sign: one in four, (segments/2 + 1)², is independent. The root of a mean of N squares
+        // has a relative standard deviation of 1/(2√N). The tolerance is three times that.
         let quarter = f64::from(segments / 2 + 1);
         let check = match segments {
             // And terms of second order in the angle.

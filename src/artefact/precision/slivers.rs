@@ -62,7 +62,8 @@ pub(super) fn record(out: &mut Recorder) {
     out.chart("needles", [Axis::Log; 2], curves);
 }
 
-/// Across the plate and along its slivers, in whole numbers: corners are exact in single precision, and the plate is flat.
+/// Across the plate and along its slivers, in whole numbers. The corners are sums of multiples of them below 2²⁴, which
+/// single precision holds exactly: the plate is flat, and every error is one of arithmetic.
 const ACROSS: DVec3 = DVec3::new(18.0, 16.0, 13.0);
 const ALONG: DVec3 = DVec3::new(3001.0, -4999.0, 2003.0);
 /// How many times [`ALONG`] a sliver is long: about 300 000 times its height.

@@ -57,7 +57,7 @@ note-1 =
 fails =
     a reflexão difusa muda mais que o brilho aqui. √(n/e) é a inclinação no ponto mais íngreme de cos^n; num brilho tão
     largo, esse ponto não é visível.
-few-faces = não comparado: poucas faces para uma média de erros de arredondamento
+few-faces = não comparado: as faces não bastam para uma média de erros de arredondamento
 far-faces-by =
     u √(a² + b² + c²)/(2A√12) de cada face, com u a distância entre números vizinhos ali; tolerância: três desvios
     padrão da amostra dos erros de arredondamento

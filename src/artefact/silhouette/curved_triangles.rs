@@ -5,9 +5,15 @@ use crate::mesh::{Topology, Weld, triangulate};
 use crate::num::UnitVec3;
 
 /// The mesh with every triangle as a Bézier triangle of third order, cut into parts² flat ones (A. Vlachos et al., *Curved PN
-/// triangles*, I3D 2001). Its edges leave corners at right angles to the normals there. Where the two sides of an edge have
-/// different normals, the edge leaves at right angles to both, along the crease: both sides compute the same edge, without
-/// cracks.
+/// triangles*, I3D 2001). At the corners it has the positions of the mesh, and its edges leave at right angles to the
+/// normals there. Faces of more than three corners are cut into triangles first.
+///
+/// One rule is not from the paper, which leaves a crack where the two sides of an edge have different normals. Here the
+/// edge leaves each end at right angles to both normals, along the crease: both sides compute the same edge. So the
+/// edges of a box stay straight, and the rim of a cylinder becomes round.
+///
+/// Normals are interpolated linearly, not quadratically as in the paper, so that only the shape differs from flat
+/// triangles.
 pub(super) fn curved(mesh: &Mesh, field: &NormalField, parts: u32) -> TriangleMesh {
     let edges = Edges { mesh, field, topology: Topology::build(mesh, Weld::default()) };
     let (mut positions, mut normals, mut triangles) = (Vec::new(), Vec::new(), Vec::new());

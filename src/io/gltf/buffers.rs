@@ -136,8 +136,7 @@ impl Files<'_> {
             Uri::File(name) => name,
         };
         let path = companion(self.base, self.options, &name).map_err(|why| {
-            let advice = "put it next to the document, or name its folder with --root";
-            refused(place(), format!("the buffer {name:?} {why}"), advice)
+            refused(place(), format!("the buffer {name:?} {why}"), why.advice(self.base.is_none()))
         })?;
         if let Some(bytes) = self.known.get(&path) {
             return Ok(Storage::File { name, path, bytes: bytes.clone() });
@@ -178,7 +177,7 @@ pub fn check_images(
                     present.push((name, path));
                     continue;
                 }
-                Err(why) => format!("{name:?} {why}"),
+                Err(why) => format!("{name:?} {}", why.in_note()),
             },
         };
         absent.push((Place::Json(format!("/images/{number}/uri")), why));
@@ -221,12 +220,11 @@ fn decode_data(uri: &str) -> Result<Vec<u8>, String> {
     let config = GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);
     let engine = GeneralPurpose::new(&base64::alphabet::STANDARD, config);
     engine.decode(data).map_err(|error| match error {
-        DecodeError::InvalidByte(at, _) | DecodeError::InvalidLastSymbol { offset: at, .. } => {
-            format!("character {at} after the comma of the data URI is not base64")
+        DecodeError::InvalidByte(at, byte) => {
+            let found = char::from(byte).escape_default();
+            format!("character {} after the comma of the data URI, `{found}`, is not base64", at + 1)
         }
-        DecodeError::InvalidLength(_) | DecodeError::InvalidPadding => {
-            "the base64 of the data URI is cut off".to_owned()
-        }
+        _ => "the base64 of the data URI is damaged or cut off".to_owned(),
     })
 }
 

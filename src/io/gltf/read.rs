@@ -9,6 +9,7 @@ use super::json::Json;
 use super::mesh::Assembler;
 use super::records::Records;
 use super::{extensions, nodes};
+use crate::io::mesh_checks::check_size;
 use crate::io::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions};
 use std::cell::{Cell, RefCell};
 use std::path::Path;
@@ -22,6 +23,7 @@ const SMALLEST_PRIMITIVE: u64 = 256;
 /// # Errors
 /// With a JSON pointer or a byte offset: damaged or compressed data, unknown required extensions, missing buffers.
 pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
+    check_size(bytes.len() as u64, &options.limits)?;
     let mut notes = Vec::new();
     let (glb, json, file) = if is_glb(&bytes) {
         let glb = Glb::parse(&bytes, &mut notes)?;

@@ -282,7 +282,7 @@ fn primitive(number: (usize, usize), fields: Fields<'_>, counts: Counts) -> Resu
     })
 }
 
-/// Of duplicates the last counts, as everywhere.
+/// The attributes of a primitive or of a morph target. Of duplicate members the last one counts.
 fn vertex_set(fields: Fields<'_>, accessors: usize) -> Result<Vec<(String, usize)>, ReadError> {
     let json = fields.json;
     let member = |(key, value)| {

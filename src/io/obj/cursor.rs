@@ -230,7 +230,7 @@ pub(super) fn next_corner(cursor: &mut Cursor<'_>) -> Result<Option<CornerSpelli
 #[cold]
 fn bad_corner(cursor: &mut Cursor<'_>, at: usize, is_zero: bool) -> ReadError {
     if is_zero {
-        let advice = "indices start at 1, or count back from -1";
+        let advice = "correct the index: it counts from 1, or back from -1";
         return at_byte(Problem::Range, at, "index 0 is not valid in OBJ", advice);
     }
     cursor.at = at;

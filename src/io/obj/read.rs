@@ -6,6 +6,7 @@ use super::merge::merge;
 use super::piece::Content;
 use super::statements::{Keyword, pieces, statements};
 use super::{mtl, piece};
+use crate::io::mesh_checks::check_size;
 use crate::io::text::{line_and_column, line_place, shown};
 use crate::io::{Document, Format, Loaded, Part, Place, Problem, ReadError, ReadOptions};
 use rayon::prelude::*;
@@ -23,6 +24,7 @@ const BATCH: usize = 8;
 /// With the line: words that are not numbers, vertex indices out of range, positions that are not finite (unless
 /// [`ReadOptions::non_finite`] allows them). Without: UTF-16 and UTF-32, and bytes that are not OBJ.
 pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
+    check_size(bytes.len() as u64, &options.limits)?;
     check_encoding(&bytes)?;
     let place = |error: ReadError| {
         let Place::Byte(offset) = error.place else { return error };

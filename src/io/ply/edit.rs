@@ -5,6 +5,7 @@ use super::header::{Element, Kind, Property};
 use super::normal_properties::NormalProperties;
 use super::rows::{Row, Rows, damaged};
 use super::scalar::{Encoding, Scalar};
+use crate::io::Part;
 use crate::io::text::Changes;
 use crate::io::{Emit, Loaded, Note, PartEdit, Place, Problem, ReadError, WriteError, WriteOptions, Written};
 use crate::mesh::{Column, ColumnIndex, Faces, Mesh, NONE, VertexSplit, split_vertices};
@@ -21,7 +22,9 @@ pub(in crate::io) fn edit(
     edits: &[PartEdit],
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
-    let (mesh, edit) = (&loaded.parts[0].mesh, &edits[0]);
+    let ([Part { mesh, .. }, ..], [edit, ..]) = (&loaded.parts[..], edits) else {
+        return Err(WriteError::no_document());
+    };
     let by_face = options.emit == Emit::Face;
     // Points have no normals to change.
     let has_faces = mesh.face_count() > 0;

@@ -6,6 +6,7 @@ use super::header::{Element, Header, Kind};
 use super::rows::{OVERLONG, Row, Rows, places, vertex_index};
 use super::scalar::{Encoding, Scalar};
 use crate::io::error::{NoteKind, RepeatedNotes};
+use crate::io::mesh_checks::check_size;
 use crate::io::mesh_checks::{build_part, non_finite_note};
 use crate::io::text::{counted, in_text, restore_singles};
 use crate::io::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions, Severity};
@@ -25,6 +26,7 @@ const NOT_FINITE: NoteKind =
 /// With the line or the byte: an invalid header, a body that ends too early, words that are not numbers, vertex indices out of
 /// range, positions that are not finite (unless [`ReadOptions::non_finite`] allows them).
 pub fn read(bytes: Vec<u8>, _base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
+    check_size(bytes.len() as u64, &options.limits)?;
     let header = header::parse(&bytes)?;
     let roles = Roles::of(&header)?;
     let place = |offset: usize| places(&bytes, header.encoding, &[offset]).remove(0);

@@ -30,6 +30,7 @@ pub(super) struct FacetText {
     pub lead: &'static str,
     /// The numbers of each vertex, as a range of [`SolidText::vertices`].
     pub vertices: Range<usize>,
+    /// The normal, if it has three numbers.
     value: Option<DVec3>,
 }
 

@@ -19,7 +19,10 @@ pub(in crate::io) fn edit(
     let meshes = || loaded.parts.iter().map(|part| &part.mesh).zip(edits);
     let bytes = match document.layout {
         Layout::Ascii => edit_ascii(&document.bytes, meshes()),
-        Layout::Binary { .. } => edit_binary(&document.bytes, &loaded.parts[0].mesh, &edits[0]),
+        Layout::Binary { .. } => {
+            let (mesh, edit) = meshes().next().ok_or_else(WriteError::no_document)?;
+            edit_binary(&document.bytes, mesh, edit)
+        }
     };
     let kept: usize = meshes().map(|(mesh, edit)| mesh.face_count() - edit.faces.dropped.len()).sum();
     let has_normals = meshes().any(|(_, edit)| edit.normals.is_some() || edit.face_normals.is_some());

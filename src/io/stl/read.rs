@@ -4,6 +4,7 @@ use super::ascii;
 use super::document::{
     FACET, FIRST, HEADER, Layout, StlDocument, declared_facets, has_exact_length, is_ascii,
 };
+use crate::io::mesh_checks::check_size;
 use crate::io::mesh_checks::{build_part, non_finite_note};
 use crate::io::text::counted;
 use crate::io::{Document, Format, Loaded, Note, Part, Place, Problem, ReadError, ReadOptions};
@@ -101,6 +102,7 @@ fn read_binary(
 /// With the line or the byte: a file that ends too early, facets without three vertices, words that are not numbers, positions
 /// that are not finite (unless [`ReadOptions::non_finite`] allows them), and bytes that are not STL.
 pub fn read(bytes: Vec<u8>, _base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
+    check_size(bytes.len() as u64, &options.limits)?;
     let is_ascii = is_ascii(&bytes);
     let (layout, (parts, notes)) = if has_exact_length(&bytes) || !is_ascii && bytes.len() >= FIRST {
         let facets = facet_count(&bytes)?;

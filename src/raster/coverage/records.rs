@@ -15,6 +15,7 @@ use glam::{DVec3, Vec3};
 /// A triangle that is seen, or a piece of one.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Record {
+    /// The x and y of its corners on the picture, in 256ths of a pixel.
     pub(crate) x: [i32; 3],
     pub(crate) y: [i32; 3],
     /// Their [nearness](crate::raster::view::screen_transform::View::nearness), in perspective.
@@ -71,7 +72,8 @@ impl Record {
     }
 }
 
-/// Twice the signed areas of the triangles between the origin and the side opposite to each corner. Exact for 25 bits.
+/// Twice the signed areas of the triangles between the origin and the side opposite to each corner: the weights of the
+/// corners at the origin, times twice the area. Exact in doubles for coordinates of 25 bits.
 #[inline(always)]
 pub(crate) fn parts(x: [i32; 3], y: [i32; 3]) -> [f64; 3] {
     let at = |k: usize| (f64::from(x[k]), f64::from(y[k]));

@@ -92,8 +92,9 @@ fn select(first: bool, a: ScreenVertex, b: ScreenVertex) -> ScreenVertex {
     }
 }
 
-/// Depth at a sample and its growth per pixel to the right and down. It is computed from the corner that is first in (y, x), so
-/// that the order of corners changes no bit.
+/// Depth at a sample and its growth per pixel to the right and down. It is computed from the corner that is first in
+/// (y, x), so that the order of corners changes no bit: of two faces with the same corners the first is visible
+/// everywhere.
 #[inline(always)]
 pub(crate) fn depth_plane([a, b, c]: &[ScreenVertex; 3], area: f64, origin: [i32; 2]) -> [f32; 3] {
     let before = |a: &ScreenVertex, b: &ScreenVertex| (a.y < b.y) | ((a.y == b.y) & (a.x < b.x));

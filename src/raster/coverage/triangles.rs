@@ -51,7 +51,8 @@ impl<'a> DrawnObject<'a> {
         Some(Self { object, first, list, points, vertices, outside, map, mirrored })
     }
 
-    /// Whether each of so many faces, or a triangle of it, shows the side that is kept: from vertices that are not snapped.
+    /// Whether each of so many faces, or a triangle of it, shows the side that is kept. It is computed from vertices
+    /// that are not snapped, so that it holds for triangles smaller than a pixel and behind the eye.
     pub(crate) fn kept_faces(&self, count: usize, cull: Cull) -> Vec<bool> {
         let is_kept = |triangle: u32| {
             let [a, b, c] = self.list.vertices(triangle).map(|vertex| {
@@ -85,7 +86,8 @@ pub(crate) struct PlanePoint {
 }
 
 impl DrawnObject<'_> {
-    /// The point of a triangle's plane at a place of the picture, by homogeneous edge functions (Olano & Greer 1997).
+    /// The point of a triangle's plane at a place of the picture, by homogeneous edge functions, which hold also behind
+    /// the eye (Olano & Greer 1997).
     pub(crate) fn plane_point(&self, view: &View, triangle: [u32; 3], at: [f64; 2]) -> PlanePoint {
         let [mx, my] = view.middle();
         let ray = DVec3::new(at[0] - mx, at[1] - my, 1.0);

@@ -19,10 +19,12 @@ use std::time::Instant;
 /// Draws a scene.
 ///
 /// Visibility first, shading after, in tiles of 64 × 64 pixels. All shading and interpolation modes have the same coverage.
-/// Sampling follows Direct3D's rules: 8 sub-pixel bits and the top-left rule. Of equally near faces the lower index shows.
+/// Sampling follows Direct3D's rules: 8 sub-pixel bits, and the top-left rule, which covers shared edges once. Of
+/// equally near faces the lower index shows.
 ///
-/// Uses the current thread pool of rayon; the picture is the same at any number of threads. Takes 16 bytes a vertex, 16 bytes a
-/// triangle of a cut polygon, about 5 bytes a triangle for the lists of tiles, and about 250 kB a thread.
+/// Uses the current thread pool of rayon; the picture is the same at any number of threads. In addition to the picture
+/// it takes 16 bytes a vertex, 16 bytes a triangle of a cut polygon, about 5 bytes a triangle for the lists of tiles,
+/// and about 250 kB a thread.
 ///
 /// ```
 /// use crease::mesh::{Faces, MeshBuilder};

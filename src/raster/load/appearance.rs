@@ -44,7 +44,8 @@ const LARGEST_HIGHLIGHT: f64 = 0.5;
 
 /// glTF's metallic-roughness model by Blinn's, as [`SceneFile::from_loaded`](crate::raster::SceneFile::from_loaded) describes. A
 /// smaller highlight is brighter (T. Akenine-Möller et al., *Real-Time Rendering*, 3rd ed., 2008, eq. 7.49); the factor 1 − α
-/// replaces the missing N·L; metals keep diffuse light, for they have no surroundings to mirror.
+/// replaces the missing N·L; metals keep diffuse light, for they have no surroundings to mirror. If a component of K_s
+/// is above ½, all are scaled down, so that the hue stays.
 fn metallic_roughness(base: LinearRgb, metallic: f64, roughness: f64) -> Material {
     let alpha = roughness * roughness;
     let exponent = roughness_exponent(roughness);

@@ -6,7 +6,8 @@ use crate::raster::load::scene_file::SceneFile;
 use crate::shade::Light;
 use glam::{DMat4, DVec3};
 
-/// Scenes that are farther from the origin than this many times their size are moved: cameras there are rounded too coarsely.
+/// Scenes that are farther from the origin than this many times their size are moved. At this distance positions are
+/// rounded to 2⁻²⁹ of the scene's size, far less than a pixel; beyond it cameras are rounded too coarsely.
 const FARTHEST: f64 = (1 << 24) as f64;
 
 /// Sizes from 2⁻¹⁰⁰ to 2¹⁰⁰ are unchanged: squares and their products stay in range.

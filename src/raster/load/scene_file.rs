@@ -156,7 +156,8 @@ impl SceneFile {
 /// Ambient light of [`default_lights`]: dim, since files give materials an ambient colour as light as the diffuse one.
 const AMBIENT: LinearRgb = LinearRgb::grey(0.15);
 
-/// Light for a scene that has none: a white light far away, from the left above the camera, and dim ambient light.
+/// Light for a scene that has none: a white light far away, from the left above the camera, and dim ambient light. The
+/// directions are relative to the camera, so that the visible side is lit from any viewpoint.
 pub fn default_lights(camera: &Camera) -> [Light; 2] {
     // With a camera that cannot be used there will be no picture, whatever the light.
     let [right, up, forward] = camera.axes().unwrap_or([DVec3::X, DVec3::Y, DVec3::NEG_Z]);

@@ -1,4 +1,7 @@
 //! Values of corners spread over samples: barycentric, many at once, or by the lectures' scanline algorithm (F19).
+//!
+//! The scanline algorithm is that of Gouraud 1971. It uses the whole polygon, not triangles, so for four corners or
+//! more the result depends on the rotation of the polygon.
 
 use crate::num::{Kernel, Lanes};
 use crate::raster::coverage::records::{Record, parts};
@@ -36,7 +39,8 @@ const LANES: usize = 64;
 impl Kernel for Interpolate<'_> {
     type Output = ();
 
-    /// Edge functions of 25 bits are exact in doubles: weights are never negative.
+    /// Edge functions of 25 bits are exact in doubles: weights are never negative, and values stay within the hull of
+    /// the corners' values up to rounding.
     #[inline(always)]
     fn run<A: Lanes>(self, _: A) {
         let Self { records, seen, origin, perspective, out } = self;
@@ -170,8 +174,9 @@ impl ScanPolygon {
 
     /// The value at a place of the picture.
     ///
-    /// Edges are half-open in y; level edges are skipped. Of the spans between pairs of crossings the one that holds the place
-    /// counts, or the nearest one.
+    /// Edges are half-open in y, so that a scanline through a corner crosses an even number of edges; level edges are
+    /// skipped. Of the spans between pairs of crossings the one that holds the place counts; if rounding excludes the
+    /// place from all of them, the nearest one.
     pub(crate) fn value(&self, [x, y]: [f64; 2]) -> DVec3 {
         let next = self.corners.iter().cycle().skip(1);
         let mut crossings: Vec<Crossing> = self

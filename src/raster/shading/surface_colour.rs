@@ -35,7 +35,9 @@ impl Shaders {
 
     /// Shades rows of points, on faces with normals if there are any.
     ///
-    /// A point may have been rounded to the position of a lamp: without a finite colour it is shaded in double precision at `exactly`.
+    /// A point may have been rounded to the position of a lamp: without a finite colour it is shaded in double
+    /// precision at
+    /// `exactly`, in the frame of the settings. It is an error only if that colour is not finite either.
     pub(crate) fn shade_rows(
         &self,
         rows: &SurfaceRows,

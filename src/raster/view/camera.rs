@@ -14,7 +14,8 @@ pub enum Projection {
 
 /// A camera: right-handed, looking from `eye` at `target`, with square pixels.
 ///
-/// Everything is in units of the scene, in `f64`.
+/// Everything is in units of the scene, in `f64`. Positions are computed relative to the eye before they are rounded to
+/// single precision, so that a mesh 10⁷ units from the origin is drawn as accurately as one at the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// The centre of projection, or any point of the picture's axis in front of which everything is seen.
@@ -56,7 +57,8 @@ pub enum CameraError {
 const FRAMING_ANGLE: Degrees = Degrees(30.0);
 /// How much wider than the mesh the picture of [`Camera::framing`] is.
 pub(crate) const MARGIN: f64 = 1.1;
-/// Near distance of [`Camera::framing`] as a share of that to the mesh's nearest point: near planes cost no precision of depth.
+/// Near distance of [`Camera::framing`] as a share of that to the mesh's nearest point. Depth is near over distance in
+/// floating point, so that a close near plane costs no precision.
 pub(crate) const NEAR_SHARE: f64 = 1.0 / 64.0;
 
 impl Camera {

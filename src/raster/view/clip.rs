@@ -16,6 +16,7 @@ pub(crate) trait Mix: Copy {
 /// Shares of a triangle's three corners in a point of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shares {
+    /// Barycentric coordinates in the scene.
     pub(crate) scene: [f64; 3],
     /// Barycentric coordinates on the picture, of the triangle or of its part beyond the near plane.
     pub(crate) picture: [f64; 3],
@@ -88,7 +89,8 @@ pub(crate) fn clip_line(view: &View, [mut a, mut b]: [ViewPoint; 2]) -> Option<[
     Some([a, b])
 }
 
-/// The shares of an edge's ends in the point where it leaves a half-space, by their distances inside of it. Both keep their digits.
+/// The shares of an edge's ends in the point where it leaves a half-space, by their distances inside of it. Both keep
+/// their digits: the share of an end 10²⁰ times as far out as the other is small, but the point depends on it.
 fn shares_of_ends([inner, outer]: [f64; 2]) -> [f64; 2] {
     // Halved: the sum of two large numbers is none any more.
     let (inner, outer) = (0.5 * inner, -0.5 * outer);

@@ -19,7 +19,8 @@ pub(crate) fn whole(number: f64) -> i32 {
     (number + TO_INTEGER).to_bits() as i32
 }
 
-/// The end of the range for places out of the guard band: differences of any two fit into 32 bits.
+/// The end of the range for places out of the guard band: 2²³, so that differences of any two fit into 32 bits. The
+/// middle of a picture is at most 2¹³ pixels from its corner, so places in the band are below 3 · 2²¹.
 const FARTHEST: f64 = (2 * GUARD * ONE) as f64;
 
 /// The nearest fixed-point number to a place in pixels, ties to even; out of the guard band, and for NaN, an end of the range.

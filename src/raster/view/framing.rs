@@ -5,7 +5,8 @@ use crate::raster::view::camera::{Camera, MARGIN, NEAR_SHARE, Projection};
 use crate::surface::{Primitive, Surface, Tessellation};
 use glam::{DVec2, DVec3};
 
-/// The least distance from the eye to the nearest point, as a share of that of [`Camera::framing`].
+/// The least distance from the eye to the nearest point, as a share of that of [`Camera::framing`]. Without it, a rod
+/// that points at the viewer would be seen from its tip.
 const NEAREST: f64 = 0.25;
 
 /// Parts along each side of the net of points that approximates an analytic surface: it is at most 0.3 % smaller.

@@ -5,16 +5,20 @@ use crate::raster::view::camera::{Camera, CameraError, Projection};
 use crate::raster::view::fixed_point::GUARD;
 use glam::{DMat3, DMat4, DVec3, Vec3};
 
-/// The smallest depth in perspective, which single precision still divides by.
+/// The smallest depth in perspective, which single precision still divides by: all points farther away than 10³⁷ near
+/// distances have this depth.
 const FARTHEST: f64 = f32::MIN_POSITIVE as f64;
 
 /// The largest depth in a parallel projection: single precision has room for differences of two.
 const DEEPEST: f64 = 1e38;
 
-/// Depths are counted from the target, not the eye, if it is farther away than this many heights of the window.
+/// Depths are counted from the target, not the eye, if it is farther away than this many heights of the window: the
+/// angle of view is then so narrow that depths from the eye are nearly equal.
 const FAR: f64 = 64.0;
 
-/// The largest ratio of the target's distance to the near distance of depths, by the range of single precision.
+/// The largest ratio of the target's distance to the distance at which depth is 1, and the largest depth. The depths of
+/// the target, at least 10⁻³⁰, and of points 10⁷ times as far away then stay in the range of single precision, 10⁻³⁸ to
+/// 10³⁸.
 const MOST_RATIO: f64 = 1e30;
 
 /// The largest coordinate of shaded points: beyond it V and L are the same, but squares overflow.
@@ -27,7 +31,8 @@ pub(crate) const REACH: f32 = (1_u64 << 50) as f32;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View {
     pub(crate) eye: DVec3,
-    /// The origin of lit positions: the eye, or the target if the camera is [`FAR`] from it.
+    /// The origin of lit positions: the eye, or the target if the camera is [`FAR`] from it. Then a step of single
+    /// precision from the eye is not small compared with the window.
     pub(crate) origin: DVec3,
     /// How far along the axis the origin is.
     pub(crate) away: f64,
@@ -40,6 +45,7 @@ pub(crate) struct View {
     /// camera is [`FAR`] from it.
     depth_from: f64,
     /// Subtracted from depth so that it keeps its digits: 0, or in a narrow perspective the depth of the target, 1.
+    /// Points more than 10⁷ times as far away as the target then have equal depths.
     level: f64,
     distance: f64,
     /// How far behind a surface is little, at the most: a distance that a camera which is not far from its target has.

@@ -118,7 +118,7 @@ fn claim(experiment: &Experiment, setup: &Setup, language: Language, page: &mut 
         page.paragraph(&tables::text("no-formulas", language));
     }
     for formula in experiment.closed_forms(setup) {
-        page.raw(&mathml(formula.notation.get(language)));
+        page.raw(&format!("<div class=\"formula\">{}</div>", mathml(formula.notation.get(language))));
         page.raw("\n");
         page.paragraph(formula.says.get(language));
     }

@@ -57,8 +57,8 @@ absent-below-threshold =
 absent-in-pictures = as imagens não mostram o artefato com estes parâmetros ({ $name }: { $bad }). { $shown-by }
 shown-in = { $said } Mesmo assim, estas imagens o mostram em parte: { $labels }.
 cure-fails =
-    { $condition } A cura falha aqui ({ $cure }): { $name } vai de { $bad } a { $cured }. Ou seja, { $less }; são
-    necessárias ao menos { $factor } vezes menos.
+    { $condition } A cura falha aqui ({ $cure }): { $name } vai de { $bad } a { $cured }. Ou seja, { $less }; é
+    preciso que seja ao menos { $factor } vezes menor.
 near = { $value } ± { $tolerance }
 at-most = no máximo { $value }
 miss = { $name }: medido { $found }, esperado { $wanted } ({ $by })

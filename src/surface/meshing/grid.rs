@@ -53,6 +53,7 @@ impl Grid {
         let segments = match pattern {
             Pattern::Stretched(ratio) => {
                 let [u, v] = segments.map(f64::from);
+                // The casts are safe: counts above `u32::MAX` saturate, and the check of counts then rejects them.
                 [(u / ratio.sqrt()).round().max(1.0), (v * ratio.sqrt()).round()].map(|count| count as u32)
             }
             _ => segments,
@@ -64,8 +65,8 @@ impl Grid {
         let [u, v] = self.segments.map(u64::from);
         let Chart { wraps_u, wraps_v, pole_low, pole_high } = self.chart;
         let least = |wraps, poles| if wraps { 3 } else { 1 + u64::from(poles) };
-        check_count("segments around the axis", u, least(wraps_u, false)..=u64::MAX)?;
-        check_count("segments along", v, least(wraps_v, pole_low && pole_high)..=u64::MAX)?;
+        check_count("segments in the first direction", u, least(wraps_u, false)..=u64::MAX)?;
+        check_count("segments in the second direction", v, least(wraps_v, pole_low && pole_high)..=u64::MAX)?;
         check_count("cells", u.saturating_mul(v).saturating_mul(charts), 0..=MOST_CELLS)
     }
 
@@ -145,8 +146,9 @@ impl Grid {
     }
 }
 
-/// Merges the vertices on common sides of patches: sides with the same four control points, in either direction. The vertex of
-/// the first patch remains; where patches meet smoothly its normal is that of all.
+/// Merges the vertices on common sides of patches: sides with the same four control points, in either direction.
+/// Patches that only touch stay separate. The vertex of the first patch remains; where patches meet smoothly, as in the
+/// teapot, its normal is that of all.
 pub(crate) fn join(net: &mut Net, patches: &[BezierPatch], tessellation: &Tessellation) {
     if patches.len() < 2 {
         return;

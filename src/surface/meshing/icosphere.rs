@@ -25,7 +25,7 @@ pub(crate) fn net(surface: &dyn StarShaped, level: u32) -> Result<Net, SurfaceEr
     Ok(Net::without_parameters(samples, Faces::triangles(triangles.as_flattened().to_vec())))
 }
 
-/// Corners (0, ±1, ±φ) and their cyclic permutations, and the triangles between neighbours.
+/// Corners (0, ±1, ±φ) and their cyclic permutations, and the triangles between neighbours, counter-clockwise.
 fn icosahedron() -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let golden = f64::midpoint(1.0, 5f64.sqrt());
     let mut corners = Vec::with_capacity(12);

@@ -10,13 +10,13 @@ use glam::{DVec3, UVec3};
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
-/// The six tetrahedra of a cube, one for each order of the axes from its lowest corner to its highest (H. W. Kuhn 1960). Bits of
-/// a corner's number, x lowest, are its coordinates.
+/// The six tetrahedra of a cube, one for each order of the axes from its lowest corner to its highest (H. W. Kuhn
+/// 1960). Bits of a corner's number, x lowest, are its coordinates. All tetrahedra have the same orientation.
 const TETRAHEDRA: [[usize; 4]; 6] =
     [[0, 1, 3, 7], [0, 2, 6, 7], [0, 4, 5, 7], [0, 5, 1, 7], [0, 3, 2, 7], [0, 6, 4, 7]];
 
-/// The surface within its box, cut by a cubic lattice with so many cells along the longest side, which is shifted by a random part
-/// of a cell where the surface closes within the box.
+/// The surface within its box, cut by a cubic lattice with so many cells along the longest side. If the surface closes
+/// within the box, the lattice is shifted by a random part of a cell, so that its points lie on no plane of symmetry.
 pub(crate) fn net(
     surface: &dyn Implicit,
     room: Room,
@@ -110,7 +110,8 @@ impl Lattice {
     }
 }
 
-/// The triangles within a tetrahedron, facing outside. Even permutations bring corners that are alone or inside to the front.
+/// The triangles within a tetrahedron, facing outside. Permutations bring corners that are alone or inside to the
+/// front; they are even, so the tetrahedron keeps its orientation.
 fn cut(
     corners: [usize; 4],
     inside: &[bool],

@@ -2,7 +2,7 @@
 
 use crate::surface::error::{SurfaceError, out_of_range};
 
-/// The arrangement of vertices and faces on a surface.
+/// The arrangement of vertices and faces on a surface. All vertices lie on it unless there is [`Tessellation::noise`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Pattern {
@@ -11,18 +11,20 @@ pub enum Pattern {
     Triangles,
     /// The same with about as many cells, elongated by that ratio: for 10 a grid of 64 × 32 becomes one of 20 × 101.
     Stretched(f64),
-    /// A grid with every other row that many times as close to the next one. Takes no jitter.
+    /// A grid with every other row that many times as close to the next one: slivers next to good triangles. Takes no
+    /// jitter, because it would fold the slivers.
     Slivers(f64),
     /// The grid's cells themselves: quadrilaterals that are not plane, triangles at poles.
     Quads,
     /// The dual of the triangles: a polygon around each vertex that is not on an open side, with vertices above the middles of
     /// triangles. That around the tip of a cone is flat and has the normals of the sides: `crease inspect` reports its edges.
     Polygons,
-    /// An icosahedron with triangles cut in four that many times, for [`StarShaped`](crate::surface::StarShaped) surfaces. Takes no
-    /// segments and no jitter.
+    /// An icosahedron with triangles cut in four that many times at the midpoints of edges, which move onto the sphere.
+    /// For [`StarShaped`](crate::surface::StarShaped) surfaces. Takes no segments and no jitter.
     Icosphere(u32),
-    /// Marching tetrahedra over a lattice with the first of [`Tessellation::segments`] along the longest side of the box, for zero
-    /// sets. Takes no jitter.
+    /// Marching tetrahedra over a lattice with the first of [`Tessellation::segments`] along the longest side of the
+    /// box, for zero sets: valences from 4 up, and slivers where the surface is close to a lattice point. Takes no
+    /// jitter.
     Marching,
     /// The Delaunay triangulation of as many scattered points as a grid has, evenly spaced on the sides, for heights over a
     /// rectangle. Takes no jitter.
@@ -61,6 +63,7 @@ pub struct Tessellation {
     /// The arrangement.
     pub pattern: Pattern,
     /// Cells along u and v; of each patch, for a surface of several.
+    #[serde(deserialize_with = "crate::num::list")]
     pub segments: [u32; 2],
     /// Random displacement of vertices within the surface, in cells, by at most half of it in each direction; 0 to 1. Vertices on
     /// open sides and at poles stay. Above 0, cells are cut along random diagonals.

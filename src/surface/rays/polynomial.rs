@@ -22,7 +22,8 @@ impl Roots {
 /// coefficients from the constant up, the leading one not 0. No roots if a bound is NaN.
 ///
 /// Between the roots of its derivative a polynomial is monotone and has at most one root, which bracketed Newton steps find
-/// (C. Yuksel, *High-performance polynomial root finding for graphics*, Proc. ACM Comput. Graph. Interact. Tech. 5(3), 2022).
+/// (C. Yuksel, *High-performance polynomial root finding for graphics*, Proc. ACM Comput. Graph. Interact. Tech. 5(3),
+/// 2022). No root is missed or found twice, except pairs closer than the rounding of the polynomial's value.
 pub(crate) fn roots_between(polynomial: &[f64], low: f64, high: f64) -> Roots {
     let mut found = Roots::default();
     let degree = polynomial.len() - 1;

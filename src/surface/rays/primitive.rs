@@ -13,8 +13,9 @@ use glam::{DMat3, DMat4, DVec3};
 /// A surface whose first hit by a ray can be computed.
 ///
 /// # Accuracy
-/// For a surface of size about 1 and a ray from up to 1e6 away, the hit lies within 1e-15 of the surface; the error of `t` is a
-/// few roundings plus 1e-15 over the cosine of the angle of incidence.
+/// For a surface of size about 1 and a ray from up to 1e6 away, the hit lies within 1e-15 of the surface, with the
+/// exact normal of that point. The error of `t` is a few roundings plus 1e-15 over the cosine of the angle of
+/// incidence. A ray that grazes the surface closer than that may hit it or miss it.
 ///
 /// ```
 /// use crease::surface::{Primitive, Ray, Torus};
@@ -68,7 +69,8 @@ macro_rules! from {
 from!(Plane, Sphere, Ellipsoid, Cylinder, Cone, Torus);
 
 impl Primitive {
-    /// The first hit of a ray in front of its origin, on either side; undetermined for rays that start on the surface.
+    /// The first hit of a ray in front of its origin, on either side of the surface. A ray that starts on the surface
+    /// may or may not hit it there: start it a small distance away, on the intended side.
     pub fn intersect(&self, ray: &Ray) -> Option<Hit> {
         each!(self, surface => surface.first_hit(ray))
     }
@@ -140,7 +142,7 @@ impl Placed {
 
     /// The first hit of a ray, both in world space; `None` also for coordinates beyond 1e90 in the primitive's own space.
     pub fn intersect(&self, ray: &Ray) -> Option<Hit> {
-        // The origin is subtracted first: the difference of two far points is exact.
+        // The origin is subtracted first: the difference of two far points is exact, that of their images is not.
         let map = self.object_from_world;
         let ray = Ray::new(map * (ray.origin() - self.origin), map * ray.direction())?;
         let hit = self.primitive.intersect(&ray)?;

@@ -8,7 +8,8 @@ const FURTHEST: f64 = 1e90;
 
 /// A half-line: all points origin + t·direction with t > 0.
 ///
-/// The direction may have any length but zero; parameters `t` are in units of it.
+/// The direction may have any length but zero; parameters `t` are in units of that length. A linear map of ray and
+/// surface does not change them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     origin: DVec3,
@@ -57,13 +58,18 @@ pub struct Hit {
     pub front: bool,
 }
 
-/// The line of a ray relative to a centre, so that a far ray has no error but that of its coordinates.
+/// The line of a ray relative to a centre, so that a far ray has no error but that of its coordinates. Its points are
+/// foot + s·direction; s is a length.
 pub(crate) struct Line {
+    /// The point closest to the centre.
     pub(crate) foot: DVec3,
+    /// A unit vector.
     pub(crate) direction: DVec3,
     /// point × direction for any point of the line: its length is the distance from the centre.
     pub(crate) moment: DVec3,
+    /// The s of the ray's origin.
     start: f64,
+    /// The length of the ray's direction: t = (s − start)/speed.
     speed: f64,
 }
 
@@ -71,7 +77,8 @@ impl Line {
     /// The line of a ray, seen from a centre.
     ///
     /// The moment's products cancel if a far ray passes nearby; as exact differences of products its components keep a relative
-    /// error of 2u, and so does the foot, direction × moment.
+    /// error of 2u, and so does the foot, direction × moment. (The foot of E. Haines et al., *Precision improvements
+    /// for ray/sphere intersection*, Ray Tracing Gems, 2019, has an error of u times the distance.)
     pub(crate) fn new(ray: &Ray, centre: DVec3) -> Self {
         let origin = ray.origin - centre;
         // A power of two keeps all digits of the direction: dividing by its length would rotate the line a little.

@@ -10,8 +10,9 @@ use std::sync::OnceLock;
 /// Bernstein polynomials.
 ///
 /// # Collapsed sides
-/// A side whose four control points coincide has no tangent. Next to the side v = 0 the direction of ∂u × ∂v tends to ∂u∂v × ∂v,
-/// which is the normal there, one for each u.
+/// A side whose four control points coincide has no tangent. Next to the side v = 0, ∂u is v·∂u∂v to first order, so
+/// the direction of ∂u × ∂v tends to ∂u∂v × ∂v. That limit is the normal there, one for each u. If all of them are
+/// equal, as at the top of the teapot's lid, the surface is smooth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BezierPatch {
     points: [[DVec3; 4]; 4],
@@ -86,7 +87,8 @@ impl Parametric for BezierPatch {
     }
 }
 
-/// The cubic Bézier curve of four points and its derivative, exactly zero if the points coincide.
+/// The cubic Bézier curve of four points and its derivative. The derivative uses differences of the points: it keeps
+/// its digits if they lie close together, and is exactly zero if they coincide.
 fn curve([a, b, c, d]: [DVec3; 4], t: f64) -> (DVec3, DVec3) {
     let s = 1.0 - t;
     let point = a * (s * s * s) + b * (3.0 * s * s * t) + c * (3.0 * s * t * t) + d * (t * t * t);

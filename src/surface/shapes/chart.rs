@@ -46,7 +46,8 @@ pub trait Parametric: Sync {
     fn at(&self, u: f64, v: f64) -> Option<Sample>;
 }
 
-/// Sine and cosine of a part of a full turn. Quarter turns are exact, and octants have the same digits.
+/// Sine and cosine of a part of a full turn. Quarter turns are exact, whole turns change no bit, and points at the same
+/// position in different octants have the same digits.
 pub(crate) fn circle(turns: f64) -> (f64, f64) {
     let turns = turns - turns.round();
     let quarters = (4.0 * turns).round();

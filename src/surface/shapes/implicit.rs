@@ -7,11 +7,12 @@ use glam::DVec3;
 
 /// A surface that is the zero set of a function of space.
 pub trait Implicit: Sync {
-    /// The signed distance from the surface continued without its ends, unless the surface says otherwise: negative inside.
+    /// A length: negative inside or behind, zero on the surface, positive outside. It is the signed distance from the
+    /// surface continued without its ends, unless the documentation of the surface says otherwise.
     fn value(&self, point: DVec3) -> f64;
 
-    /// The direction in which [`value`](Self::value) grows fastest: on the surface, its exact normal. `None` where there is no such
-    /// direction, as on the axis of a cylinder.
+    /// The direction in which [`value`](Self::value) grows fastest: on the surface, its exact normal, outward or to the
+    /// front. `None` where there is no such direction: on the axis of a cylinder, in the centre of a sphere.
     fn normal_at(&self, point: DVec3) -> Option<UnitVec3>;
 }
 

@@ -17,7 +17,7 @@ fn axis_distance(point: DVec3) -> f64 {
 }
 
 surface_of_lengths! {
-    /// The tube x² + z² = radius², |y| ≤ height/2, open at both ends, facing outward; by default 1 and 2.
+    /// The tube x² + z² = radius², |y| ≤ height/2, open at both ends, facing outward. By default radius 1, height 2.
     ///
     /// Points: (radius·sin θ, (v − ½)·height, radius·cos θ) with θ = 2πu.
     Cylinder {
@@ -52,7 +52,8 @@ impl Implicit for Cylinder {
 }
 
 impl Cast for Cylinder {
-    /// Roots of |p⊥ + s·d⊥|² = radius². By Lagrange's identity the discriminant is (radius·|d⊥|)² − (moment about the axis)².
+    /// Roots of |p⊥ + s·d⊥|² = radius². By Lagrange's identity the discriminant is (radius·|d⊥|)² − (moment about the
+    /// axis)², a difference of squares, which is computed as a product without cancellation.
     fn crossings(&self, line: &Line) -> impl Iterator<Item = f64> {
         let speed = across(line.direction).length();
         let (reach, moment) = (self.radius * speed, line.moment.y.abs());
@@ -68,11 +69,11 @@ impl Cast for Cylinder {
 }
 
 surface_of_lengths! {
-    /// The cone from the circle of a radius at y = −height/2 to its tip at y = +height/2, open at the base, facing outward; by
-    /// default 1 and 2.
+    /// The cone from the circle of a radius at y = −height/2 to its tip at y = +height/2, open at the base, facing
+    /// outward. By default of radius 1 and height 2.
     ///
-    /// Points: ((1 − v)·radius·sin θ, (v − ½)·height, (1 − v)·radius·cos θ) with θ = 2πu. At the tip, and on the axis, the normal is
-    /// the limit of the mean over ever smaller circles: +y.
+    /// Points: ((1 − v)·radius·sin θ, (v − ½)·height, (1 − v)·radius·cos θ) with θ = 2πu. At the tip, and on the axis,
+    /// the surface has no normal; crease uses the limit of the mean over ever smaller circles, +y.
     Cone {
         /// The radius of the base.
         radius: "the radius" = 1.0,
@@ -130,7 +131,8 @@ impl Cast for Cone {
         let (a, b, c) = (form(direction, direction), form(foot, direction), form(foot, foot));
         let (tilted, turned) = (r * axis_distance(moment), h * moment.y.abs());
         let root = h * ((tilted - turned) * (tilted + turned)).sqrt();
-        // The larger root has no cancellation; the other one follows from their product. A line along a generator has one.
+        // The larger root has no cancellation; the other one follows from their product. A line along a
+        // generator has only one root, and so has a line through the tip.
         let sum = -(b + root.copysign(b));
         let [one, other] = [sum / a, if sum == 0.0 { 0.0 } else { c / sum }];
         let crossings = [one.min(other), one.max(other)];
@@ -147,7 +149,8 @@ surface_of_lengths! {
     /// away from the axis. By default of waist 0.5 and height 1.5.
     ///
     /// Points: (waist·cosh t·sin θ, waist·t, waist·cosh t·cos θ) with θ = 2πu and t = (v − ½)·height/waist. Its
-    /// [`value`](Implicit::value) is measured towards the axis.
+    /// [`value`](Implicit::value) is measured towards the axis, so it is a little more than the distance. The height
+    /// may be at most 200 waists: beyond that the ends would be 10⁴³ times as wide as the waist.
     Catenoid {
         /// The smallest radius.
         waist: "the waist" = 0.5,
@@ -198,8 +201,11 @@ impl Implicit for Catenoid {
 surface_of_lengths! {
     /// The ring torus (√(x² + z²) − R)² + y² = r² about the y axis, facing outward. By default R = 1, r = 0.4.
     ///
-    /// Points: ((R + r cos φ) sin θ, r sin φ, (R + r cos φ) cos θ) with θ = 2πu and φ = 2πv. A ray's crossings are the roots of a
-    /// quartic, made exact by Newton steps on the signed distance.
+    /// Points: ((R + r cos φ) sin θ, r sin φ, (R + r cos φ) cos θ) with θ = 2πu around the axis and φ = 2πv around the
+    /// tube. R must be larger than r.
+    ///
+    /// A ray's crossings are the roots of a quartic, made as exact as the surface's equation by Newton steps on the
+    /// signed distance. No crossing is missed or invented unless a ray grazes the surface within about 10⁻¹⁵·R²/r.
     Torus {
         /// From the axis to the middle of the tube.
         major: "the ring's radius" = 1.0,

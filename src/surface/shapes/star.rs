@@ -7,9 +7,10 @@ use crate::surface::shapes::chart::{Chart, Parametric, Sample, on_sphere};
 use crate::surface::shapes::implicit::{Cast, Implicit};
 use glam::DVec3;
 
-/// A closed surface that each ray from the origin meets once.
+/// A closed surface that each ray from the origin meets once: directions map to its points.
 pub trait StarShaped: Sync {
-    /// The point of the surface in a direction of any length but zero, before stretching.
+    /// The point of the surface in a direction of any length but zero. For a stretched surface it is the direction
+    /// before stretching.
     fn along(&self, direction: DVec3) -> Option<Sample>;
 }
 
@@ -78,7 +79,7 @@ impl Ellipsoid {
         self.semi_axes
     }
 
-    /// The first hit of a ray: that of the unit sphere with the ray divided by the semi-axes.
+    /// The first hit of a ray: that of the unit sphere with the ray divided by the semi-axes, at the same parameter.
     pub(crate) fn first_hit(&self, ray: &Ray) -> Option<Hit> {
         let hit = Sphere::default().first_hit(&ray.mapped(|v| v / self.semi_axes))?;
         let position = hit.position * self.semi_axes;
@@ -110,8 +111,10 @@ impl StarShaped for Ellipsoid {
 /// east to west: below 1 towards a box, 1 an ellipsoid, above 1 towards an octahedron (A. H. Barr, *Superquadrics and
 /// angle-preserving transformations*, IEEE CG&A 1(1), 1981). By default (a, b, c) = (1, 1, 1) and n = e = 0.5.
 ///
-/// Points lie on rays from the origin, in the directions of the unit [`Sphere`]. Where an exponent is above 1, the curvature on
-/// the axes is unbounded. The [`value`](Implicit::value) is the relative radius less 1, times the shortest semi-axis.
+/// Points lie on rays from the origin, in the directions of the unit [`Sphere`], which spaces them more evenly than
+/// Barr's parameters. If an exponent is below 1, the surface has six flat spots, on the axes. If it is above 1, the
+/// curvature there is unbounded, but the normal has a limit. The [`value`](Implicit::value) is not a distance: it is
+/// the ratio of the point's radius to that of the surface in the same direction, less 1, times the shortest semi-axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Superquadric {
     semi_axes: DVec3,
@@ -126,7 +129,8 @@ impl Default for Superquadric {
 }
 
 impl Superquadric {
-    /// A superellipsoid by its semi-axes and its two exponents of roundness, each from 0.1 to 1.9.
+    /// A superellipsoid by its semi-axes and its two exponents of roundness, each from 0.1 to 1.9. In this range the
+    /// surface has a normal everywhere; at 0 it would be a box and at 2 an octahedron, which have edges.
     ///
     /// # Errors
     /// [`SurfaceError::OutOfRange`].
@@ -148,7 +152,8 @@ impl Superquadric {
         [self.north, self.east]
     }
 
-    /// |p| in the norm with the unstretched surface as unit sphere, and its gradient but for a positive factor.
+    /// The norm of p with the unstretched surface as unit sphere, and its gradient but for a positive factor. It is a
+    /// norm of a norm: first over x and z, then over the result and y.
     fn norm(&self, p: DVec3) -> (f64, DVec3) {
         let (flat, slope) = power_norm(p.x, p.z, 2.0 / self.east);
         let (norm, outer) = power_norm(flat, p.y, 2.0 / self.north);
@@ -156,7 +161,7 @@ impl Superquadric {
     }
 }
 
-/// (|x|^k + |y|^k)^(1/k) and its gradient, by quotients that stay in range; no gradient at the origin.
+/// (|x|^k + |y|^k)^(1/k) and its gradient, by quotients that stay in range; 0 and no gradient at the origin.
 fn power_norm(x: f64, y: f64, k: f64) -> (f64, (f64, f64)) {
     let largest = x.abs().max(y.abs());
     if largest == 0.0 {

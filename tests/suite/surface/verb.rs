@@ -240,7 +240,10 @@ fn what_cannot_be_is_refused_before_anything_is_written() {
             &["sphere", "--offset", "1e308,0,0", "--scale", "1e308", "--radius", "1e3", "-o", path],
             "beyond the range",
         ),
-        (&["sphere", "--segments", "2x9", "-o", path], "2 segments around the axis; at least 3 expected"),
+        (
+            &["sphere", "--segments", "2x9", "-o", path],
+            "2 segments in the first direction; at least 3 expected",
+        ),
         (&["sphere", "--segments", "0", "-o", path], "a number of cells"),
         (&["sphere", "--segments", "99999", "-o", path], "9999800001 cells; at most 16777216 expected"),
         (&["sphere", "--level", "2", "-o", path], "the pattern triangles has no --level"),

@@ -103,7 +103,7 @@ impl Package<'_> {
                     let known = self.written.companions.iter().find(|other| other.content == copy);
                     let known = known.map(|other| other.name.clone());
                     let name = known.unwrap_or_else(|| {
-                        // Without what would make it lead elsewhere.
+                        // The file name only, so that it stays in the output's folder.
                         let bare = path.file_name().map(|name| name.to_string_lossy());
                         self.free_name(stem, &bare.unwrap_or("buffer.bin".into()))
                     });

@@ -1,7 +1,7 @@
 //! A whole scene file, its settings and its camera.
 
 use crate::io::ReadError;
-use crate::num::{Degrees, LinearRgb, Transfer};
+use crate::num::{Degrees, LinearRgb, List, Transfer};
 use crate::raster::load::scene_file::{LoadOptions, SceneFile, SceneObject, SceneShape};
 use crate::raster::load::toml::lighting::{LightTables, ReflectionName, lights};
 use crate::raster::load::toml::objects::{Builder, ObjectTable};
@@ -77,7 +77,7 @@ impl SceneFile {
 #[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields, default, rename_all = "kebab-case")]
 pub(super) struct SettingsTable {
-    size: Option<Spanned<[u32; 2]>>,
+    size: Option<Spanned<List<u32, 2>>>,
     samples: Option<Spanned<u32>>,
     bits: Option<Spanned<u32>>,
     shading: Option<Spanned<Shading>>,
@@ -116,8 +116,9 @@ impl SettingsTable {
     /// Changes the settings and the background of a scene.
     pub(super) fn apply(&self, source: Source, scene: &mut SceneFile) -> Result<(), ReadError> {
         let default = RenderSettings::default();
-        let size =
-            |size: &[u32; 2]| size.iter().all(|side| (1..=LARGEST_SIDE).contains(side)).then_some(*size);
+        let size = |List(size): &List<u32, 2>| {
+            size.iter().all(|side| (1..=LARGEST_SIDE).contains(side)).then_some(*size)
+        };
         let samples = |&count: &u32| Samples::new(count as usize);
         let bits =
             |&bits: &u32| [Bits::Eight, Bits::Sixteen].into_iter().find(|b| u32::from(b.count()) == bits);
@@ -202,9 +203,9 @@ impl WireTable {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct CameraTable {
-    eye: [f64; 3],
-    target: [f64; 3],
-    up: Option<[f64; 3]>,
+    eye: List<f64, 3>,
+    target: List<f64, 3>,
+    up: Option<List<f64, 3>>,
     /// Degrees from bottom to top: perspective.
     angle: Option<f64>,
     /// From bottom to top: orthographic.
@@ -221,7 +222,7 @@ impl CameraTable {
             (None, Some(height)) => Projection::Orthographic(height),
             (Some(_), Some(_)) => {
                 let advice = "give one: a perspective camera has an angle, a parallel one a height";
-                return Err(source.error(&span, "an angle and a height", advice));
+                return Err(source.error(&span, "angle and height are both given", advice));
             }
         };
         let (eye, target) = (DVec3::from(table.eye), DVec3::from(table.target));

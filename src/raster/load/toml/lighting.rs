@@ -1,7 +1,7 @@
 //! The lights and materials of a scene file.
 
 use crate::io::ReadError;
-use crate::num::{Degrees, LinearRgb, Radians};
+use crate::num::{Degrees, LinearRgb, List, Radians};
 use crate::raster::load::toml::source::Source;
 use crate::raster::load::toml::values::{Colour, ReflectanceValue};
 use crate::shade::{AreaShape, Attenuation, Cone, Light, Material, Reflectance, Reflection, ShadeError};
@@ -33,7 +33,7 @@ struct AmbientTable {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct DirectionalTable {
-    towards: [f64; 3],
+    towards: List<f64, 3>,
     #[serde(alias = "color", default = "white")]
     colour: Colour,
 }
@@ -51,12 +51,12 @@ struct PointTable {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 struct SpotTable {
-    position: [f64; 3],
+    position: List<f64, 3>,
     #[serde(alias = "color", default = "white")]
     colour: Colour,
     #[serde(default)]
     attenuation: Attenuation,
-    axis: [f64; 3],
+    axis: List<f64, 3>,
     /// Degrees; 180 for none.
     cut_off: Option<f64>,
     /// Degrees.
@@ -67,9 +67,9 @@ struct SpotTable {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct RectangleTable {
-    centre: [f64; 3],
-    u: [f64; 3],
-    v: [f64; 3],
+    centre: List<f64, 3>,
+    u: List<f64, 3>,
+    v: List<f64, 3>,
     #[serde(alias = "color", default = "white")]
     colour: Colour,
 }
@@ -77,8 +77,8 @@ struct RectangleTable {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct DiscTable {
-    centre: [f64; 3],
-    normal: [f64; 3],
+    centre: List<f64, 3>,
+    normal: List<f64, 3>,
     radius: f64,
     #[serde(alias = "color", default = "white")]
     colour: Colour,

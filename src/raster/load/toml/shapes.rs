@@ -2,7 +2,7 @@
 
 use crate::io::ReadError;
 use crate::mesh::{Column, Columns, Faces, Mesh, MeshBuilder};
-use crate::num::{LinearRgb, UnitVec3};
+use crate::num::{LinearRgb, List, UnitVec3};
 use crate::raster::load::toml::source::Source;
 use crate::raster::load::toml::values::Colour;
 use crate::surface::{
@@ -17,10 +17,10 @@ use toml::Spanned;
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct PolygonTable {
-    vertices: Vec<[f64; 3]>,
+    vertices: Vec<List<f64, 3>>,
     faces: Vec<Vec<u32>>,
     /// One per vertex.
-    normals: Option<Vec<[f64; 3]>>,
+    normals: Option<Vec<List<f64, 3>>>,
     /// One per vertex.
     #[serde(alias = "colors")]
     colours: Option<Vec<Colour>>,
@@ -38,7 +38,7 @@ impl PolygonTable {
             return Err(error("faces", "there are no faces to draw"));
         }
         if let Some(vertex) = vertices.iter().position(|vertex| !DVec3::from(*vertex).is_finite()) {
-            return Err(error("vertices", &format!("vertex {vertex} is {:?}", vertices[vertex])));
+            return Err(error("vertices", &format!("vertex {vertex} is {:?}", vertices[vertex].0)));
         }
         let counts =
             [("normals", normals.as_ref().map(Vec::len)), ("colours", colours.as_ref().map(Vec::len))];
@@ -47,9 +47,9 @@ impl PolygonTable {
                 return Err(error(key, &format!("{count} {key} for {} vertices", vertices.len())));
             }
         }
-        let unit = |(vertex, &normal): (usize, &[f64; 3])| {
+        let unit = |(vertex, &normal): (usize, &List<f64, 3>)| {
             let unit = UnitVec3::new(normal.into()).map(UnitVec3::get);
-            unit.ok_or_else(|| error("normals", &format!("normal {vertex} is {normal:?}")))
+            unit.ok_or_else(|| error("normals", &format!("normal {vertex} is {:?}", normal.0)))
         };
         let normals = normals.as_ref().map(|list| list.iter().enumerate().map(unit).collect()).transpose()?;
         let mut face_list = Faces::new();
@@ -71,14 +71,14 @@ impl PolygonTable {
 pub(super) enum SurfaceTable {
     Plane { width: f64, height: f64 },
     Sphere { radius: f64 },
-    Ellipsoid { semi_axes: [f64; 3] },
+    Ellipsoid { semi_axes: List<f64, 3> },
     Cylinder { radius: f64, height: f64 },
     Cone { radius: f64, height: f64 },
     Torus { major: f64, minor: f64 },
     Catenoid { waist: f64, height: f64 },
     Wave { size: f64 },
     MonkeySaddle { size: f64 },
-    Superquadric { semi_axes: [f64; 3], roundness: [f64; 2] },
+    Superquadric { semi_axes: List<f64, 3>, roundness: List<f64, 2> },
     Teapot {},
 }
 
@@ -94,7 +94,7 @@ impl SurfaceTable {
             Self::Catenoid { waist, height } => Surface::Catenoid(Catenoid::new(waist, height)?),
             Self::Wave { size } => Surface::Wave(Wave::new(size)?),
             Self::MonkeySaddle { size } => Surface::MonkeySaddle(MonkeySaddle::new(size)?),
-            Self::Superquadric { semi_axes, roundness: [north, east] } => {
+            Self::Superquadric { semi_axes, roundness: List([north, east]) } => {
                 Surface::Superquadric(Superquadric::new(semi_axes.into(), north, east)?)
             }
             Self::Teapot {} => Surface::Teapot,

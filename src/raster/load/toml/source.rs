@@ -17,34 +17,66 @@ struct Entry {
     value: Range<usize>,
 }
 
-/// Names of types in messages of serde, and the words for them that authors of scenes know.
-const TYPES: [(&str, &str); 14] = [
-    ("unknown field", "unknown key"),
-    ("unknown variant", "unknown value"),
-    ("missing field", "missing key"),
-    ("unexpected keys in table", "unknown keys"),
-    ("invalid type: ", "found "),
-    ("invalid value: ", "found "),
-    ("invalid length ", "found a list of length "),
-    ("expected f64", "expected a number"),
-    ("a sequence", "a list"),
-    ("expected u32", "expected a whole number, 0 or more"),
+/// Words of serde and the words that authors of scenes know, longer ones first.
+const WORDS: [(&str, &str); 21] = [
     (
         "unit variant, expected struct variant",
         "a name alone, expected members, as in `{ sphere = { radius = 1 } }`",
     ),
-    ("expected struct variant", "expected members, as in `{ sphere = { radius = 1 } }`"),
-    ("unit variant, expected newtype variant", "a name alone, expected a value, as in `{ offset = 1 }`"),
+    ("unit variant, expected newtype variant", "a name alone, expected a value, as in `{ NAME = 1 }`"),
     ("wanted exactly 1 element, more than 1 element", "expected one of these keys, found several"),
+    ("wanted exactly 1 element, found 0 elements", "expected one key, found none"),
+    ("wanted string or table", "expected a name or a table"),
+    ("expected struct variant", "expected members, as in `{ sphere = { radius = 1 } }`"),
+    ("unexpected keys in table", "unknown keys"),
+    ("unknown variant", "unknown name"),
+    ("unknown field", "unknown key"),
+    ("missing field", "missing key"),
+    ("invalid length ", "found a list of length "),
+    ("an array of length ", "a list of length "),
+    ("invalid type: ", "found "),
+    ("invalid value: ", "found "),
+    ("expected f64", "expected a number"),
+    ("expected u32", "expected a whole number from 0 to 4294967295"),
+    ("expected table", "expected a table"),
+    ("a sequence", "a list"),
+    ("sequence", "a list"),
+    ("a map", "a table"),
+    ("found map", "found a table"),
 ];
+
+/// A message of serde in the words of authors of scenes. What is quoted is the author's own.
+fn in_plain_words(message: &str) -> String {
+    // The name of a variant of ours may follow.
+    let message = message.split(" SurfaceTable::").next().unwrap_or_default();
+    let mut plain = String::new();
+    let mut rest = message;
+    while !rest.is_empty() {
+        let quote = rest.find(['`', '"']).unwrap_or(rest.len());
+        let mut text = rest[..quote].to_owned();
+        for (from, to) in WORDS {
+            text = text.replace(from, to);
+        }
+        // The name of a type of ours.
+        if let Some((before, name)) = text.split_once("expected struct ") {
+            let after = name.trim_start_matches(|c: char| c.is_alphanumeric());
+            text = format!("{before}expected a table{after}");
+        }
+        plain.push_str(&text);
+        rest = &rest[quote..];
+        let Some(mark) = rest.chars().next() else { break };
+        let end = rest[1..].find(mark).map_or(rest.len(), |end| end + 2);
+        plain.push_str(&rest[..end]);
+        rest = &rest[end..];
+    }
+    plain
+}
 
 impl Source<'_> {
     /// An error of the TOML parser, or of a value that does not have the type of its key.
     pub(super) fn syntax(self, error: &toml::de::Error) -> ReadError {
         let span = error.span().unwrap_or(0..0);
-        // The name of a variant of ours may follow.
-        let message = error.message().split(" SurfaceTable::").next().unwrap_or_default();
-        let message = TYPES.iter().fold(message.to_owned(), |text, (from, to)| text.replace(from, to));
+        let message = in_plain_words(error.message());
         let found = match self.0.get(span.clone()) {
             // Such a message names only the allowed values.
             Some(value) if message.starts_with("expected") => format!("`{value}`: {message}"),
@@ -68,7 +100,7 @@ impl Source<'_> {
     }
 
     /// What `make` returns for a value, or an error that says what was expected. `default` if there is no value.
-    pub(super) fn checked<T: std::fmt::Debug, U>(
+    pub(super) fn checked<T, U>(
         self,
         value: &Option<Spanned<T>>,
         default: U,
@@ -76,7 +108,13 @@ impl Source<'_> {
         expected: &str,
     ) -> Result<U, ReadError> {
         let Some(value) = value else { return Ok(default) };
-        let error = || self.error(&value.span(), &format!("found {:?}", value.get_ref()), expected);
+        let error = || {
+            self.error(
+                &value.span(),
+                &format!("found {}", self.0.get(value.span()).unwrap_or_default()),
+                expected,
+            )
+        };
         make(value.get_ref()).ok_or_else(error)
     }
 

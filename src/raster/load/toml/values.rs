@@ -1,6 +1,6 @@
 //! Colours, reflectances and transforms of scene files.
 
-use crate::num::{LinearRgb, Srgb8};
+use crate::num::{LinearRgb, List, Srgb8};
 use crate::raster::load::rotation::rotation;
 use crate::shade::Reflectance;
 use glam::{DMat4, DVec3};
@@ -15,7 +15,7 @@ pub(super) struct Colour(pub(super) LinearRgb);
 #[serde(untagged, expecting = "expected 3 linear components, 1 number for a grey, or \"#rrggbb\"")]
 enum ColourValue {
     Grey(f64),
-    Linear([f64; 3]),
+    Linear(List<f64, 3>),
     Code(String),
 }
 
@@ -25,8 +25,10 @@ impl TryFrom<ColourValue> for Colour {
     fn try_from(value: ColourValue) -> Result<Self, Self::Error> {
         let colour = match value {
             ColourValue::Grey(grey) => LinearRgb::grey(grey),
-            ColourValue::Linear(components) => LinearRgb::from(components),
-            ColourValue::Code(code) => srgb(&code).ok_or("expected a colour such as \"#80ff00\"")?,
+            ColourValue::Linear(components) => LinearRgb::from(components.0),
+            ColourValue::Code(code) => {
+                srgb(&code).ok_or("expected a colour: `[r, g, b]`, one number for a grey, or \"#80ff00\"")?
+            }
         };
         // It is drawn in single precision.
         let is_allowed = |component| (0.0..=f64::from(f32::MAX)).contains(&component);
@@ -78,10 +80,10 @@ impl ReflectanceValue {
 pub(super) enum Step {
     Scale(Scale),
     /// Degrees about x, then y, then z.
-    Rotate([f64; 3]),
-    Translate([f64; 3]),
+    Rotate(List<f64, 3>),
+    Translate(List<f64, 3>),
     /// Rows of an affine map.
-    Matrix([[f64; 4]; 3]),
+    Matrix(List<List<f64, 4>, 3>),
 }
 
 /// A factor for all axes, or one for each.
@@ -89,7 +91,7 @@ pub(super) enum Step {
 #[serde(untagged, expecting = "expected one factor for all axes, or 3")]
 pub(super) enum Scale {
     Uniform(f64),
-    Axes([f64; 3]),
+    Axes(List<f64, 3>),
 }
 
 impl Step {
@@ -99,8 +101,8 @@ impl Step {
             Step::Scale(Scale::Axes(factors)) => DMat4::from_scale(factors.into()),
             Step::Rotate(degrees) => rotation(degrees.into()),
             Step::Translate(by) => DMat4::from_translation(by.into()),
-            Step::Matrix([x, y, z]) => {
-                DMat4::from_cols_array_2d(&[x, y, z, [0.0, 0.0, 0.0, 1.0]]).transpose()
+            Step::Matrix(List([x, y, z])) => {
+                DMat4::from_cols_array_2d(&[x.0, y.0, z.0, [0.0, 0.0, 0.0, 1.0]]).transpose()
             }
         }
     }

@@ -9,6 +9,7 @@ use crate::surface::shapes::revolution::{Catenoid, Cone, Cylinder, Torus};
 use crate::surface::shapes::star::Sphere;
 use crate::surface::tests::all;
 use glam::{DVec2, DVec3};
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 const PATTERNS: [Pattern; 8] = [
@@ -280,7 +281,16 @@ fn scattered_points_make_a_delaunay_triangulation() {
         let place = |i| DVec2::new(hash.at(i, 0, 1), hash.at(i, 0, 2)) * scale;
         let points: Vec<DVec2> = (0..300).map(place).collect();
         let triangles = delaunay(&points).unwrap();
-        assert!(triangles.len() > 550, "{}", triangles.len());
+        let mut faces_of_edge = BTreeMap::new();
+        for [a, b, c] in &triangles {
+            for [from, to] in [[a, b], [b, c], [c, a]] {
+                *faces_of_edge.entry([from.min(to), from.max(to)]).or_insert(0) += 1;
+            }
+        }
+        assert!(faces_of_edge.values().all(|faces| [1, 2].contains(faces)));
+        let hull = faces_of_edge.values().filter(|&&faces| faces == 1).count();
+        let euler = 300 + triangles.len() - faces_of_edge.len();
+        assert_eq!((euler, triangles.len()), (1, 2 * 300 - 2 - hull));
         for face in triangles {
             let [a, b, c] = face.map(|k| points[k as usize] / scale);
             assert!((b - a).perp_dot(c - a) > 0.0);
