@@ -1,4 +1,4 @@
-//! Markers over a heat map: lines along creases, dots on single corners, rings around worst places.
+//! Markers over a heat map: lines along creases, dots on single corners, rings around worst positions.
 
 use super::heat_scale::{ABSENT, HeatScale};
 use crate::num::{LinearRgb, viridis};

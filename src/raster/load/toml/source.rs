@@ -84,7 +84,7 @@ impl Source<'_> {
         };
         ReadError {
             problem: Problem::Syntax,
-            ..self.error(&span, &found, "`crease render --scene-help` lists all keys")
+            ..self.error(&span, &found, "")
         }
     }
 
