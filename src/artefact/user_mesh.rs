@@ -62,7 +62,7 @@ impl Normalisation {
     }
 
     pub(super) fn apply(&self, mesh: &Mesh) -> Result<Mesh> {
-        let positions = mesh.positions().iter().map(|&place| (place - self.centre) / self.half).collect();
+        let positions = mesh.positions().iter().map(|place| (place - self.centre) / self.half).collect();
         let builder = MeshBuilder {
             positions,
             storage: mesh.storage(),

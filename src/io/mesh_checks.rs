@@ -111,7 +111,7 @@ pub(super) fn unsupported_notes(format: Format, parts: &[Part]) -> Vec<Note> {
 /// The error about a mesh with a position that is infinite as `f32`.
 pub(super) fn beyond_f32(mesh: &Mesh) -> WriteError {
     let vertex = mesh.positions().iter().position(|p| !p.as_vec3().is_finite()).unwrap_or(0);
-    let DVec3 { x, y, z } = mesh.positions()[vertex];
+    let DVec3 { x, y, z } = mesh.positions().at(vertex as u32);
     WriteError::Unsupported(format!(
         "vertex {vertex} at ({x:e}, {y:e}, {z:e}) is out of the range of 32-bit floats; scale the model, or write PLY \
          or OBJ"
@@ -120,7 +120,7 @@ pub(super) fn beyond_f32(mesh: &Mesh) -> WriteError {
 
 /// Whether any position of a mesh is not an `f32`.
 pub(super) fn needs_f64(mesh: &Mesh) -> bool {
-    let is_rounded = |p: &DVec3| p.as_vec3().as_dvec3() != *p;
+    let is_rounded = |p: DVec3| p.as_vec3().as_dvec3() != p;
     mesh.storage() == Storage::F64 && mesh.positions().iter().any(is_rounded)
 }
 

@@ -3,6 +3,7 @@
 use super::columns::{ColumnIndex, Columns, NONE};
 use super::faces::Faces;
 use super::link::MAX_CORNERS;
+use super::positions::PositionsRef;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -36,8 +37,9 @@ pub struct Mesh {
 
 impl Mesh {
     /// Position of every vertex.
-    pub fn positions(&self) -> &[DVec3] {
-        &self.positions
+    #[inline]
+    pub fn positions(&self) -> PositionsRef<'_> {
+        PositionsRef::F64(&self.positions)
     }
 
     /// Position of one vertex.

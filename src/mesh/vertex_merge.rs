@@ -2,6 +2,7 @@
 
 use super::columns::{ColumnIndex, Columns, NONE};
 use super::polygon_mesh::Mesh;
+use super::positions::PositionsRef;
 use super::rings::Scatter;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -18,7 +19,7 @@ pub(crate) fn place_key(p: DVec3) -> [u64; 3] {
 /// A flat table of item numbers per thread, each for a share of the positions: at most 9 bytes an item in addition to the result.
 pub(super) fn first_at_place(
     count: usize,
-    shapes: &[&[DVec3]],
+    shapes: &[PositionsRef],
     vertex: impl Fn(u32) -> u32 + Sync,
 ) -> Vec<u32> {
     let parts = if count > 1 << 14 { rayon::current_num_threads().clamp(1, 8) } else { 1 };
@@ -39,7 +40,7 @@ pub(super) fn first_at_place(
 
 /// Items with positions.
 struct Places<'a, V> {
-    shapes: &'a [&'a [DVec3]],
+    shapes: &'a [PositionsRef<'a>],
     vertex: V,
 }
 
@@ -47,10 +48,10 @@ impl<V: Fn(u32) -> u32> Places<'_, V> {
     /// A hash whose high and low halves are both mixed well, although most positions have few significant bits.
     #[inline]
     fn hash(&self, item: u32) -> u64 {
-        let vertex = (self.vertex)(item) as usize;
+        let vertex = (self.vertex)(item);
         let mut hash = 0_u64;
         for shape in self.shapes {
-            let [x, y, z] = place_key(shape[vertex]);
+            let [x, y, z] = place_key(shape.at(vertex));
             hash = hash.rotate_left(23).wrapping_mul(0xd6e8_feb8_6659_fd93)
                 ^ x.wrapping_mul(0x9e37_79b9_7f4a_7c15)
                     .wrapping_add(y.wrapping_mul(0xc2b2_ae3d_27d4_eb4f))
@@ -62,8 +63,8 @@ impl<V: Fn(u32) -> u32> Places<'_, V> {
 
     #[inline]
     fn are_same(&self, a: u32, b: u32) -> bool {
-        let [a, b] = [a, b].map(|item| (self.vertex)(item) as usize);
-        self.shapes.iter().all(|shape| place_key(shape[a]) == place_key(shape[b]))
+        let [a, b] = [a, b].map(|item| (self.vertex)(item));
+        self.shapes.iter().all(|shape| place_key(shape.at(a)) == place_key(shape.at(b)))
     }
 }
 
@@ -184,7 +185,7 @@ mod tests {
             soup(Columns { normals: Some(normals.clone()), ..Columns::default() }).with_shared_vertices();
         assert_eq!(mesh.faces().corners(), [0, 1, 2, 0, 2, 3]);
         assert_eq!(
-            mesh.positions(),
+            mesh.positions().to_vec(),
             [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]].map(DVec3::from)
         );
         assert_eq!(mesh.columns().normals, Some(normals));

@@ -1,6 +1,6 @@
 //! From a mesh and a recipe to a field of normals.
 
-use crate::mesh::{Column, Mesh, Storage, Topology};
+use crate::mesh::{Column, Mesh, PositionsRef, Storage, Topology};
 use crate::normals::creases::dihedral_test::CreaseTest;
 use crate::normals::creases::grouping::{Grouping, can_do_without_topology, of_triangles, on_topology};
 use crate::normals::creases::hard_edges::applied_angle;
@@ -101,7 +101,7 @@ fn compute_shape(
 
 /// A mesh in one of its shapes: its own, or a morph target's.
 struct Shape<'a> {
-    points: &'a [DVec3],
+    points: PositionsRef<'a>,
     storage: Storage,
     faces: FaceNormals,
 }
@@ -115,21 +115,21 @@ struct SlotSums {
 }
 
 impl<'a> Shape<'a> {
-    fn new(points: &'a [DVec3], mesh: &Mesh, storage: Storage) -> Self {
+    fn new(points: PositionsRef<'a>, mesh: &Mesh, storage: Storage) -> Self {
         let mut shape = Self { points, storage, faces: FaceNormals::default() };
         shape.find_faces(mesh);
         shape
     }
 
     fn find_faces(&mut self, mesh: &Mesh) {
-        self.faces = face_normals(mesh.faces().view(), Positions::F64(self.points, self.storage));
+        self.faces = face_normals(mesh.faces().view(), Positions::new(self.points, self.storage));
     }
 
     /// The sum of every slot.
     fn sums(&self, mesh: &Mesh, recipe: &NormalRecipe, groups: &SmoothGroups) -> SlotSums {
         let request = SumRequest {
             faces: mesh.faces().view(),
-            positions: Positions::F64(self.points, self.storage),
+            positions: Positions::new(self.points, self.storage),
             target: &groups.corner_slots(),
             slots: groups.slots,
             weight: recipe.weight,
@@ -186,9 +186,9 @@ impl<'a> Shape<'a> {
         summary.quadric_fallbacks = quadric_fallbacks;
         let mut morph_normals = Vec::new();
         for target in &mesh.columns().morph_targets {
-            let moved: Vec<DVec3> = mesh.positions().iter().zip(target).map(|(&p, &by)| p + by).collect();
+            let moved: Vec<DVec3> = mesh.positions().iter().zip(target).map(|(p, &by)| p + by).collect();
             // The sum of two f32 values need not be one.
-            let shape = Shape::new(&moved, mesh, Storage::F64);
+            let shape = Shape::new(PositionsRef::F64(&moved), mesh, Storage::F64);
             let sums = shape.sums(mesh, recipe, &groups).sums;
             let (mut normals, fallbacks, _) = shape.entries(mesh, topology, recipe, &groups, sums);
             // A shape that loses a normal keeps that of the base: no displacement rather than an arbitrary one.
@@ -328,7 +328,7 @@ mod tests {
             let round = compute(&cube(Columns::default()), &recipe);
             assert_eq!((round.summary.edges.smooth, round.summary.splits), (12, 0));
             for (normal, &vertex) in round.normals.values.iter().zip(&round.entry_vertex) {
-                let out = cube(Columns::default()).positions()[vertex as usize] - DVec3::splat(0.5);
+                let out = cube(Columns::default()).positions().at(vertex) - DVec3::splat(0.5);
                 // Every weight gives three equal shares; what remains is rounding.
                 assert!((*normal - out.normalize()).length() < 1e-15, "{weight:?} {normal}");
             }
@@ -363,7 +363,7 @@ mod tests {
         let normals: Vec<DVec3> = CUBE
             .iter()
             .map(|face| {
-                let p = |i: usize| cube(Columns::default()).positions()[face[i] as usize];
+                let p = |i: usize| cube(Columns::default()).positions().at(face[i]);
                 (p(1) - p(0)).cross(p(2) - p(0))
             })
             .collect();
@@ -452,7 +452,7 @@ mod tests {
             let turn = glam::DQuat::from_xyzw(x, y, z, w).normalize();
             // An even last decimal, so that the middle of an edge is still in its middle.
             let round = |x: f64| format!("{:.2}", 0.02 * (50.0 * x).round()).parse::<f64>().unwrap();
-            let mut positions: Vec<DVec3> = exact.positions().iter().map(|&p| turn * (p * 3.0)).collect();
+            let mut positions: Vec<DVec3> = exact.positions().iter().map(|p| turn * (p * 3.0)).collect();
             positions.iter_mut().for_each(|p| *p = DVec3::from(p.to_array().map(round)));
             positions[4] = (positions[1] + positions[2]) * 0.5;
             // Digits enough to tell that there are two decimals.

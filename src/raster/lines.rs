@@ -434,8 +434,7 @@ mod tests {
             let eye = framing.eye.lerp(DVec3::new(0.1, 0.2, 0.3) * size, inside);
             for projection in [framing.projection, Projection::Orthographic(3.0 * size)] {
                 scene.camera = Camera { eye, projection, ..framing };
-                let place =
-                    |vertex: u32| transform.transform_point3(mesh.positions()[vertex as usize]) / size;
+                let place = |vertex: u32| transform.transform_point3(mesh.positions().at(vertex)) / size;
                 let is_front = |face: &[u32]| {
                     let middle = face.iter().map(|&vertex| place(vertex)).sum::<DVec3>();
                     let towards = match projection {

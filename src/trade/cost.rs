@@ -164,7 +164,7 @@ fn fans(faces: &Faces) -> Vec<[u32; 3]> {
 
 /// The mesh with every position moved and then rounded to single precision.
 pub(super) fn rounded(mesh: &Mesh, moved: impl Fn(DVec3) -> DVec3) -> Mesh {
-    let round = |&position: &DVec3| moved(position).as_vec3().as_dvec3();
+    let round = |position: DVec3| moved(position).as_vec3().as_dvec3();
     let builder = MeshBuilder {
         positions: mesh.positions().iter().map(round).collect(),
         storage: Storage::F32,

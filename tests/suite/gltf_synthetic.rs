@@ -442,7 +442,7 @@ fn nothing_points_and_far_away_things_are_written_right() {
 
 /// Positions of the corners of all faces, each face turned to begin with its smallest corner, sorted.
 fn drawn(part: &Part) -> Vec<[[u64; 3]; 3]> {
-    let corner = |&v: &u32| part.mesh.positions()[v as usize].to_array().map(f64::to_bits);
+    let corner = |&v: &u32| part.mesh.positions().at(v).to_array().map(f64::to_bits);
     let mut faces: Vec<[[u64; 3]; 3]> = part
         .mesh
         .faces()
@@ -480,7 +480,7 @@ fn ways_to_store_the_same_surface_agree() {
     for number in ["04", "05", "06"] {
         let part = square(number);
         let normal = |face: &[u32]| {
-            let [a, b, c] = [0, 1, 2].map(|k| part.mesh.positions()[face[k] as usize]);
+            let [a, b, c] = [0, 1, 2].map(|k| part.mesh.positions().at(face[k]));
             (b - a).cross(c - a)
         };
         let area: DVec3 = part.mesh.faces().iter().map(normal).sum();

@@ -55,7 +55,7 @@ fn threads_do_not_change_a_bit() {
 
 fn rebuilt(mesh: &Mesh, storage: Storage, move_to: impl Fn(DVec3) -> DVec3) -> Mesh {
     MeshBuilder {
-        positions: mesh.positions().iter().map(|&p| move_to(p)).collect(),
+        positions: mesh.positions().iter().map(move_to).collect(),
         storage,
         faces: mesh.faces().clone(),
         columns: mesh.columns().clone(),
@@ -107,7 +107,7 @@ fn renumbered(mesh: &Mesh, seed: u64) -> (Mesh, Vec<u32>) {
         let face: Vec<u32> = range.map(|c| new_of[mesh.faces().corners()[c] as usize]).collect();
         faces.push(&face);
     }
-    let positions = vertices.iter().map(|&old| mesh.positions()[old as usize]).collect();
+    let positions = vertices.iter().map(|&old| mesh.positions().at(old)).collect();
     let mesh = MeshBuilder { positions, faces, storage: mesh.storage(), ..MeshBuilder::default() };
     (mesh.build().unwrap(), corners)
 }

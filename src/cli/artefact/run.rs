@@ -206,7 +206,7 @@ fn as_one(loaded: Loaded) -> Mesh {
     let (mut positions, mut faces) = (Vec::new(), Faces::default());
     for part in &loaded.parts {
         let first = positions.len() as u32;
-        positions.extend_from_slice(part.mesh.positions());
+        positions.extend(part.mesh.positions().iter());
         for face in 0..part.mesh.face_count() {
             let corners: Vec<u32> =
                 part.mesh.faces().face(face).iter().map(|vertex| first + vertex).collect();

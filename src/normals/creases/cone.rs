@@ -215,7 +215,7 @@ mod tests {
         let field = by_cone(&mesh, 179.0);
         for (corner, &vertex) in mesh.faces().corners().iter().enumerate() {
             let found = *field.normals.get(corner, vertex).unwrap();
-            let diagonal = mesh.positions()[vertex as usize].normalize();
+            let diagonal = mesh.positions().at(vertex).normalize();
             assert!(found.distance(diagonal) < 1e-15, "{corner}: {found}");
         }
     }

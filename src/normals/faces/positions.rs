@@ -1,6 +1,6 @@
 //! Positions as the kernels read them: in place, in the type that they came in.
 
-use crate::mesh::Storage;
+use crate::mesh::{PositionsRef, Storage};
 use crate::normals::faces::sliver;
 use crate::num::{self, Kernel, LANES, Lanes};
 use glam::DVec3;
@@ -13,6 +13,16 @@ pub(crate) enum Positions<'a> {
     F32(&'a [[f32; 3]]),
     /// Double precision, which may hold nothing but `f32` values.
     F64(&'a [DVec3], Storage),
+}
+
+impl<'a> Positions<'a> {
+    /// Of a mesh of this storage, or of one of its shapes.
+    pub(crate) fn new(points: PositionsRef<'a>, storage: Storage) -> Self {
+        match points {
+            PositionsRef::F32(points) => Self::F32(points),
+            PositionsRef::F64(points) => Self::F64(points, storage),
+        }
+    }
 }
 
 /// Where kernels read positions. Everything is measured in *kernel units*: the caller's own for `f32` values;

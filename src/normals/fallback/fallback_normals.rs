@@ -199,7 +199,7 @@ pub(crate) struct FaceField(FaceNormals);
 impl FaceField {
     /// Of a mesh unchanged, faithful.
     pub(crate) fn new(mesh: &Mesh, topology: &Topology) -> Self {
-        let positions = Positions::F64(mesh.positions(), mesh.storage());
+        let positions = Positions::new(mesh.positions(), mesh.storage());
         Self::with_fallbacks(mesh, topology, face_normals(mesh.faces().view(), positions))
     }
 

@@ -372,7 +372,7 @@ mod tests {
     fn the_distance_from_the_origin_has_a_limit() {
         for (distance, is_declined) in [(0.0, false), (1e3, false), (1e6, true)] {
             let near = mesh(1.0, 1.0);
-            let positions = near.positions().iter().map(|&p| p + DVec3::splat(distance)).collect();
+            let positions = near.positions().iter().map(|p| p + DVec3::splat(distance)).collect();
             let far = MeshBuilder { positions, faces: near.faces().clone(), ..MeshBuilder::default() };
             let field = compute(&far.build().unwrap(), &fast(Weight::Area));
             assert_eq!(field.summary.fast_declined, is_declined, "{distance:e}");

@@ -91,7 +91,7 @@ fn some_faces(mesh: &Mesh, chosen: &[u32]) -> Mesh {
         of_face: chosen.iter().map(|&face| groups.of_face[face as usize]).collect(),
         before_first: 0,
     });
-    let positions = vertices.iter().map(|&vertex| mesh.positions()[vertex as usize]).collect();
+    let positions = vertices.iter().map(|&vertex| mesh.positions().at(vertex)).collect();
     let columns = Columns { smoothing, ..Columns::default() };
     let builder = MeshBuilder { positions, storage: mesh.storage(), faces, columns };
     builder.build().expect("a part of a mesh is a mesh")

@@ -1,5 +1,6 @@
 //! Vertices on the picture.
 
+use crate::mesh::PositionsRef;
 use crate::num::{self, Kernel, Lanes};
 use crate::raster::view::fixed_point::{GUARD, snap};
 use crate::raster::view::screen_transform::{ObjectMap, View};
@@ -26,6 +27,15 @@ pub(crate) const NOT_FINITE: u32 = 1 << 5;
 pub(crate) enum Points<'a> {
     F64(&'a [DVec3]),
     F32(&'a [[f32; 3]]),
+}
+
+impl<'a> From<PositionsRef<'a>> for Points<'a> {
+    fn from(positions: PositionsRef<'a>) -> Self {
+        match positions {
+            PositionsRef::F64(points) => Self::F64(points),
+            PositionsRef::F32(points) => Self::F32(points),
+        }
+    }
 }
 
 impl Points<'_> {

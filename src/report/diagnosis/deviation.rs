@@ -85,7 +85,7 @@ impl Model {
     fn corners(&self) -> impl Iterator<Item = Corner> {
         self.objects.iter().flat_map(|&(part, place)| {
             let PartModel { mesh, deviations, .. } = &self.parts[part];
-            let point = |vertex: u32| mesh.positions()[vertex as usize];
+            let point = |vertex: u32| mesh.positions().at(vertex);
             let least_at = least_at_places(mesh, deviations);
             let of_face = move |face: &[u32]| -> Vec<Corner> {
                 let count = face.len();
@@ -108,7 +108,7 @@ impl Model {
 /// The smallest deviation at each position.
 fn least_at_places(mesh: &Mesh, deviations: &[Option<f64>]) -> HashMap<[u64; 3], f64> {
     let mut least = HashMap::new();
-    for (&position, degrees) in mesh.positions().iter().zip(deviations) {
+    for (position, degrees) in mesh.positions().iter().zip(deviations) {
         if let &Some(degrees) = degrees {
             let known = least.entry(place_key(position)).or_insert(degrees);
             *known = degrees.min(*known);

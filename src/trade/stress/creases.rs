@@ -150,7 +150,7 @@ impl Prism {
 
     /// The positions of the corners of a face.
     fn corners(&self, face: usize) -> Vec<DVec3> {
-        self.mesh.faces().face(face).iter().map(|&vertex| self.mesh.positions()[vertex as usize]).collect()
+        self.mesh.faces().face(face).iter().map(|&vertex| self.mesh.positions().at(vertex)).collect()
     }
 
     /// The angle between the stored faces at an edge.
@@ -176,7 +176,7 @@ impl Prism {
     fn plain_normals(&self) -> Vec<Vec3> {
         let normal = |face: usize| {
             let corners = self.mesh.faces().face(face);
-            plain::face_normal([0, 1, 2].map(|k| self.mesh.positions()[corners[k] as usize].as_vec3()))
+            plain::face_normal([0, 1, 2].map(|k| self.mesh.positions().at(corners[k]).as_vec3()))
         };
         (0..self.sides).map(normal).collect()
     }

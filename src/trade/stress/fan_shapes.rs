@@ -194,7 +194,6 @@ fn cylinder(sides: u32, turn: DQuat, store: fn(f64) -> f64) -> Mesh {
 
 fn plain_mean(mesh: &Mesh, vertex: u32) -> Vec3 {
     let around = mesh.faces().iter().filter(|face| face.contains(&vertex));
-    let normal =
-        |face: &[u32]| plain::face_normal([0, 1, 2].map(|k| mesh.positions()[face[k] as usize].as_vec3()));
+    let normal = |face: &[u32]| plain::face_normal([0, 1, 2].map(|k| mesh.positions().at(face[k]).as_vec3()));
     plain::unit(around.map(normal).fold(Vec3::ZERO, |sum, normal| sum + normal))
 }

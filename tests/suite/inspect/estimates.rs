@@ -130,7 +130,7 @@ fn crease_angles_are_reported_as_computing_has_them() {
 fn a_seam_between_groups_is_meant() {
     let ball = surface(&Surface::from(Sphere::default()), [32, 16]);
     let group = |face: &[u32]| {
-        let above = face.iter().map(|&vertex| ball.positions()[vertex as usize].y).sum::<f64>() > 0.0;
+        let above = face.iter().map(|&vertex| ball.positions().at(vertex).y).sum::<f64>() > 0.0;
         if above { 1 } else { 2 }
     };
     let of_face = ball.faces().iter().map(group).collect();

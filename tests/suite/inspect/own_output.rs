@@ -72,7 +72,7 @@ fn with_slivers(seed: u32, round: impl Fn(f64) -> f64) -> Mesh {
     let rough = Tessellation { noise: 0.2, seed, segments: [32, 20], ..Tessellation::default() };
     let ball = Surface::from(Sphere::default()).tessellate(&rough).unwrap();
     let round = |point: DVec3| DVec3::from_array(point.to_array().map(|x| f64::from(round(x) as f32)));
-    let mut positions: Vec<DVec3> = ball.positions().iter().copied().map(round).collect();
+    let mut positions: Vec<DVec3> = ball.positions().iter().map(round).collect();
     let mut faces = Faces::new();
     for (number, face) in ball.faces().iter().enumerate() {
         let &[a, b, c] = face else { panic!("the ball is of triangles") };
