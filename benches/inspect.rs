@@ -128,9 +128,8 @@ fn row(mesh: &Mesh, pool: &rayon::ThreadPool, rounds: usize) {
 /// The mesh as if it were read from a file that has normals.
 fn loaded(mesh: &Mesh) -> Loaded {
     let builder = MeshBuilder {
-        positions: mesh.positions.iter().map(|p| DVec3::from_array(p.map(f64::from))).collect(),
+        positions: mesh.positions.clone().into(),
         faces: Faces::triangles(mesh.triangles.as_flattened().to_vec()),
-        storage: Storage::F32,
         ..MeshBuilder::default()
     };
     let mesh = builder.build().expect("the mesh is sound");

@@ -284,7 +284,7 @@ mod tests {
         let soup = mesh(&SOUP, &[&[0, 1, 2], &[3, 4, 5]]);
         let moved = |by: f64| {
             MeshBuilder {
-                positions: soup.positions().to_vec(),
+                positions: soup.positions().to_vec().into(),
                 faces: soup.faces().clone(),
                 columns: Columns {
                     morph_targets: vec![vec![

@@ -6,6 +6,7 @@ use super::positions::PositionsRef;
 use super::rings::Scatter;
 use glam::DVec3;
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// The bits of a position, with −0 taken as +0: equal for positions that are merged or welded exactly.
 #[inline]
@@ -134,17 +135,17 @@ impl Mesh {
         }
         let first = self.first_vertices();
         let mut number = vec![NONE; first.len()];
-        let mut positions = Vec::new();
+        let mut sources = Vec::new();
         let corners = self.faces.corners().iter().map(|&vertex| {
             let number = &mut number[first[vertex as usize] as usize];
             if *number == NONE {
-                *number = positions.len() as u32;
-                positions.push(self.positions[vertex as usize]);
+                *number = sources.len() as u32;
+                sources.push(vertex);
             }
             *number
         });
         self.faces = self.faces.with_corners(corners.collect()).into();
-        self.positions = positions.into();
+        self.positions = Arc::new(self.positions().gather(&sources));
         self
     }
 }
@@ -175,7 +176,7 @@ mod tests {
         ];
         let positions = places.map(DVec3::from).to_vec();
         let faces = Faces::triangles((0..6).collect());
-        MeshBuilder { positions, faces, columns, ..MeshBuilder::default() }.build().unwrap()
+        MeshBuilder { positions: positions.into(), faces, columns, ..MeshBuilder::default() }.build().unwrap()
     }
 
     #[test]

@@ -16,7 +16,7 @@ fn part(normals: Option<Column<DVec3>>) -> Part {
     for face in [[0, 2, 1], [0, 1, 3], [0, 2, 3], [0, 1, 4], [1, 2, 3], [1, 2, 5]] {
         faces.push(&face);
     }
-    let builder = MeshBuilder { positions, faces, ..MeshBuilder::default() };
+    let builder = MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() };
     let mut mesh = builder.build().unwrap();
     if normals.is_some() {
         mesh = mesh.with_normals(normals);
@@ -106,7 +106,7 @@ fn normals_are_those_of_what_remains() {
     let edge = [DVec3::ZERO, DVec3::Y];
     let positions = vec![edge[0], edge[1], edge[0], edge[1], DVec3::new(1.0, 0.5, 0.2), DVec3::NEG_X];
     let faces = Faces::triangles(vec![0, 4, 1, 2, 3, 5, 0, 1, 3, 0, 3, 2]);
-    let builder = MeshBuilder { positions, faces, ..MeshBuilder::default() };
+    let builder = MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() };
     let part = Part { mesh: builder.build().unwrap(), ..Part::default() };
     for degenerate in [Degenerate::Keep, Degenerate::Drop] {
         let task = Task { degenerate, ..Task::default() };
@@ -156,7 +156,7 @@ fn places_are_those_of_the_file() {
     let faces = Faces::triangles(vec![0, 1, 2, 1, 2, 4, 1, 2, 3]);
     let stored = Column::per_corner(vec![DVec3::Z, DVec3::Z * 3.0], vec![0, 0, 0, 0, 0, 0, 0, 0, 1]);
     let columns = crate::mesh::Columns { normals: Some(stored), ..Default::default() };
-    let builder = MeshBuilder { positions, faces, columns, ..MeshBuilder::default() };
+    let builder = MeshBuilder { positions: positions.into(), faces, columns, ..MeshBuilder::default() };
     let (mesh, non_finite_faces) = builder.build_dropping_non_finite().unwrap();
     let part = Part { name: String::new(), mesh, non_finite_faces };
     for flip in [false, true] {

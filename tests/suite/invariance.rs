@@ -1,7 +1,7 @@
 //! What must not change a normal: the numbering of faces and vertices, the number of threads, the unit of length.
 
 use crease::io::{ReadOptions, read};
-use crease::mesh::{Faces, Mesh, MeshBuilder, Storage};
+use crease::mesh::{Faces, Mesh, MeshBuilder, Positions, Storage};
 use crease::normals::{Crease, CreaseRule, NormalField, NormalRecipe, Weight, compute};
 use crease::num::Degrees;
 use glam::DVec3;
@@ -55,8 +55,7 @@ fn threads_do_not_change_a_bit() {
 
 fn rebuilt(mesh: &Mesh, storage: Storage, move_to: impl Fn(DVec3) -> DVec3) -> Mesh {
     MeshBuilder {
-        positions: mesh.positions().iter().map(move_to).collect(),
-        storage,
+        positions: Positions::rounded(mesh.positions().iter().map(move_to).collect(), storage),
         faces: mesh.faces().clone(),
         columns: mesh.columns().clone(),
     }
@@ -108,7 +107,11 @@ fn renumbered(mesh: &Mesh, seed: u64) -> (Mesh, Vec<u32>) {
         faces.push(&face);
     }
     let positions = vertices.iter().map(|&old| mesh.positions().at(old)).collect();
-    let mesh = MeshBuilder { positions, faces, storage: mesh.storage(), ..MeshBuilder::default() };
+    let mesh = MeshBuilder {
+        positions: Positions::rounded(positions, mesh.storage()),
+        faces,
+        ..MeshBuilder::default()
+    };
     (mesh.build().unwrap(), corners)
 }
 
@@ -119,9 +122,8 @@ fn numbering_changes_no_more_than_rounding() {
     for (name, mesh) in meshes() {
         let mesh = rebuilt(&mesh, mesh.storage(), |p| p);
         let plain = MeshBuilder {
-            positions: mesh.positions().to_vec(),
+            positions: Positions::rounded(mesh.positions().to_vec(), mesh.storage()),
             faces: mesh.faces().clone(),
-            storage: mesh.storage(),
             ..MeshBuilder::default()
         }
         .build()

@@ -122,7 +122,7 @@ fn part_of(surface: &Surface, segments: [u32; 2], keep: impl Fn(DVec3) -> bool) 
 }
 
 fn build(positions: Vec<DVec3>, faces: Faces) -> Mesh {
-    MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap()
+    MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build().unwrap()
 }
 
 /// A cup: the side of a cylinder and its floor, facing outwards.

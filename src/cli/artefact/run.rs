@@ -213,6 +213,6 @@ fn as_one(loaded: Loaded) -> Mesh {
             faces.push(&corners);
         }
     }
-    let builder = MeshBuilder { positions, faces, ..MeshBuilder::default() };
+    let builder = MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() };
     builder.build().expect("parts are sound, and together they are no larger than their file")
 }

@@ -36,7 +36,7 @@ impl<T: NoUninit> Bytes for Vec<T> {
     }
 }
 
-impl Bytes for Cow<'_, [u32]> {
+impl<T: NoUninit> Bytes for Cow<'_, [T]> {
     fn bytes(&self) -> &[u8] {
         bytemuck::cast_slice(self)
     }

@@ -16,7 +16,7 @@ use crate::io::{
     FileMaterial, Format, NormalFormat, Note, OutputContent, OutputFile, Part, WriteError, WriteOptions,
     Written,
 };
-use crate::mesh::{Column, FaceLabels, Mesh, NONE};
+use crate::mesh::{Column, FaceLabels, Mesh, NONE, PositionsRef};
 use glam::DVec3;
 use gltf::json::mesh as mode;
 use rayon::prelude::*;
@@ -143,7 +143,7 @@ impl<'a> File<'a> {
     }
 
     /// Stores the vertex attributes, which all primitives of the part share.
-    fn attributes(&mut self, split: &SplitMesh<'_>) -> Result<Attributes, WriteError> {
+    fn attributes(&mut self, split: &SplitMesh<'a>) -> Result<Attributes, WriteError> {
         let columns = split.mesh.columns();
         let vertices = split.vertex_count();
         self.written.vertices += vertices as u64;
@@ -294,9 +294,15 @@ fn values<T: Sync, U: Copy + Send + Sync>(
 }
 
 /// Positions as `f32`, and their bounds.
-fn positions(split: &SplitMesh<'_>, notes: &mut Vec<Note>) -> Result<(Vec<[f32; 3]>, Bounds), WriteError> {
+fn positions<'a>(
+    split: &SplitMesh<'a>,
+    notes: &mut Vec<Note>,
+) -> Result<(Cow<'a, [[f32; 3]]>, Bounds), WriteError> {
     let mesh = split.mesh;
-    let rounded: Vec<[f32; 3]> = mesh.positions().par_iter().map(|p| p.as_vec3().to_array()).collect();
+    let rounded: Cow<[[f32; 3]]> = match mesh.positions() {
+        PositionsRef::F32(points) => points.into(),
+        PositionsRef::F64(points) => points.par_iter().map(|p| p.as_vec3().to_array()).collect(),
+    };
     let none = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
     let join = |(low, high): ([f32; 3], [f32; 3]), (l, h): ([f32; 3], [f32; 3])| {
         let axes = [0, 1, 2];

@@ -144,8 +144,8 @@ impl<'a> Cutter<'a> {
         columns.colors = old.colors.as_ref().map(|colors| self.vertices.values(colors));
         let targets = old.morph_targets.iter();
         columns.morph_targets = targets.map(|target: &Vec<DVec3>| self.vertices.values(target)).collect();
-        let positions = self.vertices.list.iter().map(|&old| mesh.position(old)).collect();
-        let builder = MeshBuilder { positions, storage: mesh.storage(), faces, columns };
+        let positions = mesh.positions().gather(&self.vertices.list);
+        let builder = MeshBuilder { positions, faces, columns };
         builder.build().expect("a piece of a valid mesh is valid")
     }
 }
@@ -242,8 +242,12 @@ mod tests {
             let names = vec!["a".to_owned()];
             let columns = Columns { objects: Some(FaceLabels { of_face, names }), ..Columns::default() };
             let faces = Faces::triangles(vec![0, 1, 2, 2, 1, 0]);
-            let mesh =
-                MeshBuilder { positions: vec![DVec3::ZERO; 3], faces, columns, ..MeshBuilder::default() };
+            let mesh = MeshBuilder {
+                positions: vec![DVec3::ZERO; 3].into(),
+                faces,
+                columns,
+                ..MeshBuilder::default()
+            };
             Part { name: String::new(), mesh: mesh.build().unwrap(), non_finite_faces: Vec::new() }
         };
         assert!(by_object(&with(vec![0, 0])).is_none());

@@ -364,8 +364,8 @@ fn a_new_file_has_all_that_ply_can_hold() {
     let mut mesh = MeshBuilder {
         positions: [[0., 0.], [1., 0.], [1., 1.], [0.5, 2.], [0., 1.]]
             .map(|[x, y]| DVec3::new(x, y, 0.0))
-            .to_vec(),
-        storage: Storage::F64,
+            .to_vec()
+            .into(),
         faces,
         ..MeshBuilder::default()
     };

@@ -230,7 +230,7 @@ fn a_new_file_has_facets_of_all_parts() {
     let positions = vec![DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y * 0.1];
     let mut faces = Faces::new();
     faces.push(&[0, 1, 2, 3]);
-    let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
+    let mesh = MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build().unwrap();
     let normal = |index: Vec<u32>| Some(Column::per_corner(vec![DVec3::Z, DVec3::X], index));
     let part = |name: &str, mesh: Mesh| Part { name: name.to_owned(), mesh, ..Part::default() };
     let parts = [
@@ -249,6 +249,8 @@ fn a_new_file_has_facets_of_all_parts() {
     let texts: Vec<_> = written.notes.iter().map(|note| note.text.as_str()).collect();
     assert_eq!(texts.len(), 4, "{texts:?}");
     assert!(texts[3].contains("rounded"));
-    let far = MeshBuilder { positions: vec![DVec3::splat(1e300)], ..MeshBuilder::default() }.build().unwrap();
+    let far = MeshBuilder { positions: vec![DVec3::splat(1e300)].into(), ..MeshBuilder::default() }
+        .build()
+        .unwrap();
     assert!(matches!(write(&[part("", far)], &WriteOptions::default()), Err(WriteError::Unsupported(_))));
 }

@@ -8,7 +8,7 @@ use glam::DVec3;
 fn build(positions: Vec<DVec3>, faces: &[Vec<u32>]) -> Mesh {
     let mut list = Faces::new();
     faces.iter().for_each(|face| list.push(face));
-    MeshBuilder { positions, faces: list, ..MeshBuilder::default() }.build().unwrap()
+    MeshBuilder { positions: positions.into(), faces: list, ..MeshBuilder::default() }.build().unwrap()
 }
 
 /// A sphere of 8·4ˡ triangles, facing outwards.

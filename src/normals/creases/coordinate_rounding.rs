@@ -81,7 +81,7 @@ fn last_digit(coordinate: f64, decimals: i32) -> Option<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{Faces, MeshBuilder};
+    use crate::mesh::{Faces, MeshBuilder, Positions};
     use crate::num::test_numbers::Numbers;
 
     fn strip(round: impl Fn(f64) -> f64, storage: Storage) -> Mesh {
@@ -89,7 +89,9 @@ mod tests {
         let mut point = || DVec3::from_array([0; 3].map(|_| round(8.0 * numbers.unit() - 4.0)));
         let positions = (0..40).map(|_| point()).collect();
         let faces = Faces::triangles((0..38).flat_map(|i| [i, i + 1, i + 2]).collect());
-        MeshBuilder { positions, storage, faces, ..MeshBuilder::default() }.build().unwrap()
+        MeshBuilder { positions: Positions::rounded(positions, storage), faces, ..MeshBuilder::default() }
+            .build()
+            .unwrap()
     }
 
     fn to_decimals(decimals: i32) -> impl Fn(f64) -> f64 {

@@ -219,9 +219,8 @@ fn sort_positions(positions: &mut Vec<DVec3>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{Faces, Mesh, MeshBuilder, Storage, Weld};
+    use crate::mesh::{Faces, Mesh, MeshBuilder, Weld};
     use crate::normals::compute::compute;
-    use crate::normals::faces::positions::Positions;
     use crate::normals::recipe::{Crease, NormalRecipe, Slivers, Weight};
     use crate::normals::sums::request::SumRequest;
     use crate::normals::sums::weighted_sums::weighted_sums;
@@ -230,9 +229,13 @@ mod tests {
     use std::f64::consts::TAU;
 
     fn build(positions: Vec<DVec3>, triangles: Vec<u32>) -> Mesh {
-        MeshBuilder { positions, faces: Faces::triangles(triangles), ..MeshBuilder::default() }
-            .build()
-            .unwrap()
+        MeshBuilder {
+            positions: positions.into(),
+            faces: Faces::triangles(triangles),
+            ..MeshBuilder::default()
+        }
+        .build()
+        .unwrap()
     }
 
     /// Groups of corners: all at a vertex, or by the given numbers.
@@ -241,7 +244,7 @@ mod tests {
         let groups = corner_group.iter().max().map_or(0, |&group| group as usize + 1);
         let mut normals = weighted_sums(&SumRequest {
             faces: mesh.faces().view(),
-            positions: Positions::new(mesh.positions(), Storage::F64),
+            positions: mesh.positions(),
             target: corner_group,
             slots: groups,
             weight: Weight::Angle,

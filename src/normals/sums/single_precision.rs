@@ -5,8 +5,8 @@
 //! whose sum shrinks by k, by no more than k times that of its worst face, where k is near 1 on smooth surfaces and at most
 //! 1000. Whatever lies outside the range is left to double precision.
 
+use crate::mesh::PositionsRef;
 use crate::normals::faces::component::Component;
-use crate::normals::faces::positions::Positions;
 use crate::normals::recipe::Weight;
 use crate::normals::sums::accumulate::{BlockTerms, Walk, add_triangles};
 use crate::normals::sums::block::{ALL, GroupTerms};
@@ -49,8 +49,8 @@ pub(crate) fn single_sums_into<O: Component>(
     }
     let mut copied = std::mem::take(&mut scratch.single_positions);
     let points: &[[f32; 3]] = match request.positions {
-        Positions::F32(points) => points,
-        Positions::F64(points, _) => {
+        PositionsRef::F32(points) => points,
+        PositionsRef::F64(points) => {
             points.par_iter().map(|point| point.as_vec3().to_array()).collect_into_vec(&mut copied);
             &copied
         }

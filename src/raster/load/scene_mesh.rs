@@ -92,8 +92,7 @@ impl NewNumbers {
             summary: field.summary,
         };
         let builder = MeshBuilder {
-            positions: kept_vertices.iter().map(|&vertex| mesh.positions().at(vertex)).collect(),
-            storage: mesh.storage(),
+            positions: mesh.positions().gather(&kept_vertices),
             faces: part_faces,
             columns: Columns::default(),
         };

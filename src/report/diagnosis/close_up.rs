@@ -156,7 +156,7 @@ mod tests {
             vec![corner(0.0, 0.0), corner(-100.0, 0.0), corner(0.0, 1.0), corner(1.0, 1.0), corner(1.0, 0.0)];
         let mut faces = Faces::new();
         [&[0, 2, 1][..], &[0, 4, 3, 2]].iter().for_each(|face| faces.push(face));
-        MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap()
+        MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build().unwrap()
     }
 
     /// The close-up of a corner at the end of a long face was as wide as that face.

@@ -185,7 +185,8 @@ mod tests {
         let positions: Vec<DVec3> = corners.iter().map(|&([x, y], _)| DVec3::new(x, y, 0.0)).collect();
         let count = positions.len() as u32;
         let faces = Faces::triangles((0..count).collect());
-        let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
+        let mesh =
+            MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build().unwrap();
         let vertices: Vec<u32> = (0..count).collect();
         let normals = NormalField {
             normals: Column::per_corner(vec![DVec3::Z; corners.len()], vertices.clone()),

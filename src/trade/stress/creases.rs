@@ -1,7 +1,7 @@
 //! Edges whose dihedral angle is exactly the crease angle, before rounding.
 
 use super::prelude::*;
-use crate::mesh::{Link, Topology};
+use crate::mesh::{Link, Positions, Topology};
 use crate::normals::compute_on;
 
 /// Sides of the prisms: they meet at 45°, 40° (the default) and 30°.
@@ -103,7 +103,11 @@ impl Prism {
         faces.push(&(0..sides as u32).rev().map(|i| 2 * i).collect::<Vec<_>>());
         let storage = if matches!(stored, Stored::Single) { Storage::F32 } else { Storage::F64 };
         let positions = (0..2 * sides).map(corner).collect();
-        let mesh = MeshBuilder { positions, storage, faces, ..MeshBuilder::default() };
+        let mesh = MeshBuilder {
+            positions: Positions::rounded(positions, storage),
+            faces,
+            ..MeshBuilder::default()
+        };
         let mesh = mesh.build().expect("a good mesh");
         let topology = Topology::by_index(mesh.faces(), mesh.vertex_count());
         Self { sides, mesh, topology }

@@ -187,9 +187,7 @@ fn cylinder(sides: u32, turn: DQuat, store: fn(f64) -> f64) -> Mesh {
         [a, b, b + 1, a, b + 1, a + 1]
     };
     let faces = Faces::triangles((0..sides).flat_map(side).collect());
-    MeshBuilder { positions, faces, storage: Storage::F64, ..MeshBuilder::default() }
-        .build()
-        .expect("a good mesh")
+    MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().expect("a good mesh")
 }
 
 fn plain_mean(mesh: &Mesh, vertex: u32) -> Vec3 {

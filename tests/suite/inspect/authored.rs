@@ -31,7 +31,7 @@ fn leaves(count: u32, up: f64, have_backs: bool) -> Mesh {
             faces.push(&[3, 2, 1, 0].map(|corner| corners[corner]));
         }
     }
-    let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
+    let mesh = MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build().unwrap();
     mesh.with_normals(Some(Column::per_vertex(normals)))
 }
 

@@ -137,7 +137,7 @@ fn a_seam_between_groups_is_meant() {
     let smoothing = Some(SmoothingGroups { of_face, before_first: 0 });
     let columns = Columns { smoothing, ..Columns::default() };
     let grouped = MeshBuilder {
-        positions: ball.positions().to_vec(),
+        positions: ball.positions().to_vec().into(),
         faces: ball.faces().clone(),
         columns,
         ..MeshBuilder::default()

@@ -153,7 +153,7 @@ fn rounded_normals_are_measured() {
         let entries = ruled.corner_index(torus.faces().corners());
         let columns =
             Columns { normals: Some(Column::per_corner(normals, entries)), ..torus.columns().clone() };
-        let builder = MeshBuilder { positions: torus.positions().to_vec(), ..MeshBuilder::default() };
+        let builder = MeshBuilder { positions: torus.positions().to_vec().into(), ..MeshBuilder::default() };
         MeshBuilder { faces: torus.faces().clone(), columns, ..builder }.build().unwrap()
     };
     let stored = rounded(&ruled.values);
@@ -200,7 +200,7 @@ fn cut_strip(columns: Columns) -> Mesh {
     ];
     let mut faces = Faces::new();
     [[0, 1, 2, 3], [4, 5, 6, 7]].iter().for_each(|face| faces.push(face));
-    MeshBuilder { positions, faces, columns, ..MeshBuilder::default() }.build().unwrap()
+    MeshBuilder { positions: positions.into(), faces, columns, ..MeshBuilder::default() }.build().unwrap()
 }
 
 /// Places on faces tell the lines of these, and others those of their vertices, whatever stands between.

@@ -17,7 +17,8 @@ pub struct Model {
 
 impl Model {
     pub fn new(positions: Vec<DVec3>, faces: Faces) -> Self {
-        let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
+        let mesh =
+            MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build().unwrap();
         let normals = compute(&mesh, &NormalRecipe::default());
         Self { mesh, normals }
     }

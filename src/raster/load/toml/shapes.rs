@@ -55,7 +55,7 @@ impl PolygonTable {
         let mut face_list = Faces::new();
         faces.iter().for_each(|face| face_list.push(face));
         let builder = MeshBuilder {
-            positions: vertices.iter().map(|&vertex| vertex.into()).collect(),
+            positions: vertices.iter().map(|&vertex| DVec3::from(vertex)).collect(),
             faces: face_list,
             columns: Columns { normals: normals.map(Column::per_vertex), ..Columns::default() },
             ..MeshBuilder::default()
