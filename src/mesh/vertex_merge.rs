@@ -23,12 +23,21 @@ pub(super) fn first_at_place(
     shapes: &[PositionsRef],
     vertex: impl Fn(u32) -> u32 + Sync,
 ) -> Vec<u32> {
+    // The bits of singles, half as many, are in the same relation.
+    if let [PositionsRef::F32(points)] = *shapes {
+        let key = |item: u32| points[vertex(item) as usize].map(|x| u64::from((x + 0.0).to_bits()));
+        return first_of_places(count, &Places { key: |item, _: usize| key(item), shapes: 1 });
+    }
+    let key = |item: u32, shape: usize| place_key(shapes[shape].at(vertex(item)));
+    first_of_places(count, &Places { key, shapes: shapes.len() })
+}
+
+fn first_of_places<K: Fn(u32, usize) -> [u64; 3] + Sync>(count: usize, places: &Places<K>) -> Vec<u32> {
     let parts = if count > 1 << 14 { rayon::current_num_threads().clamp(1, 8) } else { 1 };
-    let places = Places { shapes, vertex };
     let mut first = Scatter::default();
     first.reserve(count);
     (0..parts).into_par_iter().for_each(|part| {
-        let mut table = PlaceTable { places: &places, slots: vec![NONE; count / (3 * parts) + 8], used: 0 };
+        let mut table = PlaceTable { places, slots: vec![NONE; count / (3 * parts) + 8], used: 0 };
         for item in 0..count as u32 {
             let hash = places.hash(item);
             if (u64::from(hash as u32) * parts as u64) >> 32 == part as u64 {
@@ -40,19 +49,19 @@ pub(super) fn first_at_place(
 }
 
 /// Items with positions.
-struct Places<'a, V> {
-    shapes: &'a [PositionsRef<'a>],
-    vertex: V,
+struct Places<K> {
+    /// The key of an item in one of the shapes.
+    key: K,
+    shapes: usize,
 }
 
-impl<V: Fn(u32) -> u32> Places<'_, V> {
+impl<K: Fn(u32, usize) -> [u64; 3]> Places<K> {
     /// A hash whose high and low halves are both mixed well, although most positions have few significant bits.
     #[inline]
     fn hash(&self, item: u32) -> u64 {
-        let vertex = (self.vertex)(item);
         let mut hash = 0_u64;
-        for shape in self.shapes {
-            let [x, y, z] = place_key(shape.at(vertex));
+        for shape in 0..self.shapes {
+            let [x, y, z] = (self.key)(item, shape);
             hash = hash.rotate_left(23).wrapping_mul(0xd6e8_feb8_6659_fd93)
                 ^ x.wrapping_mul(0x9e37_79b9_7f4a_7c15)
                     .wrapping_add(y.wrapping_mul(0xc2b2_ae3d_27d4_eb4f))
@@ -64,19 +73,18 @@ impl<V: Fn(u32) -> u32> Places<'_, V> {
 
     #[inline]
     fn are_same(&self, a: u32, b: u32) -> bool {
-        let [a, b] = [a, b].map(|item| (self.vertex)(item));
-        self.shapes.iter().all(|shape| place_key(shape.at(a)) == place_key(shape.at(b)))
+        (0..self.shapes).all(|shape| (self.key)(a, shape) == (self.key)(b, shape))
     }
 }
 
 /// A table of items with linear probing, at most two thirds full.
-struct PlaceTable<'a, V> {
-    places: &'a Places<'a, V>,
+struct PlaceTable<'a, K> {
+    places: &'a Places<K>,
     slots: Vec<u32>,
     used: usize,
 }
 
-impl<V: Fn(u32) -> u32> PlaceTable<'_, V> {
+impl<K: Fn(u32, usize) -> [u64; 3]> PlaceTable<'_, K> {
     /// The item that came first at the place of this one.
     #[inline]
     fn first(&mut self, item: u32, hash: u64) -> u32 {
