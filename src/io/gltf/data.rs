@@ -96,11 +96,13 @@ impl<'a> Blob<'a> {
         offset
     }
 
-    /// The bytes, piece by piece, fillers included.
-    pub fn pieces(&self) -> Vec<&[u8]> {
-        const FILLER: [u8; 4] = [0; 4];
-        let bytes = self.pieces.iter().map(|piece| piece.bytes());
-        bytes.flat_map(|bytes| [bytes, &FILLER[..padded(bytes.len()) - bytes.len()]]).collect()
+    /// Appends the bytes, fillers included. Each piece is freed when it is copied.
+    pub fn append_to(&mut self, out: &mut Vec<u8>) {
+        for piece in self.pieces.drain(..) {
+            let end = out.len() + padded(piece.bytes().len());
+            out.extend_from_slice(piece.bytes());
+            out.resize(end, 0);
+        }
     }
 }
 

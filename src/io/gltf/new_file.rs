@@ -45,13 +45,16 @@ pub(in crate::io) fn write(
     let old: usize = parts.iter().map(|part| part.mesh.vertex_count()).sum();
     written.added_vertices = written.vertices.saturating_sub(old as u64);
     written.notes.extend(notes(parts, unused, file.textures));
-    let pieces = file.blob.pieces();
+    let length = file.blob.length as usize;
     if to == Format::Glb {
-        written.bytes = glb::glb(&file.json(None), pieces)?;
-    } else if file.blob.length == 0 {
+        written.bytes = glb::before_bin(&file.json(None), length)?;
+        file.blob.append_to(&mut written.bytes);
+    } else if length == 0 {
         written.bytes = file.json(None).into_bytes();
     } else {
-        let (name, data) = (options.stem.as_ref().map(|stem| format!("{stem}.bin")), pieces.concat());
+        let name = options.stem.as_ref().map(|stem| format!("{stem}.bin"));
+        let mut data = Vec::with_capacity(length);
+        file.blob.append_to(&mut data);
         written.bytes = file.json(Some(&address(name.as_deref(), &data))).into_bytes();
         let companion = name.map(|name| OutputFile { name, content: OutputContent::Bytes(data) });
         written.companions.extend(companion);
