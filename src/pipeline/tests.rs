@@ -86,6 +86,41 @@ fn faces_are_turned_by_orientation_and_then_by_flipping() {
     assert!((0..5).all(|face| outward.contains(&face) != both.contains(&face)), "{both:?}");
 }
 
+/// A new file of another format is the same whether or not what it does not take was freed before.
+#[test]
+fn freeing_what_is_unused_changes_no_output() {
+    use crate::io::{ReadOptions, WriteOptions, read_bytes, write, write_new};
+    let normals = Some(Column::per_corner(vec![DVec3::X], vec![0; 18]));
+    let source = write_new(&[part(normals)], Format::Ply, &WriteOptions::default()).unwrap().bytes;
+    let text = "solid\nfacet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\nendsolid";
+    for (bytes, format) in [(source, Format::Ply), (text.into(), Format::Stl)] {
+        let read = || read_bytes(bytes.clone(), Some(format), None, &ReadOptions::default()).unwrap();
+        for when in [When::Always, When::Missing] {
+            for target in [Format::Glb, Format::Ply, Format::Obj] {
+                let task = Task { when, ..Task::default() };
+                let written = |loaded: &Loaded| {
+                    let edits = revise(loaded, &task, Some(target), &|_| {}).edits;
+                    write(loaded, edits, target, &WriteOptions::default())
+                };
+                let (whole, mut freed) = (read(), read());
+                forget_unused(&mut freed, &task, Some(target));
+                let is_freed = !matches!(freed.document, Document::Ply(_) | Document::Stl(_));
+                assert_eq!(is_freed, target != format);
+                let is_kept = freed.parts[0].mesh.columns().normals.is_some();
+                assert_eq!(is_kept, target == format || when != When::Always);
+                assert_eq!(
+                    written(&freed).unwrap().bytes,
+                    written(&whole).unwrap().bytes,
+                    "{format} {target}"
+                );
+                if is_freed {
+                    assert!(write(&freed, &[], format, &WriteOptions::default()).is_err());
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn values_of_dropped_faces_are_forgotten() {
     let part = part(None);
