@@ -14,6 +14,9 @@ use std::sync::Arc;
 /// corners or more, that positions are finite and that columns fit. Degenerate *geometry* is allowed: two
 /// corners may be the same vertex, a face may have no area.
 ///
+/// Positions are `f32` or `f64`, as they came in. [`Mesh::positions`] is a view of either, which widens a position when it is
+/// read; [`PositionsRef`] explains how loops use it.
+///
 /// Clones share positions and faces: operations that change a mesh return a new one.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {

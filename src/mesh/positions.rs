@@ -241,3 +241,49 @@ impl Iterator for PositionIter<'_> {
 }
 
 impl ExactSizeIterator for PositionIter<'_> {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_precisions_give_the_same_positions() {
+        let singles = [[0.1_f32, -0.0, 1e-45], [f32::MAX, 2.0, -3.5]];
+        let doubles = singles.map(|p| DVec3::from(p.map(f64::from)));
+        let views = [PositionsRef::F32(&singles), PositionsRef::F64(&doubles)];
+        let bits = |p: DVec3| p.to_array().map(f64::to_bits);
+        for view in views {
+            assert_eq!(view.len(), 2);
+            assert_eq!([0, 1].map(|vertex| bits(view.at(vertex))), doubles.map(bits));
+            assert!(view.iter().map(bits).eq(doubles.map(bits)));
+            // A loop inside the iterator takes the same steps as one outside.
+            let mut folded = Vec::new();
+            view.iter().for_each(|p| folded.push(bits(p)));
+            assert_eq!(folded, doubles.map(bits));
+            assert_eq!(view.par_iter().map(bits).collect::<Vec<_>>(), doubles.map(bits));
+            assert_eq!(view.to_vec().into_iter().map(bits).collect::<Vec<_>>(), doubles.map(bits));
+            assert_eq!(view.first_non_finite(), None);
+            let gathered = view.gather(&[1, 0, 1]);
+            assert_eq!(gathered.storage(), view.storage());
+            assert_eq!(bits(gathered.view().at(1)), bits(doubles[0]));
+        }
+        // Rounding to single precision undoes widening, −0 included.
+        let Positions::F32(rounded) = Positions::rounded(doubles.to_vec(), Storage::F32) else {
+            panic!("singles")
+        };
+        assert_eq!(
+            rounded.as_flattened().iter().map(|x| x.to_bits()).collect::<Vec<_>>(),
+            singles.as_flattened().iter().map(|x| x.to_bits()).collect::<Vec<_>>()
+        );
+    }
+
+    #[test]
+    fn positions_that_are_not_finite_are_found() {
+        for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+            let singles = [[0.0; 3], [0.0, bad, 0.0], [bad; 3]];
+            let doubles = singles.map(|p| DVec3::from(p.map(f64::from)));
+            assert_eq!(PositionsRef::F32(&singles).first_non_finite(), Some(1));
+            assert_eq!(PositionsRef::F64(&doubles).first_non_finite(), Some(1));
+        }
+    }
+}
