@@ -12,11 +12,10 @@ mod meshes;
 mod process;
 
 use crease::io::{Document, Format, Loaded, Part};
-use crease::mesh::{Faces, MeshBuilder, Storage};
+use crease::mesh::{Faces, MeshBuilder};
 use crease::normals::{NormalRecipe, compute};
 use crease::quality::{Thresholds, diagnose};
 use crease::trade::plain_vertex_normals;
-use glam::DVec3;
 use meshes::{Mesh, grid, icosphere, shuffled};
 use process::run;
 use std::hint::black_box;

@@ -297,7 +297,6 @@ mod tests {
                     ]],
                     ..Columns::default()
                 },
-                ..MeshBuilder::default()
             }
             .build()
             .unwrap()

@@ -25,8 +25,8 @@ pub(super) fn first_at_place(
 ) -> Vec<u32> {
     // The bits of singles, half as many, are in the same relation.
     if let [PositionsRef::F32(points)] = *shapes {
-        let key = |item: u32| points[vertex(item) as usize].map(|x| u64::from((x + 0.0).to_bits()));
-        return first_of_places(count, &Places { key: |item, _: usize| key(item), shapes: 1 });
+        let key = |item: u32, _: usize| points[vertex(item) as usize].map(|x| u64::from((x + 0.0).to_bits()));
+        return first_of_places(count, &Places { key, shapes: 1 });
     }
     let key = |item: u32, shape: usize| place_key(shapes[shape].at(vertex(item)));
     first_of_places(count, &Places { key, shapes: shapes.len() })
@@ -184,7 +184,7 @@ mod tests {
         ];
         let positions = places.map(DVec3::from).to_vec();
         let faces = Faces::triangles((0..6).collect());
-        MeshBuilder { positions: positions.into(), faces, columns, ..MeshBuilder::default() }.build().unwrap()
+        MeshBuilder { positions: positions.into(), faces, columns }.build().unwrap()
     }
 
     #[test]

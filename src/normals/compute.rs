@@ -312,7 +312,7 @@ mod tests {
         CUBE.iter().for_each(|face| faces.push(face));
         let bit = |i: u32, b: u32| f64::from(i >> b & 1);
         let positions = (0..8).map(|i| DVec3::new(bit(i, 0), bit(i, 1), bit(i, 2))).collect();
-        MeshBuilder { positions, faces, columns, ..MeshBuilder::default() }.build().unwrap()
+        MeshBuilder { positions, faces, columns }.build().unwrap()
     }
 
     #[test]

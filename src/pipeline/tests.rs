@@ -191,7 +191,7 @@ fn places_are_those_of_the_file() {
     let faces = Faces::triangles(vec![0, 1, 2, 1, 2, 4, 1, 2, 3]);
     let stored = Column::per_corner(vec![DVec3::Z, DVec3::Z * 3.0], vec![0, 0, 0, 0, 0, 0, 0, 0, 1]);
     let columns = crate::mesh::Columns { normals: Some(stored), ..Default::default() };
-    let builder = MeshBuilder { positions: positions.into(), faces, columns, ..MeshBuilder::default() };
+    let builder = MeshBuilder { positions: positions.into(), faces, columns };
     let (mesh, non_finite_faces) = builder.build_dropping_non_finite().unwrap();
     let part = Part { name: String::new(), mesh, non_finite_faces };
     for flip in [false, true] {

@@ -296,13 +296,13 @@ fn values<T: Sync, U: Copy + Send + Sync>(
     vertices.map(|vertex| split.value(column, vertex).map_or(default, &convert)).collect()
 }
 
+/// Positions in single precision: those of a mesh, if it has such.
+type Singles<'a> = Cow<'a, [[f32; 3]]>;
+
 /// Positions as `f32`, and their bounds.
-fn positions<'a>(
-    split: &SplitMesh<'a>,
-    notes: &mut Vec<Note>,
-) -> Result<(Cow<'a, [[f32; 3]]>, Bounds), WriteError> {
+fn positions<'a>(split: &SplitMesh<'a>, notes: &mut Vec<Note>) -> Result<(Singles<'a>, Bounds), WriteError> {
     let mesh = split.mesh;
-    let rounded: Cow<[[f32; 3]]> = match mesh.positions() {
+    let rounded: Singles = match mesh.positions() {
         PositionsRef::F32(points) => points.into(),
         PositionsRef::F64(points) => points.par_iter().map(|p| p.as_vec3().to_array()).collect(),
     };

@@ -200,7 +200,6 @@ mod tests {
             positions: (0..6).map(|v| DVec3::new(v.into(), (v * v).into(), 0.0)).collect(),
             faces: Faces::polygons(vec![0, 1, 2, 3, 2, 1, 0, 3, 2, 1], vec![0, 3, 6, 10]),
             columns,
-            ..MeshBuilder::default()
         };
         let part = Part { name: "all".into(), mesh: mesh.build().unwrap(), non_finite_faces: Vec::new() };
         let (pieces, unused) = by_object(&part).unwrap();
@@ -242,12 +241,7 @@ mod tests {
             let names = vec!["a".to_owned()];
             let columns = Columns { objects: Some(FaceLabels { of_face, names }), ..Columns::default() };
             let faces = Faces::triangles(vec![0, 1, 2, 2, 1, 0]);
-            let mesh = MeshBuilder {
-                positions: vec![DVec3::ZERO; 3].into(),
-                faces,
-                columns,
-                ..MeshBuilder::default()
-            };
+            let mesh = MeshBuilder { positions: vec![DVec3::ZERO; 3].into(), faces, columns };
             Part { name: String::new(), mesh: mesh.build().unwrap(), non_finite_faces: Vec::new() }
         };
         assert!(by_object(&with(vec![0, 0])).is_none());

@@ -124,7 +124,6 @@ mod tests {
             positions: vec![DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y].into(),
             faces: Faces::triangles(vec![0, 1, 2, 0, 2, 3]),
             columns: Columns { normals, ..Columns::default() },
-            ..MeshBuilder::default()
         }
         .build()
         .unwrap()

@@ -127,7 +127,7 @@ fn with_own_vertices(mesh: &Mesh) -> Mesh {
         smoothing: mesh.columns().smoothing.clone(),
         ..Columns::default()
     };
-    MeshBuilder { positions, faces, columns, ..MeshBuilder::default() }.build().unwrap()
+    MeshBuilder { positions, faces, columns }.build().unwrap()
 }
 
 /// Which corners an averaged edge explains does not depend on how corners share vertices.

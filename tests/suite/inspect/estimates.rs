@@ -136,12 +136,8 @@ fn a_seam_between_groups_is_meant() {
     let of_face = ball.faces().iter().map(group).collect();
     let smoothing = Some(SmoothingGroups { of_face, before_first: 0 });
     let columns = Columns { smoothing, ..Columns::default() };
-    let grouped = MeshBuilder {
-        positions: ball.positions().to_vec().into(),
-        faces: ball.faces().clone(),
-        columns,
-        ..MeshBuilder::default()
-    };
+    let grouped =
+        MeshBuilder { positions: ball.positions().to_vec().into(), faces: ball.faces().clone(), columns };
     let grouped = grouped.build().unwrap();
     let with = |groups| NormalRecipe { groups, ..recipe(Weight::Angle, 40.0) };
     let across = inspect(&with_normals(grouped.clone(), &with(Groups::Ignore)), 1);

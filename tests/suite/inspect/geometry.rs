@@ -200,7 +200,7 @@ fn cut_strip(columns: Columns) -> Mesh {
     ];
     let mut faces = Faces::new();
     [[0, 1, 2, 3], [4, 5, 6, 7]].iter().for_each(|face| faces.push(face));
-    MeshBuilder { positions: positions.into(), faces, columns, ..MeshBuilder::default() }.build().unwrap()
+    MeshBuilder { positions: positions.into(), faces, columns }.build().unwrap()
 }
 
 /// Places on faces tell the lines of these, and others those of their vertices, whatever stands between.

@@ -221,9 +221,7 @@ fn other_groups(clean: &Clean) -> Planted {
     let mut columns = clean.mesh.columns().clone();
     columns.smoothing = Some(SmoothingGroups { of_face, before_first: 0 });
     let (positions, faces) = (clean.mesh.positions().to_vec(), faces.clone());
-    let mesh = MeshBuilder { positions: positions.into(), faces, columns, ..MeshBuilder::default() }
-        .build()
-        .unwrap();
+    let mesh = MeshBuilder { positions: positions.into(), faces, columns }.build().unwrap();
     Planted::new("smoothing groups cut by a plane", Kind::GroupMismatch, mesh, places)
 }
 

@@ -55,7 +55,7 @@ fn mesh(balls: &[Ball]) -> Mesh {
         return rebuilt(positions, faces);
     }
     let columns = Columns { normals: Some(Column::per_corner(normals, index)), ..Columns::default() };
-    MeshBuilder { positions: positions.into(), faces, columns, ..MeshBuilder::default() }.build().unwrap()
+    MeshBuilder { positions: positions.into(), faces, columns }.build().unwrap()
 }
 
 fn file(meshes: Vec<Mesh>) -> Loaded {

@@ -58,7 +58,6 @@ impl PolygonTable {
             positions: vertices.iter().map(|&vertex| DVec3::from(vertex)).collect(),
             faces: face_list,
             columns: Columns { normals: normals.map(Column::per_vertex), ..Columns::default() },
-            ..MeshBuilder::default()
         };
         let mesh = builder.build().map_err(|fault| error("faces", &fault.to_string()))?;
         Ok((mesh, colours.as_ref().map(|colours| colours.iter().map(|&Colour(colour)| colour).collect())))
