@@ -12,11 +12,10 @@ mod meshes;
 mod process;
 
 use crease::io::{Document, Format, Loaded, Part};
-use crease::mesh::{Faces, MeshBuilder, Storage};
+use crease::mesh::{Faces, MeshBuilder};
 use crease::normals::{NormalRecipe, compute};
 use crease::quality::{Thresholds, diagnose};
 use crease::trade::plain_vertex_normals;
-use glam::DVec3;
 use meshes::{Mesh, grid, icosphere, shuffled};
 use process::run;
 use std::hint::black_box;
@@ -128,9 +127,8 @@ fn row(mesh: &Mesh, pool: &rayon::ThreadPool, rounds: usize) {
 /// The mesh as if it were read from a file that has normals.
 fn loaded(mesh: &Mesh) -> Loaded {
     let builder = MeshBuilder {
-        positions: mesh.positions.iter().map(|p| DVec3::from_array(p.map(f64::from))).collect(),
+        positions: mesh.positions.clone().into(),
         faces: Faces::triangles(mesh.triangles.as_flattened().to_vec()),
-        storage: Storage::F32,
         ..MeshBuilder::default()
     };
     let mesh = builder.build().expect("the mesh is sound");

@@ -93,7 +93,7 @@ fn edit_normals(bencher: Bencher, name: &str) {
     let text = text(name);
     let loaded = read(text.to_vec());
     let positions = loaded.parts[0].mesh.positions();
-    let normals = positions.iter().map(|position| (*position + 1.0).normalize()).collect();
+    let normals = positions.iter().map(|position| (position + 1.0).normalize()).collect();
     let edits = [PartEdit { normals: Some(Column::per_vertex(normals)), ..PartEdit::default() }];
     let bencher = bencher.counter(BytesCount::of_slice(text));
     bencher.bench_local(|| io::write(&loaded, &edits, Format::Obj, &WriteOptions::default()).unwrap());

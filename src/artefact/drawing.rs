@@ -86,7 +86,7 @@ pub(super) fn painted<'a>(mesh: &'a Mesh, normals: &'a NormalField, colours: &'a
 }
 
 pub(super) fn build(positions: Vec<DVec3>, faces: Faces) -> Result<Mesh> {
-    Ok(MeshBuilder { positions, faces, ..MeshBuilder::default() }.build()?)
+    Ok(MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build()?)
 }
 
 /// A mesh of sheets of quadrilaterals in so many columns and rows, over the positions of their corners row by row.

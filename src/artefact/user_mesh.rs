@@ -3,7 +3,7 @@
 use super::drawing::front;
 use super::error::{ArtefactError, Result};
 use super::parameters::UserMesh;
-use crate::mesh::{Mesh, MeshBuilder};
+use crate::mesh::{Mesh, MeshBuilder, Positions};
 use crate::num::{Degrees, LinearRgb, Radians};
 use crate::raster::{Camera, Object, RenderError, Scene};
 use crate::shade::Light;
@@ -62,10 +62,9 @@ impl Normalisation {
     }
 
     pub(super) fn apply(&self, mesh: &Mesh) -> Result<Mesh> {
-        let positions = mesh.positions().iter().map(|&place| (place - self.centre) / self.half).collect();
+        let positions = mesh.positions().iter().map(|place| (place - self.centre) / self.half).collect();
         let builder = MeshBuilder {
-            positions,
-            storage: mesh.storage(),
+            positions: Positions::rounded(positions, mesh.storage()),
             faces: mesh.faces().clone(),
             columns: mesh.columns().clone(),
         };

@@ -44,6 +44,11 @@ impl Format {
     pub fn is_gltf(self) -> bool {
         matches!(self, Format::Gltf | Format::Glb)
     }
+
+    /// Whether writing this format edits the document of a file that was read in the other one.
+    pub(crate) fn edits(self, read: Format) -> bool {
+        self == read || self.is_gltf() && read.is_gltf()
+    }
 }
 
 impl fmt::Display for Format {

@@ -47,7 +47,7 @@ impl Loaded {
         match &mut self.document {
             Document::Obj(document) => document.forget_text(),
             Document::Ply(_) | Document::Stl(_) => self.document = Document::None,
-            Document::Gltf(_) | Document::None => {}
+            Document::Gltf(_) | Document::Forgotten(_) | Document::None => {}
         }
         if self.format == Format::Stl {
             for part in &mut self.parts {
@@ -55,6 +55,18 @@ impl Loaded {
             }
         }
         self
+    }
+
+    /// Frees what only editing the file in its own format takes: the bytes of PLY and STL, and the text of OBJ with
+    /// [its line numbers](super::obj::ObjDocument::lines). The document of glTF stays. Such a file can then only be written as new.
+    pub fn forget_source(&mut self) {
+        match &mut self.document {
+            Document::Obj(document) => document.free_text(),
+            Document::Ply(_) | Document::Stl(_) => {
+                self.document = Document::Forgotten(self.document.outside_meshes());
+            }
+            Document::Gltf(_) | Document::Forgotten(_) | Document::None => {}
+        }
     }
 
     /// Materials, cameras and lights; of files that were never read, and of PLY and STL, none.
@@ -118,6 +130,8 @@ impl Loaded {
 pub enum Document {
     /// Nothing kept: the file can only be written as new.
     None,
+    /// Freed by [`Loaded::forget_source`]; what it had that is not part of its meshes, in words.
+    Forgotten(Vec<String>),
     /// An OBJ file.
     Obj(Box<ObjDocument>),
     /// glTF, in either spelling.
@@ -132,7 +146,7 @@ impl Document {
     /// Whether these bytes are those that the document was read from.
     pub fn is_unchanged(&self, bytes: &[u8]) -> bool {
         match self {
-            Document::None => false,
+            Document::None | Document::Forgotten(_) => false,
             Document::Obj(document) => document.source() == Some(bytes),
             Document::Gltf(document) => document.source() == bytes,
             Document::Ply(document) => document.bytes == bytes,
@@ -152,6 +166,7 @@ impl Document {
     pub(super) fn outside_meshes(&self) -> Vec<String> {
         match self {
             Document::None | Document::Obj(_) => Vec::new(),
+            Document::Forgotten(outside) => outside.clone(),
             Document::Gltf(document) => document.outside_meshes(),
             Document::Ply(document) => document.outside_meshes(),
             Document::Stl(document) => document.outside_meshes(),

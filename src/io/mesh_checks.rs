@@ -1,7 +1,7 @@
 //! What readers and writers of all formats check: sizes, positions, faces, and features that a format does not have.
 
 use super::{Format, Limits, NonFinite, Note, Part, Place, Problem, ReadError, ReadOptions, WriteError};
-use crate::mesh::{Columns, Faces, Mesh, MeshBuilder, MeshError, Storage};
+use crate::mesh::{Columns, Faces, Mesh, MeshBuilder, MeshError, PositionsRef};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -19,10 +19,9 @@ pub(super) fn check_size(bytes: u64, limits: &Limits) -> Result<(), ReadError> {
 }
 
 /// The warning about positions that are not finite in a file that is accepted with them.
-pub(super) fn non_finite_note(positions: &[DVec3], non_finite: NonFinite) -> Option<Note> {
-    let is_bad = |position: &DVec3| !position.is_finite();
-    let first = positions.iter().position(is_bad).filter(|_| non_finite == NonFinite::DropFaces)?;
-    let count = positions.iter().filter(|position| is_bad(position)).count();
+pub(super) fn non_finite_note(positions: PositionsRef, non_finite: NonFinite) -> Option<Note> {
+    let first = positions.first_non_finite().filter(|_| non_finite == NonFinite::DropFaces)?;
+    let count = positions.iter().filter(|position| !position.is_finite()).count();
     let text = format!(
         "no finite position (first: vertex {first}); their faces are dropped; an edited file keeps the stored \
          positions, a new file has the origin instead"
@@ -111,7 +110,7 @@ pub(super) fn unsupported_notes(format: Format, parts: &[Part]) -> Vec<Note> {
 /// The error about a mesh with a position that is infinite as `f32`.
 pub(super) fn beyond_f32(mesh: &Mesh) -> WriteError {
     let vertex = mesh.positions().iter().position(|p| !p.as_vec3().is_finite()).unwrap_or(0);
-    let DVec3 { x, y, z } = mesh.positions()[vertex];
+    let DVec3 { x, y, z } = mesh.positions().at(vertex as u32);
     WriteError::Unsupported(format!(
         "vertex {vertex} at ({x:e}, {y:e}, {z:e}) is out of the range of 32-bit floats; scale the model, or write PLY \
          or OBJ"
@@ -120,16 +119,14 @@ pub(super) fn beyond_f32(mesh: &Mesh) -> WriteError {
 
 /// Whether any position of a mesh is not an `f32`.
 pub(super) fn needs_f64(mesh: &Mesh) -> bool {
-    let is_rounded = |p: &DVec3| p.as_vec3().as_dvec3() != *p;
-    mesh.storage() == Storage::F64 && mesh.positions().iter().any(is_rounded)
+    let PositionsRef::F64(points) = mesh.positions() else { return false };
+    points.iter().any(|p| p.as_vec3().as_dvec3() != *p)
 }
 
 /// A warning if rounding to `f32` moves vertices far compared with the size of the model: usually by at most 2⁻²⁵ of it.
 pub(super) fn displacement_note(mesh: &Mesh) -> Option<Note> {
-    if mesh.storage() != Storage::F64 {
-        return None;
-    }
-    let moved = mesh.positions().par_iter().map(|p| p.distance(p.as_vec3().as_dvec3()));
+    let PositionsRef::F64(points) = mesh.positions() else { return None };
+    let moved = points.par_iter().map(|p| p.distance(p.as_vec3().as_dvec3()));
     let largest = moved.reduce(|| 0.0, f64::max);
     let size = mesh.bounds().map_or(0.0, |(low, high)| low.distance(high));
     (size > 0.0 && largest > size / f64::from(1 << 20)).then(|| {

@@ -35,13 +35,13 @@ pub fn write<'a>(
         let text = format!("{format} has no choice of normal formats; only glTF has one");
         notes.push(Note::warning(Place::File, text));
     }
-    let mut written = if format == loaded.format || format.is_gltf() && loaded.format.is_gltf() {
+    let mut written = if format.edits(loaded.format) {
         match &loaded.document {
             Document::Obj(document) => obj::edit(document, loaded, &edits, options),
             Document::Gltf(document) => gltf::edit(document, loaded, &edits, format, options),
             Document::Ply(document) => ply::edit(document, loaded, &edits, options),
             Document::Stl(document) => stl::edit(document, loaded, &edits, options),
-            Document::None => Err(WriteError::no_document()),
+            Document::None | Document::Forgotten(_) => Err(WriteError::no_document()),
         }?
     } else {
         let parts = placed(loaded, edits, format, options, &mut notes)?;

@@ -6,6 +6,8 @@ mod faces;
 mod columns;
 // What a half-edge meets, in four bytes.
 mod link;
+// Positions in single or double precision.
+mod positions;
 // The mesh, and the builder that checks it.
 mod polygon_mesh;
 // The corners at each vertex.
@@ -52,7 +54,8 @@ pub(crate) use link::MAX_CORNERS;
 pub(crate) use obstacles::Obstacles;
 pub use orient::{Confidence, Orient, Orientation, orient};
 pub(crate) use orient::{Orientations, Placed, cavities};
-pub use polygon_mesh::{Mesh, MeshBuilder, MeshError, Storage};
+pub use polygon_mesh::{Mesh, MeshBuilder, MeshError};
+pub use positions::{PositionIter, Positions, PositionsRef, Storage};
 pub(crate) use rings::{Rings, Scatter};
 pub use topology::Topology;
 pub use transform::{NormalMatrix, TransformFault, normal_matrix};

@@ -3,21 +3,10 @@
 use super::columns::{ColumnIndex, Columns, NONE};
 use super::faces::Faces;
 use super::link::MAX_CORNERS;
+use super::positions::{Positions, PositionsRef, Storage};
 use glam::DVec3;
 use rayon::prelude::*;
 use std::sync::Arc;
-
-/// The precision of the positions in their source. It determines the height below which the direction of a face is
-/// rounding noise.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Storage {
-    /// Every coordinate is an `f32` value: binary STL, glTF, PLY `float` and integers, and text that spells the
-    /// shortest decimals of such values.
-    F32,
-    /// Doubles, or other decimal text.
-    #[default]
-    F64,
-}
 
 /// A polygon mesh: positions, faces of three corners or more, and optional [`Columns`].
 ///
@@ -25,30 +14,33 @@ pub enum Storage {
 /// corners or more, that positions are finite and that columns fit. Degenerate *geometry* is allowed: two
 /// corners may be the same vertex, a face may have no area.
 ///
+/// Positions are `f32` or `f64`, as they came in. [`Mesh::positions`] is a view of either, which widens a position when it is
+/// read; [`PositionsRef`] explains how loops use it.
+///
 /// Clones share positions and faces: operations that change a mesh return a new one.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
-    pub(super) positions: Arc<Vec<DVec3>>,
-    pub(super) storage: Storage,
+    pub(super) positions: Arc<Positions>,
     pub(super) faces: Arc<Faces>,
     pub(super) columns: Columns,
 }
 
 impl Mesh {
-    /// Position of every vertex.
-    pub fn positions(&self) -> &[DVec3] {
-        &self.positions
+    /// Position of every vertex, in the type that positions came in.
+    #[inline]
+    pub fn positions(&self) -> PositionsRef<'_> {
+        self.positions.view()
     }
 
     /// Position of one vertex.
     #[inline]
     pub(crate) fn position(&self, vertex: u32) -> DVec3 {
-        self.positions[vertex as usize]
+        self.positions().at(vertex)
     }
 
     /// The precision that the positions came with.
     pub fn storage(&self) -> Storage {
-        self.storage
+        self.positions.storage()
     }
 
     /// The faces.
@@ -63,7 +55,7 @@ impl Mesh {
 
     /// The number of vertices, referenced or not.
     pub fn vertex_count(&self) -> usize {
-        self.positions.len()
+        self.positions().len()
     }
 
     /// The number of faces.
@@ -78,8 +70,8 @@ impl Mesh {
 
     /// Smallest and largest corner of the bounding box; `None` without vertices.
     pub fn bounds(&self) -> Option<(DVec3, DVec3)> {
-        let first = *self.positions.first()?;
-        Some(self.positions.iter().fold((first, first), |(low, high), &p| (low.min(p), high.max(p))))
+        let first = self.positions().iter().next()?;
+        Some(self.positions().iter().fold((first, first), |(low, high), p| (low.min(p), high.max(p))))
     }
 }
 
@@ -145,11 +137,11 @@ pub enum MeshError {
 /// Raw parts of a mesh, checked by [`MeshBuilder::build`].
 ///
 /// ```
-/// use crease::mesh::{Faces, MeshBuilder, Storage};
+/// use crease::mesh::{Faces, MeshBuilder};
 /// use glam::DVec3;
 ///
 /// let mesh = MeshBuilder {
-///     positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y],
+///     positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y].into(),
 ///     faces: Faces::triangles(vec![0, 1, 2]),
 ///     ..MeshBuilder::default()
 /// }
@@ -159,10 +151,8 @@ pub enum MeshError {
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct MeshBuilder {
-    /// Position of every vertex.
-    pub positions: Vec<DVec3>,
-    /// The precision that the positions came with.
-    pub storage: Storage,
+    /// Position of every vertex; a vector becomes this by `into`, an iterator by `collect`.
+    pub positions: Positions,
     /// The faces.
     pub faces: Faces,
     /// Everything optional.
@@ -175,13 +165,13 @@ impl MeshBuilder {
     /// # Errors
     /// The first [`MeshError`] met, in the order vertices, faces, columns.
     pub fn build(self) -> Result<Mesh, MeshError> {
-        if let Some(vertex) = self.positions.par_iter().position_first(|p| !p.is_finite()) {
-            return Err(MeshError::NonFinite { vertex, position: self.positions[vertex] });
+        if let Some(vertex) = self.positions.view().first_non_finite() {
+            return Err(MeshError::NonFinite { vertex, position: self.positions.view().at(vertex as u32) });
         }
         self.check_faces()?;
         self.check_columns()?;
-        let Self { positions, storage, faces, columns } = self;
-        Ok(Mesh { positions: positions.into(), storage, faces: faces.into(), columns })
+        let Self { positions, faces, columns } = self;
+        Ok(Mesh { positions: positions.into(), faces: faces.into(), columns })
     }
 
     /// As [`build`](Self::build), but drops the faces that use a vertex without a finite position instead of
@@ -192,12 +182,12 @@ impl MeshBuilder {
     pub fn build_dropping_non_finite(mut self) -> Result<(Mesh, Vec<u32>), MeshError> {
         self.check_faces()?;
         self.check_columns()?;
-        let bad: Vec<bool> = self.positions.iter().map(|p| !p.is_finite()).collect();
+        let bad: Vec<bool> = self.positions.view().iter().map(|p| !p.is_finite()).collect();
         let dropped: Vec<u32> = (0..self.faces.len() as u32)
             .filter(|&face| self.faces.face(face as usize).iter().any(|&v| bad[v as usize]))
             .collect();
-        for (position, _) in self.positions.iter_mut().zip(&bad).filter(|(_, bad)| **bad) {
-            *position = DVec3::ZERO;
+        for (vertex, _) in bad.iter().enumerate().filter(|(_, bad)| **bad) {
+            self.positions.clear(vertex);
         }
         let mesh = self.build()?;
         Ok((mesh, dropped))
@@ -206,13 +196,13 @@ impl MeshBuilder {
     fn check_faces(&self) -> Result<(), MeshError> {
         // `NONE` marks absence in indices, so the last usable vertex is one below it.
         let limits = [
-            ("vertices", self.positions.len(), NONE as usize),
+            ("vertices", self.positions.view().len(), NONE as usize),
             ("corners", self.faces.corner_count(), MAX_CORNERS),
         ];
         if let Some(&(what, count, _)) = limits.iter().find(|(_, count, limit)| count > limit) {
             return Err(MeshError::TooLarge { what, count });
         }
-        let count = self.positions.len();
+        let count = self.positions.view().len();
         if !self.faces.is_triangles()
             && let Some(face) = self.faces.ranges().position(|range| range.len() < 3)
         {
@@ -226,7 +216,7 @@ impl MeshBuilder {
     }
 
     fn check_columns(&self) -> Result<(), MeshError> {
-        let (vertices, faces) = (self.positions.len(), self.faces.len());
+        let (vertices, faces) = (self.positions.view().len(), self.faces.len());
         let columns = &self.columns;
         if let Some(normals) = &columns.normals {
             self.check_column("normals", &normals.index, normals.values.len())?;
@@ -254,7 +244,7 @@ impl MeshBuilder {
 
     fn check_column(&self, what: &'static str, index: &ColumnIndex, count: usize) -> Result<(), MeshError> {
         match index {
-            ColumnIndex::PerVertex => check_length(what, count, self.positions.len()),
+            ColumnIndex::PerVertex => check_length(what, count, self.positions.view().len()),
             ColumnIndex::PerCorner(index) => {
                 check_length(what, index.len(), self.faces.corner_count())?;
                 check_indices(what, index.iter().filter(|&&i| i != NONE), count)

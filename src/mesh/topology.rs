@@ -290,7 +290,7 @@ mod tests {
         let soup = mesh(&SOUP, &[&[0, 1, 2], &[3, 4, 5]]);
         let moved = |by: f64| {
             MeshBuilder {
-                positions: soup.positions().to_vec(),
+                positions: soup.positions().to_vec().into(),
                 faces: soup.faces().clone(),
                 columns: Columns {
                     morph_targets: vec![vec![
@@ -303,7 +303,6 @@ mod tests {
                     ]],
                     ..Columns::default()
                 },
-                ..MeshBuilder::default()
             }
             .build()
             .unwrap()

@@ -1,7 +1,7 @@
 //! Affine maps of meshes: their effect on normals and on the winding of faces.
 
 use super::face_edit::FaceEdit;
-use super::polygon_mesh::{Mesh, Storage};
+use super::polygon_mesh::Mesh;
 use crate::num::unit_scale;
 use glam::{DMat3, DMat4, DVec3};
 use std::sync::Arc;
@@ -97,13 +97,14 @@ impl Mesh {
         let is_mirrored = normals.is_some_and(|normals| normals.mirrored());
         let count = if is_mirrored { self.face_count() as u32 } else { 0 };
         let mut moved = self.with_faces(&FaceEdit { reversed: (0..count).collect(), ..FaceEdit::default() });
-        moved.storage = Storage::F64;
-        for position in Arc::make_mut(&mut moved.positions) {
+        let mut positions = self.positions().to_vec();
+        for position in &mut positions {
             *position = map.transform_point3(*position);
             if !position.is_finite() {
                 return Err(TransformFault::Overflow);
             }
         }
+        moved.positions = Arc::new(positions.into());
         for displacement in moved.columns.morph_targets.iter_mut().flatten() {
             *displacement = linear * *displacement;
         }
@@ -123,7 +124,7 @@ impl Mesh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{Column, Faces, MeshBuilder};
+    use crate::mesh::{Column, Faces, MeshBuilder, Storage};
 
     /// The vector area of a triangle's image, which is what its normal must be parallel to.
     fn image_normal(map: DMat3, a: DVec3, b: DVec3) -> DVec3 {
@@ -190,9 +191,8 @@ mod tests {
     #[test]
     fn a_mirrored_mesh_turns_its_faces() {
         let mesh = MeshBuilder {
-            positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y],
+            positions: vec![[0.0_f32; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].into(),
             faces: Faces::triangles(vec![0, 1, 2]),
-            storage: Storage::F32,
             ..MeshBuilder::default()
         };
         let mesh =

@@ -102,7 +102,7 @@ fn cut_polygons(mesh: &Mesh) -> Vec<Option<Vec<[u32; 3]>>> {
 /// The positions of a face's corners.
 fn gather<'a>(mesh: &Mesh, face: usize, points: &'a mut Vec<DVec3>) -> &'a mut [DVec3] {
     points.clear();
-    points.extend(mesh.faces().face(face).iter().map(|&vertex| mesh.positions()[vertex as usize]));
+    points.extend(mesh.faces().face(face).iter().map(|&vertex| mesh.positions().at(vertex)));
     points
 }
 

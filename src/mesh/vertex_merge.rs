@@ -2,9 +2,11 @@
 
 use super::columns::{ColumnIndex, Columns, NONE};
 use super::polygon_mesh::Mesh;
+use super::positions::PositionsRef;
 use super::rings::Scatter;
 use glam::DVec3;
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// The bits of a position, with −0 taken as +0: equal for positions that are merged or welded exactly.
 #[inline]
@@ -18,15 +20,24 @@ pub(crate) fn place_key(p: DVec3) -> [u64; 3] {
 /// A flat table of item numbers per thread, each for a share of the positions: at most 9 bytes an item in addition to the result.
 pub(super) fn first_at_place(
     count: usize,
-    shapes: &[&[DVec3]],
+    shapes: &[PositionsRef],
     vertex: impl Fn(u32) -> u32 + Sync,
 ) -> Vec<u32> {
+    // The bits of singles, half as many, are in the same relation.
+    if let [PositionsRef::F32(points)] = *shapes {
+        let key = |item: u32, _: usize| points[vertex(item) as usize].map(|x| u64::from((x + 0.0).to_bits()));
+        return first_of_places(count, &Places { key, shapes: 1 });
+    }
+    let key = |item: u32, shape: usize| place_key(shapes[shape].at(vertex(item)));
+    first_of_places(count, &Places { key, shapes: shapes.len() })
+}
+
+fn first_of_places<K: Fn(u32, usize) -> [u64; 3] + Sync>(count: usize, places: &Places<K>) -> Vec<u32> {
     let parts = if count > 1 << 14 { rayon::current_num_threads().clamp(1, 8) } else { 1 };
-    let places = Places { shapes, vertex };
     let mut first = Scatter::default();
     first.reserve(count);
     (0..parts).into_par_iter().for_each(|part| {
-        let mut table = PlaceTable { places: &places, slots: vec![NONE; count / (3 * parts) + 8], used: 0 };
+        let mut table = PlaceTable { places, slots: vec![NONE; count / (3 * parts) + 8], used: 0 };
         for item in 0..count as u32 {
             let hash = places.hash(item);
             if (u64::from(hash as u32) * parts as u64) >> 32 == part as u64 {
@@ -38,19 +49,19 @@ pub(super) fn first_at_place(
 }
 
 /// Items with positions.
-struct Places<'a, V> {
-    shapes: &'a [&'a [DVec3]],
-    vertex: V,
+struct Places<K> {
+    /// The key of an item in one of the shapes.
+    key: K,
+    shapes: usize,
 }
 
-impl<V: Fn(u32) -> u32> Places<'_, V> {
+impl<K: Fn(u32, usize) -> [u64; 3]> Places<K> {
     /// A hash whose high and low halves are both mixed well, although most positions have few significant bits.
     #[inline]
     fn hash(&self, item: u32) -> u64 {
-        let vertex = (self.vertex)(item) as usize;
         let mut hash = 0_u64;
-        for shape in self.shapes {
-            let [x, y, z] = place_key(shape[vertex]);
+        for shape in 0..self.shapes {
+            let [x, y, z] = (self.key)(item, shape);
             hash = hash.rotate_left(23).wrapping_mul(0xd6e8_feb8_6659_fd93)
                 ^ x.wrapping_mul(0x9e37_79b9_7f4a_7c15)
                     .wrapping_add(y.wrapping_mul(0xc2b2_ae3d_27d4_eb4f))
@@ -62,19 +73,18 @@ impl<V: Fn(u32) -> u32> Places<'_, V> {
 
     #[inline]
     fn are_same(&self, a: u32, b: u32) -> bool {
-        let [a, b] = [a, b].map(|item| (self.vertex)(item) as usize);
-        self.shapes.iter().all(|shape| place_key(shape[a]) == place_key(shape[b]))
+        (0..self.shapes).all(|shape| (self.key)(a, shape) == (self.key)(b, shape))
     }
 }
 
 /// A table of items with linear probing, at most two thirds full.
-struct PlaceTable<'a, V> {
-    places: &'a Places<'a, V>,
+struct PlaceTable<'a, K> {
+    places: &'a Places<K>,
     slots: Vec<u32>,
     used: usize,
 }
 
-impl<V: Fn(u32) -> u32> PlaceTable<'_, V> {
+impl<K: Fn(u32, usize) -> [u64; 3]> PlaceTable<'_, K> {
     /// The item that came first at the place of this one.
     #[inline]
     fn first(&mut self, item: u32, hash: u64) -> u32 {
@@ -133,17 +143,17 @@ impl Mesh {
         }
         let first = self.first_vertices();
         let mut number = vec![NONE; first.len()];
-        let mut positions = Vec::new();
+        let mut sources = Vec::new();
         let corners = self.faces.corners().iter().map(|&vertex| {
             let number = &mut number[first[vertex as usize] as usize];
             if *number == NONE {
-                *number = positions.len() as u32;
-                positions.push(self.positions[vertex as usize]);
+                *number = sources.len() as u32;
+                sources.push(vertex);
             }
             *number
         });
         self.faces = self.faces.with_corners(corners.collect()).into();
-        self.positions = positions.into();
+        self.positions = Arc::new(self.positions().gather(&sources));
         self
     }
 }
@@ -174,7 +184,7 @@ mod tests {
         ];
         let positions = places.map(DVec3::from).to_vec();
         let faces = Faces::triangles((0..6).collect());
-        MeshBuilder { positions, faces, columns, ..MeshBuilder::default() }.build().unwrap()
+        MeshBuilder { positions: positions.into(), faces, columns }.build().unwrap()
     }
 
     #[test]
@@ -184,7 +194,7 @@ mod tests {
             soup(Columns { normals: Some(normals.clone()), ..Columns::default() }).with_shared_vertices();
         assert_eq!(mesh.faces().corners(), [0, 1, 2, 0, 2, 3]);
         assert_eq!(
-            mesh.positions(),
+            mesh.positions().to_vec(),
             [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]].map(DVec3::from)
         );
         assert_eq!(mesh.columns().normals, Some(normals));

@@ -9,6 +9,7 @@ use super::faces::is_collapsed;
 use super::link::{Link, PackedLink};
 use super::point_clusters::clusters;
 use super::polygon_mesh::Mesh;
+use super::positions::PositionsRef;
 use super::rings::Rings;
 use super::topology::Topology;
 use super::vertex_merge::first_at_place;
@@ -57,8 +58,8 @@ impl Topology {
         let targets = &mesh.columns().morph_targets;
         let has_no_length = |&half_edge: &u32| {
             let (tail, head) = self.ends(corners, half_edge);
-            let coincide = |of: &[DVec3]| of[tail as usize] == of[head as usize];
-            tail != head && coincide(positions) && targets.iter().all(|target| coincide(target))
+            let stays = |target: &Vec<DVec3>| target[tail as usize] == target[head as usize];
+            tail != head && positions.at(tail) == positions.at(head) && targets.iter().all(stays)
         };
         let found: Vec<u32> = (0..corners.len() as u32).into_par_iter().filter(has_no_length).collect();
         for half_edge in found {
@@ -209,18 +210,19 @@ struct Classes {
 }
 
 fn exact_classes(rim: &[u32], mesh: &Mesh) -> Classes {
-    let shapes: Vec<&[DVec3]> = shapes(mesh).collect();
+    let shapes: Vec<PositionsRef> = shapes(mesh).collect();
     Classes { of_rim: first_at_place(rim.len(), &shapes, |item| rim[item as usize]), wide_clusters: 0 }
 }
 
 /// The positions, and the displacements of each morph target.
-fn shapes(mesh: &Mesh) -> impl Iterator<Item = &[DVec3]> {
-    std::iter::once(mesh.positions()).chain(mesh.columns().morph_targets.iter().map(Vec::as_slice))
+fn shapes(mesh: &Mesh) -> impl Iterator<Item = PositionsRef<'_>> {
+    let targets = mesh.columns().morph_targets.iter().map(|target| PositionsRef::F64(target));
+    std::iter::once(mesh.positions()).chain(targets)
 }
 
 /// Connected components of "closer than ε" in every shape.
 fn near_classes(rim: &[u32], mesh: &Mesh, fraction: f64) -> Classes {
-    let Bounds { low, high } = Bounds::of(mesh.positions().iter().copied());
+    let Bounds { low, high } = Bounds::of(mesh.positions().iter());
     // In units of the largest extent no square leaves the range of a double.
     let unit = (high - low).max_element();
     if unit.is_nan() || unit <= 0.0 || fraction <= 0.0 {
@@ -228,8 +230,8 @@ fn near_classes(rim: &[u32], mesh: &Mesh, fraction: f64) -> Classes {
     }
     let epsilon = fraction * ((high - low) / unit).length();
     let origins = std::iter::once(low).chain(std::iter::repeat(DVec3::ZERO));
-    let scaled = |(shape, origin): (&[DVec3], DVec3)| -> Vec<DVec3> {
-        rim.iter().map(|&vertex| (shape[vertex as usize] - origin) / unit).collect()
+    let scaled = |(shape, origin): (PositionsRef, DVec3)| -> Vec<DVec3> {
+        rim.iter().map(|&vertex| (shape.at(vertex) - origin) / unit).collect()
     };
     let all: Vec<Vec<DVec3>> = shapes(mesh).zip(origins).map(scaled).collect();
     let of_rim = clusters(&all, epsilon);

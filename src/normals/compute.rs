@@ -1,12 +1,11 @@
 //! From a mesh and a recipe to a field of normals.
 
-use crate::mesh::{Column, Mesh, Storage, Topology};
+use crate::mesh::{Column, Mesh, PositionsRef, Topology};
 use crate::normals::creases::dihedral_test::CreaseTest;
 use crate::normals::creases::grouping::{Grouping, can_do_without_topology, of_triangles, on_topology};
 use crate::normals::creases::hard_edges::applied_angle;
 use crate::normals::creases::smooth_groups::{SlotCorners, SmoothGroups};
 use crate::normals::faces::face_normals::{FaceNormals, face_normals};
-use crate::normals::faces::positions::Positions;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::fallback::fallback_normals::{FaceField, FallbackNormals, corner_faults, face_faults};
 use crate::normals::fault::{Fault, FaultReason, Faults};
@@ -32,7 +31,7 @@ use rayon::prelude::*;
 ///
 /// // A ridge of 90° between two triangles: over the default crease angle, so each side keeps its own normal.
 /// let mesh = MeshBuilder {
-///     positions: vec![DVec3::ZERO, DVec3::Y, DVec3::new(1.0, 0.0, 0.0), DVec3::new(0.0, 0.0, -1.0)],
+///     positions: vec![DVec3::ZERO, DVec3::Y, DVec3::new(1.0, 0.0, 0.0), DVec3::new(0.0, 0.0, -1.0)].into(),
 ///     faces: Faces::triangles(vec![0, 2, 1, 0, 1, 3]),
 ///     ..MeshBuilder::default()
 /// }
@@ -51,8 +50,7 @@ pub fn compute_with(mesh: &Mesh, recipe: &NormalRecipe, extras: Extras) -> Norma
     let is_plain = can_do_without_topology(mesh, recipe);
     let needs_faces =
         !is_plain || extras.face_normals || !matches!(CreaseTest::of(mesh, recipe), CreaseTest::None);
-    let mut shape =
-        Shape { points: mesh.positions(), storage: mesh.storage(), faces: FaceNormals::default() };
+    let mut shape = Shape { points: mesh.positions(), faces: FaceNormals::default() };
     if needs_faces {
         shape.find_faces(mesh);
     }
@@ -73,7 +71,7 @@ pub fn compute_with(mesh: &Mesh, recipe: &NormalRecipe, extras: Extras) -> Norma
 
 /// As [`compute`], on a topology built before, with the welding that it was built with.
 pub fn compute_on(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> NormalField {
-    compute_shape(mesh, topology, recipe, Shape::new(mesh.positions(), mesh, mesh.storage()), Extras::ALL)
+    compute_shape(mesh, topology, recipe, Shape::new(mesh.positions(), mesh), Extras::ALL)
 }
 
 /// As [`compute_on`], with the normals of faces that are there already.
@@ -83,7 +81,7 @@ pub(crate) fn compute_from(
     recipe: &NormalRecipe,
     faces: FaceField,
 ) -> NormalField {
-    let shape = Shape { points: mesh.positions(), storage: mesh.storage(), faces: faces.into_computed() };
+    let shape = Shape { points: mesh.positions(), faces: faces.into_computed() };
     compute_shape(mesh, topology, recipe, shape, Extras::ALL)
 }
 
@@ -101,8 +99,7 @@ fn compute_shape(
 
 /// A mesh in one of its shapes: its own, or a morph target's.
 struct Shape<'a> {
-    points: &'a [DVec3],
-    storage: Storage,
+    points: PositionsRef<'a>,
     faces: FaceNormals,
 }
 
@@ -115,21 +112,21 @@ struct SlotSums {
 }
 
 impl<'a> Shape<'a> {
-    fn new(points: &'a [DVec3], mesh: &Mesh, storage: Storage) -> Self {
-        let mut shape = Self { points, storage, faces: FaceNormals::default() };
+    fn new(points: PositionsRef<'a>, mesh: &Mesh) -> Self {
+        let mut shape = Self { points, faces: FaceNormals::default() };
         shape.find_faces(mesh);
         shape
     }
 
     fn find_faces(&mut self, mesh: &Mesh) {
-        self.faces = face_normals(mesh.faces().view(), Positions::F64(self.points, self.storage));
+        self.faces = face_normals(mesh.faces().view(), self.points);
     }
 
     /// The sum of every slot.
     fn sums(&self, mesh: &Mesh, recipe: &NormalRecipe, groups: &SmoothGroups) -> SlotSums {
         let request = SumRequest {
             faces: mesh.faces().view(),
-            positions: Positions::F64(self.points, self.storage),
+            positions: self.points,
             target: &groups.corner_slots(),
             slots: groups.slots,
             weight: recipe.weight,
@@ -187,9 +184,9 @@ impl<'a> Shape<'a> {
         summary.quadric_fallbacks = quadric_fallbacks;
         let mut morph_normals = Vec::new();
         for target in &mesh.columns().morph_targets {
-            let moved: Vec<DVec3> = mesh.positions().iter().zip(target).map(|(&p, &by)| p + by).collect();
+            let moved: Vec<DVec3> = mesh.positions().iter().zip(target).map(|(p, &by)| p + by).collect();
             // The sum of two f32 values need not be one.
-            let shape = Shape::new(&moved, mesh, Storage::F64);
+            let shape = Shape::new(PositionsRef::F64(&moved), mesh);
             let sums = shape.sums(mesh, recipe, &groups).sums;
             let (mut normals, fallbacks, _) = shape.entries(mesh, topology, recipe, &groups, sums);
             // A shape that loses a normal keeps that of the base: no displacement rather than an arbitrary one.
@@ -311,7 +308,7 @@ fn unreferenced(entry_vertex: &[u32], mesh: &Mesh) -> Vec<Fault> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{Columns, Faces, MeshBuilder, SmoothingGroups, Weld};
+    use crate::mesh::{Columns, Faces, MeshBuilder, Positions, SmoothingGroups, Storage, Weld};
     use crate::normals::recipe::{Crease, HardEdges, Scope, Weight};
     use crate::num::test_numbers::Numbers;
 
@@ -323,7 +320,7 @@ mod tests {
         CUBE.iter().for_each(|face| faces.push(face));
         let bit = |i: u32, b: u32| f64::from(i >> b & 1);
         let positions = (0..8).map(|i| DVec3::new(bit(i, 0), bit(i, 1), bit(i, 2))).collect();
-        MeshBuilder { positions, faces, columns, ..MeshBuilder::default() }.build().unwrap()
+        MeshBuilder { positions, faces, columns }.build().unwrap()
     }
 
     /// A UV sphere about z whose poles are rows of coincident vertices, as exporters of capsules write them.
@@ -353,7 +350,7 @@ mod tests {
                 false => [[a, b, c], [a, c, d]].iter().for_each(|face| faces.push(face)),
             }
         }
-        MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap()
+        MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build().unwrap()
     }
 
     /// Zero-area faces at a pole are no gap: all vertices there have the normal of the whole fan, and stay separate.
@@ -412,7 +409,7 @@ mod tests {
             let round = compute(&cube(Columns::default()), &recipe);
             assert_eq!((round.summary.edges.smooth, round.summary.splits), (12, 0));
             for (normal, &vertex) in round.normals.values.iter().zip(&round.entry_vertex) {
-                let out = cube(Columns::default()).positions()[vertex as usize] - DVec3::splat(0.5);
+                let out = cube(Columns::default()).positions().at(vertex) - DVec3::splat(0.5);
                 // Every weight gives three equal shares; what remains is rounding.
                 assert!((*normal - out.normalize()).length() < 1e-15, "{weight:?} {normal}");
             }
@@ -447,7 +444,7 @@ mod tests {
         let normals: Vec<DVec3> = CUBE
             .iter()
             .map(|face| {
-                let p = |i: usize| cube(Columns::default()).positions()[face[i] as usize];
+                let p = |i: usize| cube(Columns::default()).positions().at(face[i]);
                 (p(1) - p(0)).cross(p(2) - p(0))
             })
             .collect();
@@ -477,7 +474,11 @@ mod tests {
                 DVec3::new(cos, sin, 0.0)
             }));
             let faces = (0..8).flat_map(|i| [0, 1 + i, 1 + (i + 1) % 8]).collect();
-            let mesh = MeshBuilder { positions, faces: Faces::triangles(faces), ..MeshBuilder::default() };
+            let mesh = MeshBuilder {
+                positions: positions.into(),
+                faces: Faces::triangles(faces),
+                ..MeshBuilder::default()
+            };
             let recipe =
                 NormalRecipe { crease: Crease::OFF, weight: Weight::Area, ..NormalRecipe::default() };
             let field = compute(&mesh.build().unwrap(), &recipe);
@@ -497,7 +498,7 @@ mod tests {
     #[test]
     fn cancelling_fans_get_a_unit_normal_and_a_fault() {
         let mesh = MeshBuilder {
-            positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y],
+            positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y].into(),
             faces: Faces::triangles(vec![0, 1, 2, 2, 1, 0]),
             ..MeshBuilder::default()
         }
@@ -512,7 +513,7 @@ mod tests {
     #[test]
     fn unused_vertices_and_empty_faces_are_counted() {
         let mesh = MeshBuilder {
-            positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::X * 2.0, DVec3::Z],
+            positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::X * 2.0, DVec3::Z].into(),
             faces: Faces::triangles(vec![0, 1, 2, 0, 3, 1]),
             ..MeshBuilder::default()
         }
@@ -541,7 +542,7 @@ mod tests {
             [1.0, 1.0, -1.0],
         ];
         let positions = positions.map(DVec3::from).to_vec();
-        MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap()
+        MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build().unwrap()
     }
 
     #[test]
@@ -571,13 +572,17 @@ mod tests {
             let turn = glam::DQuat::from_xyzw(x, y, z, w).normalize();
             // An even last decimal, so that the middle of an edge is still in its middle.
             let round = |x: f64| format!("{:.2}", 0.02 * (50.0 * x).round()).parse::<f64>().unwrap();
-            let mut positions: Vec<DVec3> = exact.positions().iter().map(|&p| turn * (p * 3.0)).collect();
+            let mut positions: Vec<DVec3> = exact.positions().iter().map(|p| turn * (p * 3.0)).collect();
             positions.iter_mut().for_each(|p| *p = DVec3::from(p.to_array().map(round)));
             positions[4] = (positions[1] + positions[2]) * 0.5;
             // Digits enough to tell that there are two decimals.
             positions.extend((1..9).map(|n| DVec3::splat(0.11 * f64::from(n))));
             let (faces, storage) = (exact.faces().clone(), Storage::F64);
-            let rounded = MeshBuilder { positions, storage, faces, ..MeshBuilder::default() };
+            let rounded = MeshBuilder {
+                positions: Positions::rounded(positions, storage),
+                faces,
+                ..MeshBuilder::default()
+            };
             let right = NormalRecipe { crease: Crease::Angle(Degrees(90.0)), ..NormalRecipe::default() };
             let field = compute(&rounded.build().unwrap(), &right);
             assert_eq!(field.summary.near_crease, 3);
@@ -610,7 +615,8 @@ mod tests {
             let corners = 3 * (2 + numbers.below(5));
             let positions: Vec<DVec3> = (0..corners).map(|_| places[numbers.below(places.len())]).collect();
             let faces = Faces::triangles((0..corners as u32).collect());
-            let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
+            let mesh =
+                MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build().unwrap();
             let crease = [Crease::OFF, Crease::Default, Crease::Angle(Degrees(0.0))][round % 3];
             let recipe = NormalRecipe { crease, ..NormalRecipe::default() };
             let expected = compute_on(&mesh, &Topology::build(&mesh, Weld::Exact), &recipe);

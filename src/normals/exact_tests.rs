@@ -1,9 +1,8 @@
 //! Face normals against exact arithmetic: rational cross products, a 256-bit root.
 
-use crate::mesh::{Faces, Storage};
+use crate::mesh::{Faces, Positions, Storage};
 use crate::normals::faces::face_normals::FaceNormals;
 use crate::normals::faces::face_normals::face_normals;
-use crate::normals::faces::positions::Positions;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::slices::vertex_normals::Scratch;
 use crate::num::power_of_two;
@@ -112,7 +111,7 @@ fn normals_of(polygons: &[Vec<DVec3>], storage: Storage) -> FaceNormals {
     for polygon in polygons {
         faces.push(&next.by_ref().take(polygon.len()).collect::<Vec<u32>>());
     }
-    face_normals(faces.view(), Positions::F64(&points, storage))
+    face_normals(faces.view(), Positions::rounded(points, storage).view())
 }
 
 #[test]

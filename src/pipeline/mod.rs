@@ -25,7 +25,7 @@ mod edited_part;
 mod revision;
 
 pub use outcome::{Counts, FaultCounts, FaultPlace, MOST_PLACES, PartOutcome, Spot};
-pub use revision::{Revision, revise};
+pub use revision::{Revision, forget_unused, revise};
 pub use task::{Degenerate, Task};
 
 // Tests of the revision of single parts.

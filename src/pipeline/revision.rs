@@ -47,6 +47,21 @@ pub fn revise(
     Revision { edits, parts }
 }
 
+/// Frees what neither [`revise`] nor a new file of another format reads: the source of the file, and the stored normals that a
+/// task replaces. Changes nothing for a file that will be written in its own format.
+pub fn forget_unused(loaded: &mut Loaded, task: &Task, target: Option<Format>) {
+    if target.is_some_and(|target| target.edits(loaded.format)) {
+        return;
+    }
+    loaded.forget_source();
+    // Orientation finds rooms by stored normals, and a part without faces keeps its own.
+    if task.when == When::Always && task.orient == Orient::Keep {
+        for part in loaded.parts.iter_mut().filter(|part| part.mesh.face_count() > 0) {
+            part.mesh = std::mem::take(&mut part.mesh).with_normals(None);
+        }
+    }
+}
+
 /// The change of a part, what was found in it, and one normal a face.
 fn revise_part(
     part: &Part,

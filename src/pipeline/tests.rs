@@ -16,7 +16,7 @@ fn part(normals: Option<Column<DVec3>>) -> Part {
     for face in [[0, 2, 1], [0, 1, 3], [0, 2, 3], [0, 1, 4], [1, 2, 3], [1, 2, 5]] {
         faces.push(&face);
     }
-    let builder = MeshBuilder { positions, faces, ..MeshBuilder::default() };
+    let builder = MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() };
     let mut mesh = builder.build().unwrap();
     if normals.is_some() {
         mesh = mesh.with_normals(normals);
@@ -86,6 +86,41 @@ fn faces_are_turned_by_orientation_and_then_by_flipping() {
     assert!((0..5).all(|face| outward.contains(&face) != both.contains(&face)), "{both:?}");
 }
 
+/// A new file of another format is the same whether or not what it does not take was freed before.
+#[test]
+fn freeing_what_is_unused_changes_no_output() {
+    use crate::io::{ReadOptions, WriteOptions, read_bytes, write, write_new};
+    let normals = Some(Column::per_corner(vec![DVec3::X], vec![0; 18]));
+    let source = write_new(&[part(normals)], Format::Ply, &WriteOptions::default()).unwrap().bytes;
+    let text = "solid\nfacet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\nendsolid";
+    for (bytes, format) in [(source, Format::Ply), (text.into(), Format::Stl)] {
+        let read = || read_bytes(bytes.clone(), Some(format), None, &ReadOptions::default()).unwrap();
+        for when in [When::Always, When::Missing] {
+            for target in [Format::Glb, Format::Ply, Format::Obj] {
+                let task = Task { when, ..Task::default() };
+                let written = |loaded: &Loaded| {
+                    let edits = revise(loaded, &task, Some(target), &|_| {}).edits;
+                    write(loaded, edits, target, &WriteOptions::default())
+                };
+                let (whole, mut freed) = (read(), read());
+                forget_unused(&mut freed, &task, Some(target));
+                let is_freed = !matches!(freed.document, Document::Ply(_) | Document::Stl(_));
+                assert_eq!(is_freed, target != format);
+                let is_kept = freed.parts[0].mesh.columns().normals.is_some();
+                assert_eq!(is_kept, target == format || when != When::Always);
+                assert_eq!(
+                    written(&freed).unwrap().bytes,
+                    written(&whole).unwrap().bytes,
+                    "{format} {target}"
+                );
+                if is_freed {
+                    assert!(write(&freed, &[], format, &WriteOptions::default()).is_err());
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn values_of_dropped_faces_are_forgotten() {
     let part = part(None);
@@ -106,7 +141,7 @@ fn normals_are_those_of_what_remains() {
     let edge = [DVec3::ZERO, DVec3::Y];
     let positions = vec![edge[0], edge[1], edge[0], edge[1], DVec3::new(1.0, 0.5, 0.2), DVec3::NEG_X];
     let faces = Faces::triangles(vec![0, 4, 1, 2, 3, 5, 0, 1, 3, 0, 3, 2]);
-    let builder = MeshBuilder { positions, faces, ..MeshBuilder::default() };
+    let builder = MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() };
     let part = Part { mesh: builder.build().unwrap(), ..Part::default() };
     for degenerate in [Degenerate::Keep, Degenerate::Drop] {
         let task = Task { degenerate, ..Task::default() };
@@ -156,7 +191,7 @@ fn places_are_those_of_the_file() {
     let faces = Faces::triangles(vec![0, 1, 2, 1, 2, 4, 1, 2, 3]);
     let stored = Column::per_corner(vec![DVec3::Z, DVec3::Z * 3.0], vec![0, 0, 0, 0, 0, 0, 0, 0, 1]);
     let columns = crate::mesh::Columns { normals: Some(stored), ..Default::default() };
-    let builder = MeshBuilder { positions, faces, columns, ..MeshBuilder::default() };
+    let builder = MeshBuilder { positions: positions.into(), faces, columns };
     let (mesh, non_finite_faces) = builder.build_dropping_non_finite().unwrap();
     let part = Part { name: String::new(), mesh, non_finite_faces };
     for flip in [false, true] {

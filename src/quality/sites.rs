@@ -14,14 +14,14 @@ pub(crate) fn site(loaded: &Loaded, spot: &Spot) -> Site {
     let vertex = is(spot.vertex).or_else(|| is(spot.corner).map(|corner| faces.corners()[corner as usize]));
     let centre = |face: u32| {
         let corners = faces.face(face as usize);
-        corners.iter().map(|&v| positions[v as usize] / corners.len() as f64).sum::<DVec3>()
+        corners.iter().map(|&v| positions.at(v) / corners.len() as f64).sum::<DVec3>()
     };
     Site {
         part: spot.part as usize,
         face: is(spot.face),
         corner: is(spot.corner).map(|corner| corner - faces.range(spot.face as usize).start as u32),
         vertex,
-        position: vertex.map(|vertex| positions[vertex as usize]).or_else(|| is(spot.face).map(centre)),
+        position: vertex.map(|vertex| positions.at(vertex)).or_else(|| is(spot.face).map(centre)),
         degrees: spot.degrees,
         place: is(spot.node),
         node: None,

@@ -80,8 +80,7 @@ fn measured(facts: &Facts<'_>) -> Survey {
 /// The number of faces at each position. Several vertices are at one if normals or texture coordinates differ.
 fn valences(mesh: &Mesh) -> Vec<f64> {
     let of_face = |face: &[u32]| {
-        let mut keys: Vec<_> =
-            face.iter().map(|&vertex| place_key(mesh.positions()[vertex as usize])).collect();
+        let mut keys: Vec<_> = face.iter().map(|&vertex| place_key(mesh.positions().at(vertex))).collect();
         keys.sort_unstable();
         keys.dedup();
         keys

@@ -102,7 +102,7 @@ impl<'a> LineEnds<'a> {
 
     /// From the space of what [`get`](Self::get) gives to the scene's, and a point of that space near the lines.
     pub(crate) fn space(&self) -> (DMat4, DVec3) {
-        let first = self.points.first().unwrap_or_default();
+        let first = self.points.iter().next().unwrap_or_default();
         match self.course {
             LineSource::Between(_) => (self.transform, first),
             _ => (DMat4::IDENTITY, self.transform.transform_point3(first)),
@@ -111,18 +111,18 @@ impl<'a> LineEnds<'a> {
 
     /// Where a line begins and ends; `None` for a normal without direction.
     pub(crate) fn get(&self, line: u32) -> Option<[DVec3; 2]> {
-        let place = |vertex: u32| self.transform.transform_point3(self.points.get(vertex));
+        let place = |vertex: u32| self.transform.transform_point3(self.points.at(vertex));
         match &self.course {
-            LineSource::Between(pairs) => Some(pairs[line as usize].map(|point| self.points.get(point))),
+            LineSource::Between(pairs) => Some(pairs[line as usize].map(|point| self.points.at(point))),
             LineSource::FromVertices(along, normals) => {
                 let [vertex, normal] = normals[line as usize];
-                along.line(place(vertex), along.shape.normals().get(normal))
+                along.line(place(vertex), along.shape.normals().at(normal))
             }
             LineSource::FromFaces(along, _) => {
                 let face = along.shape.face(line);
                 let share = 1.0 / face.len() as f64;
                 let middle = face.iter().map(|&vertex| place(vertex) * share).sum::<DVec3>();
-                along.line(middle, along.shape.face_normals().get(line))
+                along.line(middle, along.shape.face_normals().at(line))
             }
         }
     }
@@ -434,8 +434,7 @@ mod tests {
             let eye = framing.eye.lerp(DVec3::new(0.1, 0.2, 0.3) * size, inside);
             for projection in [framing.projection, Projection::Orthographic(3.0 * size)] {
                 scene.camera = Camera { eye, projection, ..framing };
-                let place =
-                    |vertex: u32| transform.transform_point3(mesh.positions()[vertex as usize]) / size;
+                let place = |vertex: u32| transform.transform_point3(mesh.positions().at(vertex)) / size;
                 let is_front = |face: &[u32]| {
                     let middle = face.iter().map(|&vertex| place(vertex)).sum::<DVec3>();
                     let towards = match projection {

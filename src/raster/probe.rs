@@ -167,7 +167,7 @@ fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> (Pr
     let object = &job.objects[drawn.object];
     let triangle = drawn.list.vertices(record.triangle);
     let PlanePoint { weights: in_scene, from_eye: relative } = drawn.plane_point(&job.view, triangle, at);
-    let position = |vertex: u32| drawn.map.scene_point(drawn.points.get(vertex));
+    let position = |vertex: u32| drawn.map.scene_point(drawn.points.at(vertex));
     let face: Vec<Corner> = face_corners(object, drawn, record).collect();
     let in_triangle = |weights: [f64; 3]| (triangle_corners(drawn, record).to_vec(), weights.to_vec());
     let (corners, weights): (Vec<Corner>, Vec<f64>) = match job.settings.interpolation {
@@ -227,7 +227,7 @@ fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> (Pr
 /// Barycentric coordinates on the picture, of what the near plane leaves of a triangle.
 fn picture_weights(job: &Job, drawn: &DrawnObject, triangle: [u32; 3], at: [f64; 2]) -> [f64; 3] {
     let corner = |k: usize| ClipVertex {
-        point: drawn.map.view(drawn.points.get(triangle[k])),
+        point: drawn.map.view(drawn.points.at(triangle[k])),
         attribute: Shares::of_corner(k),
     };
     let mut polygon: Vec<_> = [0, 1, 2].map(corner).to_vec();
@@ -250,7 +250,7 @@ fn scanline_weights(job: &Job, drawn: &DrawnObject, face: &[Corner], at: [f64; 2
     let weight = |indicated: usize| {
         let corners = face.iter().enumerate().map(|(k, corner)| {
             let value = DVec3::splat(if k == indicated { 1.0 } else { 0.0 });
-            (drawn.map.view(drawn.points.get(corner.vertex)), value)
+            (drawn.map.view(drawn.points.at(corner.vertex)), value)
         });
         ScanPolygon::unsnapped(&job.view, corners).value(at).x
     };

@@ -156,7 +156,7 @@ impl Scene<'_> {
                 Shape::Mesh { mesh, .. } => {
                     let positions = mesh.positions();
                     let used = used(mesh.faces().corners(), positions.len());
-                    positions.iter().zip(used).filter(|(_, used)| *used).for_each(|(&point, _)| visit(point));
+                    positions.iter().zip(used).filter(|(_, used)| *used).for_each(|(point, _)| visit(point));
                 }
                 Shape::Triangles(Triangles { positions, triangles, .. }) => {
                     let points = positions.iter().map(|point| DVec3::from(point.map(f64::from)));
@@ -237,7 +237,7 @@ impl<'a> Shape<'a> {
 
     pub(crate) fn points(&self) -> Option<Points<'a>> {
         match *self {
-            Shape::Mesh { mesh, .. } => Some(Points::F64(mesh.positions())),
+            Shape::Mesh { mesh, .. } => Some(mesh.positions()),
             Shape::Triangles(triangles) => Some(Points::F32(triangles.positions)),
             Shape::Surface(_) => None,
         }
@@ -248,7 +248,7 @@ impl<'a> Shape<'a> {
     /// # Panics
     /// If there is no vertex of this number.
     pub fn point(&self, vertex: u32) -> DVec3 {
-        self.points().map_or(DVec3::ZERO, |points| points.get(vertex))
+        self.points().map_or(DVec3::ZERO, |points| points.at(vertex))
     }
 
     /// The normals of vertices; an analytic surface has none.

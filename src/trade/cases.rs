@@ -148,9 +148,9 @@ impl SampleMesh {
         let mesh = surface.surface.tessellate(tessellation)?;
         let topology = Topology::by_index(mesh.faces(), mesh.vertex_count());
         let normals = mesh.columns().normals.as_ref().map_or(&[][..], |column| &column.values);
-        let known = normals.iter().zip(mesh.positions());
+        let known = normals.iter().zip(mesh.positions().iter());
         let mut truth: Vec<Option<DVec3>> =
-            known.map(|(&normal, &position)| surface.is_smooth_at(position).then_some(normal)).collect();
+            known.map(|(&normal, position)| surface.is_smooth_at(position).then_some(normal)).collect();
         let corners = mesh.faces().corners();
         for half_edge in 0..corners.len() as u32 {
             if topology.link(half_edge) == Link::Boundary {

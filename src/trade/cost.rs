@@ -3,7 +3,7 @@
 use super::cases::{NamedSurface, SampleMesh, Tiling};
 use super::effort::{Candidate, Effort, Observer, Progress, fewest_seconds};
 use super::vertex::{recipe, weight_name};
-use crate::mesh::{Faces, Mesh, MeshBuilder, Storage};
+use crate::mesh::{Faces, Mesh, MeshBuilder};
 use crate::normals::{
     Averaging, Extras, NormalRecipe, Precision, Scratch, Weight, compute_with, vertex_normals,
 };
@@ -164,10 +164,9 @@ fn fans(faces: &Faces) -> Vec<[u32; 3]> {
 
 /// The mesh with every position moved and then rounded to single precision.
 pub(super) fn rounded(mesh: &Mesh, moved: impl Fn(DVec3) -> DVec3) -> Mesh {
-    let round = |&position: &DVec3| moved(position).as_vec3().as_dvec3();
+    let round = |position: DVec3| moved(position).as_vec3().to_array();
     let builder = MeshBuilder {
         positions: mesh.positions().iter().map(round).collect(),
-        storage: Storage::F32,
         faces: mesh.faces().clone(),
         ..MeshBuilder::default()
     };

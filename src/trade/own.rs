@@ -310,7 +310,7 @@ mod tests {
         let tessellation = Tessellation { segments: [48, 1], ..Tessellation::default() };
         let mesh = Surface::from(Cylinder::default()).tessellate(&tessellation).unwrap();
         let turn = glam::DQuat::from_xyzw(0.1, 0.7, -0.3, 0.5).normalize();
-        let positions = mesh.positions().iter().map(|&p| (turn * p).as_vec3().as_dvec3()).collect();
+        let positions = mesh.positions().iter().map(|p| (turn * p).as_vec3().as_dvec3()).collect();
         let faces = mesh.faces().clone();
         let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
         let own = OwnMesh::measure(&[&mesh], &NormalRecipe::default(), &|_| ());

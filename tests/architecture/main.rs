@@ -105,8 +105,14 @@ const OUTSIDE: &[(&str, &[&str])] = &[
 /// Words that no file, type, function, constant or test is named with, from the list in CONTRIBUTING.md.
 static NOT_IN_NAMES: LazyLock<Vec<String>> = LazyLock::new(|| {
     let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("CONTRIBUTING.md")).unwrap();
-    let (_, list) = page.split_once("- No name of a file, type, function, constant or test has: ").expect("the list");
-    list.split_once('.').expect("the end of the list").0.split(',').map(|word| word.trim().to_owned()).collect()
+    let (_, list) =
+        page.split_once("- No name of a file, type, function, constant or test has: ").expect("the list");
+    list.split_once('.')
+        .expect("the end of the list")
+        .0
+        .split(',')
+        .map(|word| word.trim().to_owned())
+        .collect()
 });
 
 /// The longest a file may be, unit tests not counted.

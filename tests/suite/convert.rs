@@ -36,7 +36,7 @@ fn check_normals(name: &str, loaded: &Loaded) -> usize {
         for (face, range) in mesh.faces().ranges().enumerate() {
             let truth = face_normal(mesh, face);
             let corners: Vec<DVec3> =
-                mesh.faces().face(face).iter().map(|&v| mesh.positions()[v as usize]).collect();
+                mesh.faces().face(face).iter().map(|&v| mesh.positions().at(v)).collect();
             let longest = corners.iter().map(|corner| corner.distance(corners[0])).fold(0.0, f64::max);
             let area = (corners[1] - corners[0]).cross(corners[2] - corners[0]).length();
             let is_thin = area <= 1e-5 * largest * longest;
@@ -116,7 +116,7 @@ fn a_mirrored_node_turns_faces_and_normals_together() {
         let corners: Vec<_> = again
             .parts
             .iter()
-            .flat_map(|part| part.mesh.faces().corners().iter().map(|&v| part.mesh.positions()[v as usize]))
+            .flat_map(|part| part.mesh.faces().corners().iter().map(|&v| part.mesh.positions().at(v)))
             .collect();
         assert_eq!(corners.len(), 6);
         // The mirrored triangle still faces +z: its corners run 0, 2, 1.
@@ -212,7 +212,7 @@ fn objects_and_materials_of_obj_become_those_of_gltf() {
         .parts
         .iter()
         .map(|part| {
-            let vertex = part.mesh.positions().iter().position(|p| *p == DVec3::ZERO).unwrap();
+            let vertex = part.mesh.positions().iter().position(|p| p == DVec3::ZERO).unwrap();
             part.mesh.columns().normals.as_ref().unwrap().values[vertex]
         })
         .collect();

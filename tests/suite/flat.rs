@@ -6,7 +6,7 @@ use glam::DVec3;
 
 /// The unit vector area of a face about its first corner, which is scaled first; +Z without area.
 pub fn face_normal(mesh: &Mesh, face: usize) -> DVec3 {
-    let corners: Vec<DVec3> = mesh.faces().face(face).iter().map(|&v| mesh.positions()[v as usize]).collect();
+    let corners: Vec<DVec3> = mesh.faces().face(face).iter().map(|&v| mesh.positions().at(v)).collect();
     let offsets: Vec<DVec3> = corners.iter().map(|corner| *corner - corners[0]).collect();
     let size = offsets.iter().fold(0.0, |m: f64, p| m.max(p.abs().max_element()));
     let area: DVec3 = offsets.windows(2).map(|pair| (pair[0] / size).cross(pair[1] / size)).sum();

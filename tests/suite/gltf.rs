@@ -211,7 +211,7 @@ fn triangle_soup(part: &Part) -> Vec<(Option<&str>, [[u64; 8]; 3])> {
         let normal =
             columns.normals.as_ref().and_then(|normals| normals.get(c, v)).copied().unwrap_or_default();
         let uv = columns.uvs.as_ref().and_then(|uvs| uvs.get(c, v)).copied().unwrap_or_default();
-        let [x, y, z] = mesh.positions()[v as usize].to_array().map(f64::to_bits);
+        let [x, y, z] = mesh.positions().at(v).to_array().map(f64::to_bits);
         let [i, j, k] = normal.to_array().map(f64::to_bits);
         // Turned over twice, v loses what 1 - v cannot hold in single precision.
         [x, y, z, i, j, k, uv.x.to_bits(), (uv.y * 1e5).round().to_bits()]

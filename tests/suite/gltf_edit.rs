@@ -11,7 +11,7 @@ use std::path::Path;
 /// One normal a face: every corner asks for its own, so that shared vertices must be split.
 fn faceted(part: &Part) -> PartEdit {
     let mesh = &part.mesh;
-    let corner = |c: u32| mesh.positions()[mesh.faces().corners()[c as usize] as usize];
+    let corner = |c: u32| mesh.positions().at(mesh.faces().corners()[c as usize]);
     let faces = mesh.face_count() as u32;
     let normal = |face: u32| {
         let [a, b, c] = [0, 1, 2].map(|k| corner(3 * face + k));
@@ -30,7 +30,7 @@ fn rounded(part: &Part) -> PartEdit {
         return PartEdit::default();
     }
     let (low, high) = mesh.bounds().unwrap();
-    let normal = |p: &DVec3| (*p - (low + high) / 2.0).try_normalize().unwrap_or(DVec3::Y);
+    let normal = |p: DVec3| (p - (low + high) / 2.0).try_normalize().unwrap_or(DVec3::Y);
     let values: Vec<DVec3> = mesh.positions().iter().map(normal).collect();
     let morph_normals = vec![values.clone(); mesh.columns().morph_targets.len()];
     PartEdit { normals: Some(Column::per_vertex(values)), morph_normals, ..PartEdit::default() }
@@ -68,7 +68,7 @@ fn corners(part: &Part) -> Vec<(DVec3, Option<glam::DVec2>, Option<DVec3>)> {
     let corner = |(c, &v): (usize, &u32)| {
         let uv = columns.uvs.as_ref().and_then(|uvs| uvs.get(c, v)).copied();
         let normal = columns.normals.as_ref().and_then(|normals| normals.get(c, v)).copied();
-        (part.mesh.positions()[v as usize], uv, normal)
+        (part.mesh.positions().at(v), uv, normal)
     };
     vertices.iter().enumerate().map(corner).collect()
 }

@@ -4,7 +4,7 @@ use super::gltf::{entries, load};
 use crease::io::gltf::{edit, read};
 use crease::io::{Document, Format, Loaded, NormalFormat, OutputContent, Part, PartEdit, ReadOptions};
 use crease::io::{TangentPolicy, WriteOptions, Written, write_new};
-use crease::mesh::{Column, Columns, FaceLabels, Faces, MeshBuilder, NONE, Storage};
+use crease::mesh::{Column, Columns, FaceLabels, Faces, MeshBuilder, NONE, Positions, Storage};
 use glam::{DVec2, DVec3};
 use std::path::Path;
 
@@ -385,8 +385,7 @@ fn a_new_file_has_all_that_meshes_have() {
         lines: vec![vec![0, 1], vec![1, 2, 3]],
         ..Columns::default()
     };
-    let mesh =
-        MeshBuilder { positions: positions.to_vec(), storage: Storage::F64, faces, columns }.build().unwrap();
+    let mesh = MeshBuilder { positions: positions.to_vec().into(), faces, columns }.build().unwrap();
     let part = Part { name: "ü/part".into(), mesh, ..Part::default() };
     let written = write_new(&[part, Part::default()], Format::Glb, &WriteOptions::default()).unwrap();
     assert!(written.notes.is_empty(), "{:?}", written.notes);
@@ -414,7 +413,10 @@ fn a_new_file_has_all_that_meshes_have() {
 #[test]
 fn nothing_points_and_far_away_things_are_written_right() {
     let cloud = |positions: Vec<DVec3>, storage| {
-        let mesh = MeshBuilder { positions, storage, ..MeshBuilder::default() }.build().unwrap();
+        let mesh =
+            MeshBuilder { positions: Positions::rounded(positions, storage), ..MeshBuilder::default() }
+                .build()
+                .unwrap();
         [Part { mesh, ..Part::default() }]
     };
     let empty = write_new(&[], Format::Gltf, &WriteOptions::default()).unwrap();
@@ -442,7 +444,7 @@ fn nothing_points_and_far_away_things_are_written_right() {
 
 /// Positions of the corners of all faces, each face turned to begin with its smallest corner, sorted.
 fn drawn(part: &Part) -> Vec<[[u64; 3]; 3]> {
-    let corner = |&v: &u32| part.mesh.positions()[v as usize].to_array().map(f64::to_bits);
+    let corner = |&v: &u32| part.mesh.positions().at(v).to_array().map(f64::to_bits);
     let mut faces: Vec<[[u64; 3]; 3]> = part
         .mesh
         .faces()
@@ -480,7 +482,7 @@ fn ways_to_store_the_same_surface_agree() {
     for number in ["04", "05", "06"] {
         let part = square(number);
         let normal = |face: &[u32]| {
-            let [a, b, c] = [0, 1, 2].map(|k| part.mesh.positions()[face[k] as usize]);
+            let [a, b, c] = [0, 1, 2].map(|k| part.mesh.positions().at(face[k]));
             (b - a).cross(c - a)
         };
         let area: DVec3 = part.mesh.faces().iter().map(normal).sum();
@@ -498,7 +500,9 @@ fn broken_normals_of_unused_vertices_do_not_stay_in_new_ones() {
     };
     let positions = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::ONE];
     let faces = Faces::triangles(vec![0, 1, 2]);
-    let mesh = MeshBuilder { positions, storage: Storage::F32, faces, columns }.build().unwrap();
+    let mesh = MeshBuilder { positions: Positions::rounded(positions, Storage::F32), faces, columns }
+        .build()
+        .unwrap();
     let part = Part { mesh, ..Part::default() };
     let loaded = open(&write_new(&[part], Format::Glb, &WriteOptions::default()).unwrap().bytes);
     assert_eq!(loaded.parts[0].mesh.columns().uvs.as_ref().unwrap().values[0], DVec2::ZERO);

@@ -74,5 +74,5 @@ fn surface(surface: &Surface, segments: [u32; 2]) -> Mesh {
 
 /// A mesh of other positions or faces, without columns.
 fn rebuilt(positions: Vec<DVec3>, faces: Faces) -> Mesh {
-    MeshBuilder { positions, faces, columns: Columns::default(), ..MeshBuilder::default() }.build().unwrap()
+    MeshBuilder { positions: positions.into(), faces, columns: Columns::default() }.build().unwrap()
 }

@@ -114,7 +114,7 @@ fn known_faults_are_found() {
 fn part_of(surface: &Surface, segments: [u32; 2], keep: impl Fn(DVec3) -> bool) -> Mesh {
     let whole = surface.tessellate(&Tessellation { segments, ..Tessellation::default() }).unwrap();
     let middle = |face: &[u32]| -> DVec3 {
-        face.iter().map(|&v| whole.positions()[v as usize]).sum::<DVec3>() / face.len() as f64
+        face.iter().map(|&v| whole.positions().at(v)).sum::<DVec3>() / face.len() as f64
     };
     let mut faces = Faces::new();
     whole.faces().iter().filter(|face| keep(middle(face))).for_each(|face| faces.push(face));
@@ -122,7 +122,7 @@ fn part_of(surface: &Surface, segments: [u32; 2], keep: impl Fn(DVec3) -> bool) 
 }
 
 fn build(positions: Vec<DVec3>, faces: Faces) -> Mesh {
-    MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap()
+    MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build().unwrap()
 }
 
 /// A cup: the side of a cylinder and its floor, facing outwards.
@@ -153,7 +153,7 @@ fn next_to(meshes: &[Mesh], step: DVec3) -> Mesh {
     let (mut positions, mut faces) = (Vec::new(), Faces::new());
     for (number, mesh) in meshes.iter().enumerate() {
         let first = positions.len() as u32;
-        positions.extend(mesh.positions().iter().map(|&p| p + step * number as f64));
+        positions.extend(mesh.positions().iter().map(|p| p + step * number as f64));
         mesh.faces().iter().for_each(|face| faces.push(&face.iter().map(|v| v + first).collect::<Vec<_>>()));
     }
     build(positions, faces)

@@ -88,9 +88,9 @@ fn explanation(
     off: f64,
 ) -> Option<&'static str> {
     let faces = mesh.faces();
-    let position = mesh.positions()[faces.corners()[corner as usize] as usize];
+    let position = mesh.positions().at(faces.corners()[corner as usize]);
     let fan = (0..faces.corner_count() as u32)
-        .filter(|&c| mesh.positions()[faces.corners()[c as usize] as usize] == position);
+        .filter(|&c| mesh.positions().at(faces.corners()[c as usize]) == position);
     let (mut blur, mut sum) = (0.0, DVec3::ZERO);
     for member in fan {
         let face = topology.face_of(member);
@@ -98,8 +98,7 @@ fn explanation(
         if field.faults.faces.iter().any(|fault| fault.index == face && bad.contains(&fault.reason)) {
             return Some("a face without a reliable direction");
         }
-        let points: Vec<DVec3> =
-            faces.face(face as usize).iter().map(|&v| mesh.positions()[v as usize]).collect();
+        let points: Vec<DVec3> = faces.face(face as usize).iter().map(|&v| mesh.positions().at(v)).collect();
         let largest = points.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
         let longest = points.iter().flat_map(|a| points.iter().map(|b| a.distance(*b))).fold(0.0, f64::max);
         let double_area = (points[1] - points[0]).cross(points[2] - points[0]).length();

@@ -109,9 +109,9 @@ fn ascii_and_binary_twins_are_the_same() {
         let (Some(ascii), Some(binary)) = (find(ascii), find(binary)) else { continue };
         let [a, b] = [ascii, binary].map(|row| read(&row.bytes()).unwrap().parts.remove(0).mesh);
         assert_eq!(a.face_count(), b.face_count());
-        for (a, b) in a.positions().iter().zip(b.positions()) {
+        for (a, b) in a.positions().iter().zip(b.positions().iter()) {
             // Spider's text has six digits.
-            assert!((*a - *b).length() < 1e-5 * b.length().max(1.0), "{}: {a} and {b}", ascii.name());
+            assert!((a - b).length() < 1e-5 * b.length().max(1.0), "{}: {a} and {b}", ascii.name());
         }
     }
 }

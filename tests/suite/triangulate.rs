@@ -28,7 +28,7 @@ fn real_polygons_are_covered() {
             let range = mesh.faces().range(face as usize);
             assert!(triangle.iter().all(|&corner| range.contains(&(corner as usize))), "{}", row.name());
             let [a, b, c] =
-                triangle.map(|corner| mesh.positions()[mesh.faces().corners()[corner as usize] as usize]);
+                triangle.map(|corner| mesh.positions().at(mesh.faces().corners()[corner as usize]));
             covered[face as usize] += (b - a).cross(c - a).dot(axes[face as usize]);
         }
         for (face, range) in mesh.faces().ranges().enumerate() {
@@ -40,9 +40,7 @@ fn real_polygons_are_covered() {
                 .faces()
                 .face(face)
                 .iter()
-                .map(|&v| {
-                    mesh.positions()[v as usize] - mesh.positions()[mesh.faces().face(face)[0] as usize]
-                })
+                .map(|&v| mesh.positions().at(v) - mesh.positions().at(mesh.faces().face(face)[0]))
                 .collect();
             let area: DVec3 = corners.windows(2).map(|pair| pair[0].cross(pair[1])).sum();
             // The parts of any cut add up to the vector area, exactly but for rounding: 1e-9 of the squared size.

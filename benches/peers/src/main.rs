@@ -97,8 +97,7 @@ fn ours<'a>(mesh: &'a Mesh, pools: &'a [ThreadPool; 2], weight: Weight) -> Vec<C
 
 fn on_mesh<'a>(mesh: &Mesh, pool: &'a ThreadPool, recipe: NormalRecipe) -> Candidate<'a> {
     let built = MeshBuilder {
-        positions: mesh.positions.iter().map(|p| p.map(f64::from).into()).collect(),
-        storage: crease::mesh::Storage::F32,
+        positions: mesh.positions.clone().into(),
         faces: Faces::triangles(mesh.triangles.as_flattened().to_vec()),
         ..MeshBuilder::default()
     };

@@ -71,7 +71,7 @@ mod tests {
                 .faces()
                 .iter()
                 .map(|face| {
-                    let p = |k: usize| mesh.positions()[face[k] as usize];
+                    let p = |k: usize| mesh.positions().at(face[k]);
                     (1..face.len() - 1).map(|k| p(0).dot(p(k).cross(p(k + 1)))).sum::<f64>()
                 })
                 .sum();

@@ -231,7 +231,7 @@ mod tests {
     fn a_square_of_a_users_mesh_is_turned_too() {
         let positions = [[5.0, 1.0, 1.0], [5.0, 4.0, 1.0], [5.0, 4.0, 3.0], [5.0, 1.0, 3.0]];
         let builder = |faces| MeshBuilder {
-            positions: positions.map(DVec3::from).to_vec(),
+            positions: positions.map(DVec3::from).to_vec().into(),
             faces,
             ..MeshBuilder::default()
         };
@@ -321,7 +321,7 @@ mod tests {
         for (notch, has_one_cut) in [([0.5, 0.5, 0.0], true), ([3.0, 3.0, 0.0], false)] {
             let positions = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], notch, [0.0, 4.0, 0.0]];
             let builder = MeshBuilder {
-                positions: positions.map(DVec3::from).to_vec(),
+                positions: positions.map(DVec3::from).to_vec().into(),
                 faces: Faces::polygons((0..4).collect(), vec![0, 4]),
                 ..MeshBuilder::default()
             };

@@ -45,7 +45,7 @@ impl Polygon {
         if face.len() > MOST_CORNERS {
             return Err(unsuitable("many-corners", &[("corners", face.len().to_string())]));
         }
-        let points: Vec<DVec3> = face.iter().map(|&vertex| own.mesh.positions()[vertex as usize]).collect();
+        let points: Vec<DVec3> = face.iter().map(|&vertex| own.mesh.positions().at(vertex)).collect();
         let colours = match &own.mesh.columns().colors {
             Some(colours) => {
                 let of = |&vertex: &u32| {

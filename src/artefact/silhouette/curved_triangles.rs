@@ -57,7 +57,7 @@ impl Edges<'_> {
     }
 
     fn position(&self, corner: u32) -> DVec3 {
-        self.mesh.positions()[self.vertex(corner) as usize]
+        self.mesh.positions().at(self.vertex(corner))
     }
 
     fn normal(&self, corner: u32) -> DVec3 {
@@ -166,7 +166,7 @@ mod tests {
             let mut field = compute(&mesh, &NormalRecipe::default());
             // Max' weights or these: the ball's own.
             for (entry, normal) in field.normals.values.iter_mut().enumerate() {
-                *normal = mesh.positions()[field.entry_vertex[entry] as usize].normalize();
+                *normal = mesh.positions().at(field.entry_vertex[entry]).normalize();
             }
             places(&curved(&mesh, &field, 4)).map(|point| (point.length() - 1.0).abs()).fold(0.0, f64::max)
         };

@@ -84,7 +84,7 @@ fn a_coarse_mesh_is_reported_what_shows_its_outline() {
 fn meshes_that_cannot_be_compared_are_refused() {
     let coarse = ball(1);
     let moved = crate::mesh::MeshBuilder {
-        positions: coarse.positions().iter().map(|&place| place + 3.0).collect(),
+        positions: coarse.positions().iter().map(|place| place + 3.0).collect(),
         faces: coarse.faces().clone(),
         ..Default::default()
     };

@@ -96,7 +96,7 @@ pub(super) fn measured(sides: DVec3, weight: Weight) -> Result<Range> {
         let mesh = cut_box(sides, cut)?;
         let field = smooth(&mesh, weight);
         let off = |(normal, &vertex): (&DVec3, &u32)| {
-            let diagonal = mesh.positions()[vertex as usize].signum();
+            let diagonal = mesh.positions().at(vertex).signum();
             Degrees::from(angle_between(*normal, diagonal)).0
         };
         angles.extend(field.normals.values.iter().zip(&field.entry_vertex).map(off));

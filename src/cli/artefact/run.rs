@@ -206,13 +206,13 @@ fn as_one(loaded: Loaded) -> Mesh {
     let (mut positions, mut faces) = (Vec::new(), Faces::default());
     for part in &loaded.parts {
         let first = positions.len() as u32;
-        positions.extend_from_slice(part.mesh.positions());
+        positions.extend(part.mesh.positions().iter());
         for face in 0..part.mesh.face_count() {
             let corners: Vec<u32> =
                 part.mesh.faces().face(face).iter().map(|vertex| first + vertex).collect();
             faces.push(&corners);
         }
     }
-    let builder = MeshBuilder { positions, faces, ..MeshBuilder::default() };
+    let builder = MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() };
     builder.build().expect("parts are sound, and together they are no larger than their file")
 }

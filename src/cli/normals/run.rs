@@ -82,7 +82,7 @@ fn run(
 ) -> Result<(), Failure> {
     progress.stage(Stage::Read);
     let start = Instant::now();
-    let loaded = progress.read(&job.source, job.format, &request.read, &mut report.input.bytes)?;
+    let mut loaded = progress.read(&job.source, job.format, &request.read, &mut report.input.bytes)?;
     report.seconds.read = start.elapsed().as_secs_f64();
     report.input.format = Some(loaded.format);
     report.notes.extend_from_slice(&loaded.notes);
@@ -90,6 +90,7 @@ fn run(
     progress.stage(Stage::Compute);
     let start = Instant::now();
     let target = (!request.rows).then(|| job.to.unwrap_or(loaded.format));
+    pipeline::forget_unused(&mut loaded, &request.task, target);
     let revision = compute(&loaded, request, target, progress);
     report.seconds.compute = start.elapsed().as_secs_f64();
     let parts = revision.parts.into_iter().zip(&revision.edits);

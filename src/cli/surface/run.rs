@@ -67,8 +67,8 @@ const SMALLEST: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 /// A warning if the surface is so small, or so far from the origin, that doubles cannot hold its shape.
 fn placement_note(shape: &Mesh, placed: &Mesh, args: &SurfaceArgs) -> Option<Note> {
     let (scale, offset) = (args.shape.scale, args.shape.offset);
-    let moved = |(&own, &there): (&DVec3, &DVec3)| (there - offset).distance(own * scale);
-    let largest = shape.positions().iter().zip(placed.positions()).map(moved).fold(0.0, f64::max);
+    let moved = |(own, there): (DVec3, DVec3)| (there - offset).distance(own * scale);
+    let largest = shape.positions().iter().zip(placed.positions().iter()).map(moved).fold(0.0, f64::max);
     let size = shape.bounds().map_or(0.0, |(low, high)| ((high - low) * scale).length());
     if size < SMALLEST {
         let text = format!(

@@ -6,7 +6,7 @@ use super::mesh::Assembler;
 use crate::io::mesh_checks::{DROP_ADVICE, build_mesh, non_finite_note};
 use crate::io::text::counted;
 use crate::io::{NonFinite, Note, Problem, ReadError};
-use crate::mesh::{Column, Columns, Faces, Mesh, MeshBuilder, MeshError, NONE, Storage};
+use crate::mesh::{Column, Columns, Faces, Mesh, MeshBuilder, MeshError, NONE, PositionsRef};
 use glam::{DVec2, DVec3};
 
 /// A column of the vertices of triangles, and where each block begins in it.
@@ -20,10 +20,12 @@ impl<'a> Assembler<'a> {
         corners: Vec<u32>,
         mut columns: Columns,
     ) -> Result<(Mesh, Vec<u32>), ReadError> {
-        let mut positions = Vec::new();
+        let mut positions: Vec<[f32; 3]> = Vec::new();
         for block in &layout.blocks {
-            self.source.spend(24 * u64::from(block.count), || self.place())?;
-            positions.extend(self.vectors(self.accessors(block).position())?);
+            self.source.spend(12 * u64::from(block.count), || self.place())?;
+            let elements = self.source.elements(self.accessors(block).position())?;
+            positions.reserve_exact(elements.count);
+            positions.extend(elements.floats::<3>(0.0));
         }
         let (normals, first) = self.column(layout, &corners, "NORMAL", |accessor| self.vectors(accessor))?;
         layout.blocks.iter_mut().zip(first).for_each(|(block, first)| block.first_normal = first);
@@ -34,11 +36,11 @@ impl<'a> Assembler<'a> {
         columns.uvs = self.column(layout, &corners, "TEXCOORD_0", uvs)?.0;
         columns.colors = self.colors(layout)?;
         columns.morph_targets = self.morph_targets(layout, positions.len())?;
-        let note = non_finite_note(&positions, self.non_finite);
+        let note = non_finite_note(PositionsRef::F32(&positions), self.non_finite);
         let note = note.map(|note| Note { place: self.place(), ..note });
         self.source.notes.borrow_mut().extend(note);
         let faces = Faces::triangles(corners);
-        let builder = MeshBuilder { positions, storage: Storage::F32, faces, columns };
+        let builder = MeshBuilder { positions: positions.into(), faces, columns };
         build_mesh(builder, self.non_finite).map_err(|error| match error {
             MeshError::NonFinite { vertex, position } => self.non_finite_position(layout, vertex, position),
             other => out_of_range(self.place(), other.to_string()),

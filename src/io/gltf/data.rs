@@ -36,7 +36,7 @@ impl<T: NoUninit> Bytes for Vec<T> {
     }
 }
 
-impl Bytes for Cow<'_, [u32]> {
+impl<T: NoUninit> Bytes for Cow<'_, [T]> {
     fn bytes(&self) -> &[u8] {
         bytemuck::cast_slice(self)
     }
@@ -96,11 +96,13 @@ impl<'a> Blob<'a> {
         offset
     }
 
-    /// The bytes, piece by piece, fillers included.
-    pub fn pieces(&self) -> Vec<&[u8]> {
-        const FILLER: [u8; 4] = [0; 4];
-        let bytes = self.pieces.iter().map(|piece| piece.bytes());
-        bytes.flat_map(|bytes| [bytes, &FILLER[..padded(bytes.len()) - bytes.len()]]).collect()
+    /// Appends the bytes, fillers included. Each piece is freed when it is copied.
+    pub fn append_to(&mut self, out: &mut Vec<u8>) {
+        for piece in self.pieces.drain(..) {
+            let end = out.len() + padded(piece.bytes().len());
+            out.extend_from_slice(piece.bytes());
+            out.resize(end, 0);
+        }
     }
 }
 

@@ -103,20 +103,33 @@ impl Glb {
             (Some(number), Some(bin)) => chunks[number].1 = vec![bin],
             (None, Some(bin)) => chunks.insert(1, (BIN, vec![bin])),
         }
-        assemble(&chunks)
+        assemble(&chunks, 0)
     }
 }
 
 /// A new GLB file from JSON and BIN.
 pub fn glb(json: &str, bin: Vec<&[u8]>) -> Result<Vec<u8>, WriteError> {
-    let has_bin = bin.iter().any(|piece| !piece.is_empty());
-    let chunks = [(JSON, vec![json.as_bytes()]), (BIN, bin)];
-    assemble(if has_bin { &chunks } else { &chunks[..1] })
+    let mut out = before_bin(json, bin.iter().map(|piece| piece.len()).sum())?;
+    bin.iter().for_each(|piece| out.extend_from_slice(piece));
+    out.resize(padded(out.len()), 0);
+    Ok(out)
 }
 
-fn assemble(chunks: &[(u32, Vec<&[u8]>)]) -> Result<Vec<u8>, WriteError> {
+/// A new GLB file up to its BIN, which the caller appends: so many bytes, then zeros up to a multiple of four.
+pub fn before_bin(json: &str, length: usize) -> Result<Vec<u8>, WriteError> {
+    let chunk = if length > 0 { 8 + padded(length) } else { 0 };
+    let mut out = assemble(&[(JSON, vec![json.as_bytes()])], chunk)?;
+    if length > 0 {
+        out.extend_from_slice(&(padded(length) as u32).to_le_bytes());
+        out.extend_from_slice(&BIN.to_le_bytes());
+    }
+    Ok(out)
+}
+
+/// A file of these chunks, with room for so many bytes more.
+fn assemble(chunks: &[(u32, Vec<&[u8]>)], room: usize) -> Result<Vec<u8>, WriteError> {
     let size = |pieces: &[&[u8]]| pieces.iter().map(|piece| piece.len()).sum::<usize>();
-    let length = 12 + chunks.iter().map(|(_, pieces)| 8 + padded(size(pieces))).sum::<usize>();
+    let length = 12 + room + chunks.iter().map(|(_, pieces)| 8 + padded(size(pieces))).sum::<usize>();
     let Ok(counted) = u32::try_from(length) else {
         let text = format!("the GLB would have {length} bytes (limit 4 GiB); write .gltf instead");
         return Err(WriteError::TooLarge(text));
@@ -149,7 +162,7 @@ mod tests {
     fn unknown_chunks_stay_where_they_are() {
         let chunk = |kind, data: &'static [u8]| (kind, vec![data]);
         let chunks = [chunk(JSON, b"{}  "), chunk(7, b"abcd"), chunk(BIN, b"1234"), chunk(9, b"xy\0\0")];
-        let file = assemble(&chunks).unwrap();
+        let file = assemble(&chunks, 0).unwrap();
         let glb = Glb::parse(&file, &mut Vec::new()).unwrap();
         assert_eq!(&file[glb.json()], b"{}  ");
         assert_eq!(&file[glb.bin().unwrap()], b"1234");

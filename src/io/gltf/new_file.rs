@@ -16,7 +16,7 @@ use crate::io::{
     FileMaterial, Format, NormalFormat, Note, OutputContent, OutputFile, Part, WriteError, WriteOptions,
     Written,
 };
-use crate::mesh::{Column, FaceLabels, Mesh, NONE};
+use crate::mesh::{Column, FaceLabels, Mesh, NONE, PositionsRef};
 use glam::DVec3;
 use gltf::json::mesh as mode;
 use rayon::prelude::*;
@@ -45,13 +45,16 @@ pub(in crate::io) fn write(
     let old: usize = parts.iter().map(|part| part.mesh.vertex_count()).sum();
     written.added_vertices = written.vertices.saturating_sub(old as u64);
     written.notes.extend(notes(parts, unused, file.textures));
-    let pieces = file.blob.pieces();
+    let length = file.blob.length as usize;
     if to == Format::Glb {
-        written.bytes = glb::glb(&file.json(None), pieces)?;
-    } else if file.blob.length == 0 {
+        written.bytes = glb::before_bin(&file.json(None), length)?;
+        file.blob.append_to(&mut written.bytes);
+    } else if length == 0 {
         written.bytes = file.json(None).into_bytes();
     } else {
-        let (name, data) = (options.stem.as_ref().map(|stem| format!("{stem}.bin")), pieces.concat());
+        let name = options.stem.as_ref().map(|stem| format!("{stem}.bin"));
+        let mut data = Vec::with_capacity(length);
+        file.blob.append_to(&mut data);
         written.bytes = file.json(Some(&address(name.as_deref(), &data))).into_bytes();
         let companion = name.map(|name| OutputFile { name, content: OutputContent::Bytes(data) });
         written.companions.extend(companion);
@@ -143,7 +146,7 @@ impl<'a> File<'a> {
     }
 
     /// Stores the vertex attributes, which all primitives of the part share.
-    fn attributes(&mut self, split: &SplitMesh<'_>) -> Result<Attributes, WriteError> {
+    fn attributes(&mut self, split: &SplitMesh<'a>) -> Result<Attributes, WriteError> {
         let columns = split.mesh.columns();
         let vertices = split.vertex_count();
         self.written.vertices += vertices as u64;
@@ -293,10 +296,16 @@ fn values<T: Sync, U: Copy + Send + Sync>(
     vertices.map(|vertex| split.value(column, vertex).map_or(default, &convert)).collect()
 }
 
+/// Positions in single precision: those of a mesh, if it has such.
+type Singles<'a> = Cow<'a, [[f32; 3]]>;
+
 /// Positions as `f32`, and their bounds.
-fn positions(split: &SplitMesh<'_>, notes: &mut Vec<Note>) -> Result<(Vec<[f32; 3]>, Bounds), WriteError> {
+fn positions<'a>(split: &SplitMesh<'a>, notes: &mut Vec<Note>) -> Result<(Singles<'a>, Bounds), WriteError> {
     let mesh = split.mesh;
-    let rounded: Vec<[f32; 3]> = mesh.positions().par_iter().map(|p| p.as_vec3().to_array()).collect();
+    let rounded: Singles = match mesh.positions() {
+        PositionsRef::F32(points) => points.into(),
+        PositionsRef::F64(points) => points.par_iter().map(|p| p.as_vec3().to_array()).collect(),
+    };
     let none = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
     let join = |(low, high): ([f32; 3], [f32; 3]), (l, h): ([f32; 3], [f32; 3])| {
         let axes = [0, 1, 2];

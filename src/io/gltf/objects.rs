@@ -144,8 +144,8 @@ impl<'a> Cutter<'a> {
         columns.colors = old.colors.as_ref().map(|colors| self.vertices.values(colors));
         let targets = old.morph_targets.iter();
         columns.morph_targets = targets.map(|target: &Vec<DVec3>| self.vertices.values(target)).collect();
-        let positions = self.vertices.values(mesh.positions());
-        let builder = MeshBuilder { positions, storage: mesh.storage(), faces, columns };
+        let positions = mesh.positions().gather(&self.vertices.list);
+        let builder = MeshBuilder { positions, faces, columns };
         builder.build().expect("a piece of a valid mesh is valid")
     }
 }
@@ -200,7 +200,6 @@ mod tests {
             positions: (0..6).map(|v| DVec3::new(v.into(), (v * v).into(), 0.0)).collect(),
             faces: Faces::polygons(vec![0, 1, 2, 3, 2, 1, 0, 3, 2, 1], vec![0, 3, 6, 10]),
             columns,
-            ..MeshBuilder::default()
         };
         let part = Part { name: "all".into(), mesh: mesh.build().unwrap(), non_finite_faces: Vec::new() };
         let (pieces, unused) = by_object(&part).unwrap();
@@ -215,7 +214,7 @@ mod tests {
             assert_eq!(mesh.faces().corner_count(), corners.len());
             for (corner, before) in corners.into_iter().enumerate() {
                 let (vertex, old_vertex) = (mesh.faces().corners()[corner], old.faces().corners()[before]);
-                assert_eq!(mesh.positions()[vertex as usize], old.positions()[old_vertex as usize]);
+                assert_eq!(mesh.positions().at(vertex), old.positions().at(old_vertex));
                 let (new, old) = (mesh.columns(), old.columns());
                 assert_eq!(new.colors.as_ref().unwrap()[vertex as usize][0], old_vertex as f32);
                 let normal = |columns: &Columns, corner, vertex| {
@@ -233,7 +232,7 @@ mod tests {
         assert_eq!((&smoothing.of_face[..], smoothing.before_first), (&[0, 5][..], 1));
         let loose = &pieces[2].mesh;
         assert_eq!((loose.vertex_count(), &loose.columns().lines[..]), (2, &[vec![0, 1]][..]));
-        assert_eq!(loose.positions()[0], old.positions()[4]);
+        assert_eq!(loose.positions().at(0), old.positions().at(4));
     }
 
     #[test]
@@ -242,8 +241,7 @@ mod tests {
             let names = vec!["a".to_owned()];
             let columns = Columns { objects: Some(FaceLabels { of_face, names }), ..Columns::default() };
             let faces = Faces::triangles(vec![0, 1, 2, 2, 1, 0]);
-            let mesh =
-                MeshBuilder { positions: vec![DVec3::ZERO; 3], faces, columns, ..MeshBuilder::default() };
+            let mesh = MeshBuilder { positions: vec![DVec3::ZERO; 3].into(), faces, columns };
             Part { name: String::new(), mesh: mesh.build().unwrap(), non_finite_faces: Vec::new() }
         };
         assert!(by_object(&with(vec![0, 0])).is_none());

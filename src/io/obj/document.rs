@@ -12,7 +12,7 @@ use std::sync::OnceLock;
 /// An OBJ file as it was read.
 #[derive(Clone, Debug)]
 pub struct ObjDocument {
-    /// `None` after [`forget_text`](Self::forget_text).
+    /// `None` after [`free_text`](Self::free_text).
     pub(super) text: Option<Vec<u8>>,
     pub(super) lines: OnceLock<ObjLines>,
     /// Where new normals go, and how many `vn` lines are before that.
@@ -35,6 +35,11 @@ impl ObjDocument {
     /// Frees the text and keeps its line numbers.
     pub(in crate::io) fn forget_text(&mut self) {
         self.lines();
+        self.free_text();
+    }
+
+    /// Frees the text; line numbers that were not asked for before are lost.
+    pub(in crate::io) fn free_text(&mut self) {
         self.text = None;
     }
 

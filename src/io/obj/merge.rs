@@ -7,9 +7,11 @@ use super::piece::{Content, Label};
 use super::statements::{Keyword, statements};
 use crate::io::error::RepeatedNotes;
 use crate::io::mesh_checks::{DROP_ADVICE, build_mesh, non_finite_note};
-use crate::io::text::{at_byte, float, integer_prefix, restore_singles, shown};
+use crate::io::text::{at_byte, float, integer_prefix, shown, storage_of_text};
 use crate::io::{NonFinite, Note, Problem, ReadError};
-use crate::mesh::{Column, Columns, FaceLabels, Faces, Mesh, MeshBuilder, MeshError, NONE, SmoothingGroups};
+use crate::mesh::{
+    Column, Columns, FaceLabels, Faces, Mesh, MeshBuilder, MeshError, NONE, Positions, SmoothingGroups,
+};
 use glam::DVec2;
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -43,10 +45,10 @@ pub(super) fn merge(mut content: Content, text: &[u8], non_finite: NonFinite) ->
         true => Faces::triangles(content.corners.values),
         false => Faces::polygons(content.corners.values, content.face_offsets),
     };
-    let mut positions = content.positions;
-    file_notes.extend(non_finite_note(&positions, non_finite));
-    let storage = restore_singles(&mut [&mut positions]);
-    let builder = MeshBuilder { positions, storage, faces, columns };
+    let storage = storage_of_text(&[&content.positions]);
+    let positions = Positions::rounded(content.positions, storage);
+    file_notes.extend(non_finite_note(positions.view(), non_finite));
+    let builder = MeshBuilder { positions, faces, columns };
     let (mesh, non_finite_faces) =
         build_mesh(builder, non_finite).map_err(|error| mesh_error(text, &error))?;
     let libraries = labels.of(Keyword::Library).map(|label| name_text(labels.name(label))).collect();

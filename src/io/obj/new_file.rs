@@ -278,7 +278,7 @@ impl<'a> NormalNumbers<'a> {
 mod tests {
     use super::*;
     use crate::io::{Format, ReadOptions, read_bytes};
-    use crate::mesh::{Column, Columns, Faces, MeshBuilder, SmoothingGroups};
+    use crate::mesh::{Column, Columns, Faces, MeshBuilder, Positions, SmoothingGroups};
     use glam::{DVec2, DVec3};
 
     fn written(parts: &[Part]) -> String {
@@ -288,8 +288,10 @@ mod tests {
 
     fn part(name: &str, columns: Columns) -> Part {
         let mesh = MeshBuilder {
-            positions: vec![DVec3::ZERO, DVec3::X * f64::from(0.1_f32), DVec3::Y, DVec3::ONE],
-            storage: Storage::F32,
+            positions: Positions::rounded(
+                vec![DVec3::ZERO, DVec3::X * f64::from(0.1_f32), DVec3::Y, DVec3::ONE],
+                Storage::F32,
+            ),
             faces: Faces::polygons(vec![0, 1, 2, 0, 1, 3, 2], vec![0, 3, 7]),
             columns,
         };

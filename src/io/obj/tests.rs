@@ -126,7 +126,7 @@ fn lines_end_and_go_on_as_they_like() {
         "v 0 0 0\nv 1 0 0\nv 0 1 0\n# \0\u{fe}\nf 1 2 3\n",
     ] {
         let mesh = mesh(text);
-        assert_eq!(mesh.positions(), [DVec3::ZERO, DVec3::X, DVec3::Y], "{text:?}");
+        assert_eq!(mesh.positions().to_vec(), [DVec3::ZERO, DVec3::X, DVec3::Y], "{text:?}");
         let faces: Vec<_> = mesh.faces().iter().map(<[u32]>::to_vec).collect();
         assert_eq!(faces, expected, "{text:?}");
     }

@@ -153,7 +153,7 @@ impl Writer {
             for property in 0..self.layout.vertex.len() {
                 let (content, scalar, names) = self.layout.vertex[property];
                 let values = match content {
-                    Content::Position => part.mesh.positions()[source].extend(0.0),
+                    Content::Position => part.mesh.positions().at(source as u32).extend(0.0),
                     Content::Normal => {
                         let normal = columns.normals.as_ref().and_then(|column| part.value(column, vertex));
                         self.normal_or_z(normal, || part.is_used(vertex)).extend(0.0)

@@ -8,9 +8,9 @@ use super::scalar::{Encoding, Scalar};
 use crate::io::error::{NoteKind, RepeatedNotes};
 use crate::io::mesh_checks::check_size;
 use crate::io::mesh_checks::{build_part, non_finite_note};
-use crate::io::text::{counted, in_text, restore_singles};
+use crate::io::text::{counted, in_text, storage_of_text};
 use crate::io::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions, Severity};
-use crate::mesh::{Column, Faces, MeshBuilder, MeshError, NONE, Storage};
+use crate::mesh::{Column, Faces, MeshBuilder, MeshError, NONE, Positions, Storage};
 use glam::{DVec2, DVec3};
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -44,7 +44,7 @@ pub fn read(bytes: Vec<u8>, _base: Option<&Path>, options: &ReadOptions) -> Resu
         _ => error,
     })?;
     let mut notes = notes(&reading, &rows, &header);
-    notes.extend(non_finite_note(&reading.mesh.positions, options.non_finite));
+    notes.extend(non_finite_note(reading.mesh.positions.view(), options.non_finite));
     let Reading { mesh, packed, non_finite, out_of_range, .. } = reading;
     let part = build_part(String::new(), mesh, options, |error| {
         let offset = match error {
@@ -103,7 +103,12 @@ impl Reading {
         let kinds: Vec<Scalar> = element.properties.iter().map(|property| property.kind.scalar()).collect();
         let count = rows.plausible_count(element);
         let (mesh, notes, non_finite) = (&mut self.mesh, &mut self.notes, &mut self.non_finite);
-        mesh.positions.reserve(count);
+        let is = |scalars: &[Scalar]| role.position.into_iter().all(|at| scalars.contains(&kinds[at]));
+        // Wide integers may be more than an `f32` holds, and so may text.
+        let is_narrow = is(&[Scalar::F32, Scalar::I8, Scalar::U8, Scalar::I16, Scalar::U16]);
+        let are_singles = is_narrow && rows.encoding != Encoding::Ascii;
+        let mut singles: Vec<[f32; 3]> = Vec::with_capacity(if are_singles { count } else { 0 });
+        let mut doubles = Vec::with_capacity(if are_singles { 0 } else { count });
         let mut normals = role.normal.map(|_| Vec::with_capacity(count));
         let mut uvs = role.uv.map(|_| Vec::with_capacity(count));
         let mut colors = role.color.map(|_| Vec::with_capacity(count));
@@ -114,7 +119,10 @@ impl Reading {
             if !position.is_finite() && non_finite.is_none() {
                 *non_finite = row.fields.first().map(|field| field.start);
             }
-            mesh.positions.push(position);
+            match are_singles {
+                true => singles.push(position.as_vec3().to_array()),
+                false => doubles.push(position),
+            }
             if let (Some(normal), Some(normals)) = (role.normal, &mut normals) {
                 normals.push(vector(normal)?);
             }
@@ -134,13 +142,17 @@ impl Reading {
         })?;
         let exact = |at: usize| match kinds[at] {
             Scalar::F64 => false,
-            Scalar::I32 | Scalar::U32 => mesh.positions.iter().all(|p| p.as_vec3().as_dvec3() == *p),
+            Scalar::I32 | Scalar::U32 => doubles.iter().all(|p| p.as_vec3().as_dvec3() == *p),
             _ => true,
         };
-        mesh.storage = match (role.position.into_iter().all(exact), rows.encoding) {
-            (true, Encoding::Ascii) => restore_singles(&mut [&mut mesh.positions]),
-            (true, _) => Storage::F32,
-            (false, _) => Storage::F64,
+        mesh.positions = match (role.position.into_iter().all(exact), rows.encoding) {
+            _ if are_singles => singles.into(),
+            (true, Encoding::Ascii) => {
+                let storage = storage_of_text(&[&doubles]);
+                Positions::rounded(doubles, storage)
+            }
+            (true, _) => Positions::rounded(doubles, Storage::F32),
+            (false, _) => doubles.into(),
         };
         if let (Some([x, ..]), Some(normals)) = (role.normal, &mut normals) {
             self.packed.vertices = unpack(normals, kinds[x]);

@@ -61,7 +61,7 @@ fn binary(encoding: Encoding, normal: Scalar, unit: f64) -> Vec<u8> {
 fn ascii_is_read_as_it_comes() {
     let loaded = load(ASCII);
     let mesh = &loaded.parts[0].mesh;
-    assert_eq!(mesh.positions(), [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y]);
+    assert_eq!(mesh.positions().to_vec(), [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y]);
     assert_eq!(mesh.faces().corners(), [0, 1, 2, 0, 2, 3]);
     assert_eq!(mesh.storage(), Storage::F64);
     assert!(loaded.notes.is_empty() && mesh.columns().normals.is_none());
@@ -90,7 +90,7 @@ fn binary_is_read_in_both_orders_and_all_types() {
             let loaded = load(binary(encoding, scalar, unit));
             let mesh = &loaded.parts[0].mesh;
             assert_eq!(mesh.faces().corners(), [0, 1, 2, 0, 2, 3]);
-            assert_eq!(mesh.positions()[2], DVec3::new(1.0, 1.0, 0.1));
+            assert_eq!(mesh.positions().at(2), DVec3::new(1.0, 1.0, 0.1));
             assert_eq!(mesh.columns().normals, Some(Column::per_vertex(vec![DVec3::Z; 4])));
             assert_eq!(mesh.storage(), Storage::F64);
         }
@@ -266,7 +266,7 @@ fn indices_widen_when_splits_need_it() {
     let again = load(&written.bytes);
     let (old, new) = (&loaded.parts[0].mesh, &again.parts[0].mesh);
     assert!(new.vertex_count() > 256 && written.added_vertices == new.vertex_count() as u64 - 200);
-    let place = |mesh: &Mesh, corner: usize| mesh.positions()[mesh.faces().corners()[corner] as usize];
+    let place = |mesh: &Mesh, corner: usize| mesh.positions().at(mesh.faces().corners()[corner]);
     let column = new.columns().normals.as_ref().unwrap();
     for corner in 0..600 {
         assert_eq!(place(old, corner), place(new, corner));
@@ -364,8 +364,8 @@ fn a_new_file_has_all_that_ply_can_hold() {
     let mut mesh = MeshBuilder {
         positions: [[0., 0.], [1., 0.], [1., 1.], [0.5, 2.], [0., 1.]]
             .map(|[x, y]| DVec3::new(x, y, 0.0))
-            .to_vec(),
-        storage: Storage::F64,
+            .to_vec()
+            .into(),
         faces,
         ..MeshBuilder::default()
     };

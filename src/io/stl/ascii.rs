@@ -3,10 +3,10 @@
 use crate::io::error::{NoteKind, RepeatedNotes};
 use crate::io::mesh_checks::{build_part, non_finite_note};
 use crate::io::text::{
-    Words, at_byte, float, in_text, is_blank, line_place, line_places, restore_singles, shown,
+    Words, at_byte, float, in_text, is_blank, line_place, line_places, shown, storage_of_text,
 };
 use crate::io::{Note, Part, Place, Problem, ReadError, ReadOptions};
-use crate::mesh::{Column, Columns, Faces, MeshBuilder, MeshError, NONE, Storage};
+use crate::mesh::{Column, Columns, Faces, MeshBuilder, MeshError, NONE, Positions, PositionsRef, Storage};
 use glam::DVec3;
 use std::ops::Range;
 
@@ -47,12 +47,13 @@ pub(super) struct SolidText {
 pub(super) fn read(text: &[u8], options: &ReadOptions) -> Result<(Vec<Part>, Vec<Note>), ReadError> {
     let mut parser = Parser::new(text);
     parser.run().map_err(|error| in_text(error, text))?;
-    let Parser { notes, mut solids, .. } = parser;
+    let Parser { notes, solids, .. } = parser;
     let mut notes: Vec<Note> =
         notes.notes(|offsets| line_places(text, offsets)).map(|(_, note)| note).collect();
-    let mut positions: Vec<&mut [DVec3]> = solids.iter_mut().map(|solid| &mut solid.positions[..]).collect();
-    let storage = restore_singles(&mut positions);
-    notes.extend(solids.iter().filter_map(|solid| non_finite_note(&solid.positions, options.non_finite)));
+    let positions: Vec<&[DVec3]> = solids.iter().map(|solid| &solid.positions[..]).collect();
+    let storage = storage_of_text(&positions);
+    let non_finite = |positions| non_finite_note(PositionsRef::F64(positions), options.non_finite);
+    notes.extend(positions.into_iter().filter_map(non_finite));
     let parts = solids.into_iter().map(|solid| part(text, solid, storage, options));
     Ok((parts.collect::<Result<_, _>>()?, notes))
 }
@@ -80,7 +81,7 @@ fn part(text: &[u8], solid: SolidText, storage: Storage, options: &ReadOptions) 
     }
     let normals = (!values.is_empty()).then(|| Column::per_corner(values, index));
     let columns = Columns { normals, ..Columns::default() };
-    let builder = MeshBuilder { positions, storage, faces, columns };
+    let builder = MeshBuilder { positions: Positions::rounded(positions, storage), faces, columns };
     build_part(name, builder, options, |error| match error {
         MeshError::NonFinite { vertex, .. } => line_place(text, vertices[*vertex].start),
         _ => Place::File,

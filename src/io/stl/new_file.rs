@@ -27,7 +27,7 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
             let normal = normals[face as usize];
             without_normal += usize::from(normal.is_none());
             let corners = triangle.map(|corner| mesh.faces().corners()[corner as usize] as usize);
-            let [a, b, c] = corners.map(|vertex| stored(mesh.positions()[vertex]));
+            let [a, b, c] = corners.map(|vertex| stored(mesh.positions().at(vertex as u32)));
             let vectors = [normal.map_or([0.0; 3], stored), a, b, c];
             let vectors = vectors.map(|vector| vector.map(f32::to_le_bytes));
             bytes.extend_from_slice(vectors.as_flattened().as_flattened());

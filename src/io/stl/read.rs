@@ -8,7 +8,7 @@ use crate::io::mesh_checks::check_size;
 use crate::io::mesh_checks::{build_part, non_finite_note};
 use crate::io::text::counted;
 use crate::io::{Document, Format, Loaded, Note, Part, Place, Problem, ReadError, ReadOptions};
-use crate::mesh::{Column, Columns, Faces, MeshBuilder, MeshError, Storage};
+use crate::mesh::{Column, Columns, Faces, MeshBuilder, MeshError, PositionsRef};
 use glam::DVec3;
 use std::path::Path;
 
@@ -34,10 +34,10 @@ fn facets_of(count: usize) -> String {
     counted(count, "facet", "facets")
 }
 
-fn vectors(facet: &[u8]) -> [DVec3; 4] {
+fn vectors(facet: &[u8; FACET]) -> [[f32; 3]; 4] {
     let (values, _) = facet.as_chunks::<4>();
-    let number = |k: usize| f64::from(f32::from_le_bytes(values[k]));
-    [0, 3, 6, 9].map(|k| DVec3::new(number(k), number(k + 1), number(k + 2)))
+    let number = |k: usize| f32::from_le_bytes(values[k]);
+    [0, 3, 6, 9].map(|k| [number(k), number(k + 1), number(k + 2)])
 }
 
 /// Reads so many facets, of which there are at least as many bytes.
@@ -52,14 +52,14 @@ fn read_binary(
     let mut normals = Vec::with_capacity(count);
     for facet in facets {
         let [normal, a, b, c] = vectors(facet);
-        normals.push(normal);
+        normals.push(DVec3::from(normal.map(f64::from)));
         positions.extend([a, b, c]);
     }
     let corners = 3 * count as u32;
-    let mut notes: Vec<Note> = non_finite_note(&positions, options.non_finite).into_iter().collect();
+    let mut notes: Vec<Note> =
+        non_finite_note(PositionsRef::F32(&positions), options.non_finite).into_iter().collect();
     let builder = MeshBuilder {
-        positions,
-        storage: Storage::F32,
+        positions: positions.into(),
         faces: Faces::triangles((0..corners).collect()),
         columns: Columns {
             normals: (count > 0).then(|| Column::per_corner(normals, (0..corners).map(|k| k / 3).collect())),

@@ -48,7 +48,7 @@ fn binary_is_identified_by_its_length() {
     let loaded = load(binary(3));
     let mesh = &loaded.parts[0].mesh;
     assert_eq!((mesh.face_count(), mesh.vertex_count(), mesh.storage()), (3, 9, Storage::F32));
-    assert_eq!(mesh.positions()[7], DVec3::new(1.0, 0.0, 2.0));
+    assert_eq!(mesh.positions().at(7), DVec3::new(1.0, 0.0, 2.0));
     let normals = mesh.columns().normals.as_ref().unwrap();
     assert_eq!(normals.values, [DVec3::ZERO, DVec3::Z, DVec3::Z * 2.0]);
     assert_eq!(normals.index, ColumnIndex::PerCorner(vec![0, 0, 0, 1, 1, 1, 2, 2, 2]));
@@ -122,7 +122,7 @@ fn ascii_edits_change_numbers_only() {
         .replace("nan 0 0", "0 0 1");
     assert_eq!(text, expected);
     let again = load(&text);
-    assert_eq!(again.parts[0].mesh.positions()[1], DVec3::Y);
+    assert_eq!(again.parts[0].mesh.positions().at(1), DVec3::Y);
 }
 
 #[test]
@@ -230,7 +230,7 @@ fn a_new_file_has_facets_of_all_parts() {
     let positions = vec![DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y * 0.1];
     let mut faces = Faces::new();
     faces.push(&[0, 1, 2, 3]);
-    let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
+    let mesh = MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build().unwrap();
     let normal = |index: Vec<u32>| Some(Column::per_corner(vec![DVec3::Z, DVec3::X], index));
     let part = |name: &str, mesh: Mesh| Part { name: name.to_owned(), mesh, ..Part::default() };
     let parts = [
@@ -245,10 +245,12 @@ fn a_new_file_has_facets_of_all_parts() {
     assert!(is_certain(&written.bytes));
     let values = &again.parts[0].mesh.columns().normals.as_ref().unwrap().values;
     assert_eq!(values, &[DVec3::Z, DVec3::Z, DVec3::ZERO, DVec3::ZERO]);
-    assert_eq!(again.parts[0].mesh.positions()[0], DVec3::ZERO);
+    assert_eq!(again.parts[0].mesh.positions().at(0), DVec3::ZERO);
     let texts: Vec<_> = written.notes.iter().map(|note| note.text.as_str()).collect();
     assert_eq!(texts.len(), 4, "{texts:?}");
     assert!(texts[3].contains("rounded"));
-    let far = MeshBuilder { positions: vec![DVec3::splat(1e300)], ..MeshBuilder::default() }.build().unwrap();
+    let far = MeshBuilder { positions: vec![DVec3::splat(1e300)].into(), ..MeshBuilder::default() }
+        .build()
+        .unwrap();
     assert!(matches!(write(&[part("", far)], &WriteOptions::default()), Err(WriteError::Unsupported(_))));
 }

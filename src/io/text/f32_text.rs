@@ -12,21 +12,17 @@ const ENOUGH: usize = 20;
 /// The digits of a floating-point number that C, C++ and Python print by default.
 const DIGITS: i32 = 6;
 
-/// Finds whether the coordinates of a text were printed from `f32`, and rounds them to `f32` if so.
+/// Finds whether the coordinates of a text were printed from `f32`. If so, round them to `f32`.
 ///
 /// The shortest decimal of an `f32` is a different `f64`, up to half a spacing away, which rotates the normal of a sliver by many
 /// degrees. The coordinates were `f32` if each has the shortest spelling of one, and enough of them end in a digit finer than
 /// single precision or have fewer decimals the larger they are. Numbers with a fixed count of decimals stay unchanged.
-pub fn restore_singles(parts: &mut [&mut [DVec3]]) -> Storage {
+pub fn storage_of_text(parts: &[&[DVec3]]) -> Storage {
     let all = parts.par_iter().flat_map(|part| part.par_iter());
     let spellings = all.try_fold(Spellings::default, Spellings::with);
     let spellings = spellings.try_reduce(Spellings::default, |a, b| Some(a.and(&b)));
-    if !spellings.is_some_and(|spellings| spellings.fine >= ENOUGH || spellings.is_floating()) {
-        return Storage::F64;
-    }
-    let all = parts.par_iter_mut().flat_map(|part| part.par_iter_mut());
-    all.for_each(|position| *position = position.as_vec3().as_dvec3());
-    Storage::F32
+    let are_singles = |spellings: Spellings| spellings.fine >= ENOUGH || spellings.is_floating();
+    if spellings.is_some_and(are_singles) { Storage::F32 } else { Storage::F64 }
 }
 
 /// The powers of ten of first digits of `f32`: from 10⁻⁴⁵ to 10³⁸.
@@ -191,6 +187,7 @@ impl Spelling {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mesh::Positions;
     use crate::num::test_numbers::Numbers;
 
     fn positions(spell: impl Fn(f64) -> String) -> Vec<DVec3> {
@@ -203,24 +200,22 @@ mod tests {
     fn what_was_printed_from_singles_is_single_precision() {
         let exact = |x: f64| f64::from(x as f32).to_string();
         let printed = |x: f64| (x as f32).to_string();
-        let mut read = positions(printed);
+        let read = positions(printed);
         assert_ne!(read, positions(exact));
-        assert_eq!(restore_singles(&mut [&mut read]), Storage::F32);
-        assert_eq!(read, positions(exact));
+        assert_eq!(storage_of_text(&[&read]), Storage::F32);
+        assert_eq!(Positions::rounded(read, Storage::F32).view().to_vec(), positions(exact));
         // One number of its own is enough against it.
         let mut other = positions(printed);
         other[17].y = 0.1 + 0.2;
-        let before = other.clone();
-        assert_eq!((restore_singles(&mut [&mut other]), other), (Storage::F64, before));
+        assert_eq!(storage_of_text(&[&other]), Storage::F64);
     }
 
     /// As `%g` and C++ streams print.
     #[test]
     fn six_digits_of_large_and_small_numbers_are_singles_at_any_scale() {
         for scale in [1e-12, 1e-3, 1.0, 1e3, 1e9] {
-            let mut read = positions(|x| format!("{:.5e}", scale * x));
-            let rounded: Vec<DVec3> = read.iter().map(|p| p.as_vec3().as_dvec3()).collect();
-            assert_eq!((restore_singles(&mut [&mut read]), read), (Storage::F32, rounded), "{scale}");
+            let read = positions(|x| format!("{:.5e}", scale * x));
+            assert_eq!(storage_of_text(&[&read]), Storage::F32, "{scale}");
         }
     }
 
@@ -236,13 +231,11 @@ mod tests {
             |x| format!("{x:.7e}"),
         ];
         for spell in spellings {
-            let mut read = positions(spell);
-            let before = read.clone();
-            assert_eq!((restore_singles(&mut [&mut read]), read), (Storage::F64, before), "{}", spell(0.1));
+            assert_eq!(storage_of_text(&[&positions(spell)]), Storage::F64, "{}", spell(0.1));
         }
         // With 6 decimals numbers between 8 and 16 are as near to each other as singles there.
-        let mut dozen: Vec<DVec3> = (0..99).map(|i| DVec3::splat(f64::from(12_000_001 + i) / 1e6)).collect();
-        assert_eq!(restore_singles(&mut [&mut dozen]), Storage::F64);
+        let dozen: Vec<DVec3> = (0..99).map(|i| DVec3::splat(f64::from(12_000_001 + i) / 1e6)).collect();
+        assert_eq!(storage_of_text(&[&dozen]), Storage::F64);
     }
 
     #[test]

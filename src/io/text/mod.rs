@@ -12,7 +12,7 @@ mod changes;
 mod message;
 
 pub(super) use changes::{Changes, Copier};
-pub(super) use f32_text::restore_singles;
+pub(super) use f32_text::storage_of_text;
 pub use message::shell_word;
 pub(super) use message::{at_byte, counted, in_text, line_and_column, line_place, line_places, shown};
 pub(super) use numbers::{float, float_prefix, integer_prefix, push_f32, push_f64, push_integer, push_row};

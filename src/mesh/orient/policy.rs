@@ -115,7 +115,7 @@ fn null_if_zero<S: serde::Serializer>(confidence: &f64, serializer: S) -> Result
 ///
 /// // A tetrahedron with its last face reversed.
 /// let mesh = MeshBuilder {
-///     positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z],
+///     positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z].into(),
 ///     faces: Faces::triangles(vec![0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 3, 2]),
 ///     ..MeshBuilder::default()
 /// }

@@ -8,7 +8,7 @@ use glam::DVec3;
 fn build(positions: Vec<DVec3>, faces: &[Vec<u32>]) -> Mesh {
     let mut list = Faces::new();
     faces.iter().for_each(|face| list.push(face));
-    MeshBuilder { positions, faces: list, ..MeshBuilder::default() }.build().unwrap()
+    MeshBuilder { positions: positions.into(), faces: list, ..MeshBuilder::default() }.build().unwrap()
 }
 
 /// A sphere of 8·4ˡ triangles, facing outwards.
@@ -55,7 +55,7 @@ fn union(meshes: &[Mesh]) -> Mesh {
     let (mut positions, mut faces) = (Vec::new(), Vec::new());
     for mesh in meshes {
         let first = positions.len() as u32;
-        positions.extend_from_slice(mesh.positions());
+        positions.extend(mesh.positions().iter());
         faces.extend(mesh.faces().iter().map(|face| face.iter().map(|v| v + first).collect()));
     }
     build(positions, &faces)
@@ -67,12 +67,12 @@ fn turned(mesh: &Mesh, reversed: impl IntoIterator<Item = u32>) -> Mesh {
 
 fn mapped(mesh: &Mesh, map: impl Fn(DVec3) -> DVec3) -> Mesh {
     let faces: Vec<Vec<u32>> = mesh.faces().iter().map(<[u32]>::to_vec).collect();
-    build(mesh.positions().iter().map(|&p| map(p)).collect(), &faces)
+    build(mesh.positions().iter().map(map).collect(), &faces)
 }
 
 /// Every face with vertices of its own, as in an STL file.
 fn soup(mesh: &Mesh) -> Mesh {
-    let positions = mesh.faces().corners().iter().map(|&v| mesh.positions()[v as usize]).collect();
+    let positions = mesh.faces().corners().iter().map(|&v| mesh.positions().at(v)).collect();
     let faces: Vec<Vec<u32>> = mesh.faces().ranges().map(|r| r.map(|c| c as u32).collect()).collect();
     build(positions, &faces)
 }
@@ -161,7 +161,7 @@ fn surfaces_without_an_outside_stay() {
     let upper: Vec<Vec<u32>> = half
         .faces()
         .iter()
-        .filter(|face| face.iter().all(|&v| half.positions()[v as usize].z >= 0.0))
+        .filter(|face| face.iter().all(|&v| half.positions().at(v).z >= 0.0))
         .map(<[u32]>::to_vec)
         .collect();
     let half = turned(&build(half.positions().to_vec(), &upper), [9]);
@@ -307,7 +307,7 @@ fn numbering_does_not_matter() {
     let new_vertex = |old: u32| old * 7 % vertices;
     assert_ne!(vertices % 7, 0);
     let mut positions = vec![DVec3::ZERO; vertices as usize];
-    for (old, &p) in mesh.positions().iter().enumerate() {
+    for (old, p) in mesh.positions().iter().enumerate() {
         positions[new_vertex(old as u32) as usize] = p;
     }
     let faces: Vec<Vec<u32>> = (0..count)

@@ -5,7 +5,7 @@ use glam::{DMat3, DVec2};
 fn polygon(points: Vec<DVec3>) -> Mesh {
     let mut faces = Faces::new();
     faces.push(&(0..points.len() as u32).collect::<Vec<_>>());
-    MeshBuilder { positions: points, faces, ..Default::default() }.build().unwrap()
+    MeshBuilder { positions: points.into(), faces, ..Default::default() }.build().unwrap()
 }
 
 fn flat(points: &[[f64; 2]]) -> Vec<DVec3> {
@@ -258,7 +258,9 @@ fn triangles_pass_through_among_polygons() {
         faces.push(face);
     }
     let positions = flat(&[[0., 0.], [2., 0.], [2., 1.], [0., 1.]]);
-    let out = triangulate(&MeshBuilder { positions, faces, ..Default::default() }.build().unwrap());
+    let out = triangulate(
+        &MeshBuilder { positions: positions.into(), faces, ..Default::default() }.build().unwrap(),
+    );
     assert_eq!(out.triangles, [[0, 1, 2], [3, 4, 5], [3, 5, 6], [7, 8, 9]]);
     assert_eq!(out.source_face, [0, 1, 1, 2]);
 }

@@ -1,7 +1,6 @@
 //! Chains of crease edges: noise makes many short ones that end within a smooth surface, modelled creases few long ones.
 
-use crate::mesh::{DisjointSets, place_key};
-use glam::DVec3;
+use crate::mesh::{DisjointSets, PositionsRef, place_key};
 use rustc_hash::FxHashMap;
 
 /// Chains of crease edges: paths that end where another number of crease edges than two meet, and closed loops.
@@ -22,8 +21,8 @@ impl CreaseChains {
 
     /// The chains of crease edges on a surface with these boundary edges, each given by its two vertices. Vertices with equal
     /// positions are one.
-    pub(crate) fn of(edges: &[[u32; 2]], boundary: &[[u32; 2]], positions: &[DVec3]) -> Self {
-        let key = |vertex: u32| place_key(positions[vertex as usize]);
+    pub(crate) fn of(edges: &[[u32; 2]], boundary: &[[u32; 2]], positions: PositionsRef) -> Self {
+        let key = |vertex: u32| place_key(positions.at(vertex));
         // How many edges meet at each position, and one of them.
         let mut ends: FxHashMap<[u64; 3], (u32, u32)> = FxHashMap::default();
         let mut chains = DisjointSets::new(edges.len());
@@ -66,12 +65,13 @@ impl std::ops::Add for CreaseChains {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
 
     #[test]
     fn chains_end_at_forks_and_close_in_loops() {
         let positions: Vec<DVec3> = (0..20).map(|i| DVec3::splat(i as f64)).collect();
         let chains = |edges: &[[u32; 2]]| {
-            let CreaseChains { all, short } = CreaseChains::of(edges, &[], &positions);
+            let CreaseChains { all, short } = CreaseChains::of(edges, &[], PositionsRef::F64(&positions));
             (all, short)
         };
         assert_eq!(chains(&[]), (0, 0));
@@ -87,14 +87,16 @@ mod tests {
     #[test]
     fn chains_to_the_boundary_have_no_free_end() {
         let positions: Vec<DVec3> = (0..6).map(|i| DVec3::splat(i as f64)).collect();
-        let short = |boundary: &[[u32; 2]]| CreaseChains::of(&[[0, 1], [2, 3]], boundary, &positions).short;
+        let short = |boundary: &[[u32; 2]]| {
+            CreaseChains::of(&[[0, 1], [2, 3]], boundary, PositionsRef::F64(&positions)).short
+        };
         assert_eq!([short(&[]), short(&[[0, 4]]), short(&[[0, 4], [1, 5]])], [2, 2, 1]);
     }
 
     #[test]
     fn equal_positions_are_one_vertex() {
         let positions = [DVec3::X, DVec3::ZERO, DVec3::NEG_Y, -DVec3::ZERO, DVec3::Y, DVec3::Z];
-        let chains = CreaseChains::of(&[[0, 1], [3, 4], [4, 5]], &[], &positions);
+        let chains = CreaseChains::of(&[[0, 1], [3, 4], [4, 5]], &[], PositionsRef::F64(&positions));
         assert_eq!(chains, CreaseChains { all: 1, short: 0 });
     }
 }

@@ -211,11 +211,12 @@ mod tests {
         for face in [[1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]] {
             faces.push(&face);
         }
-        let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
+        let mesh =
+            MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build().unwrap();
         let field = by_cone(&mesh, 179.0);
         for (corner, &vertex) in mesh.faces().corners().iter().enumerate() {
             let found = *field.normals.get(corner, vertex).unwrap();
-            let diagonal = mesh.positions()[vertex as usize].normalize();
+            let diagonal = mesh.positions().at(vertex).normalize();
             assert!(found.distance(diagonal) < 1e-15, "{corner}: {found}");
         }
     }

@@ -1,6 +1,6 @@
 //! What the digits of positions allow angles between faces to be off by.
 
-use crate::mesh::{FacesRef, Mesh, Storage};
+use crate::mesh::{FacesRef, Mesh, PositionsRef, Storage};
 use glam::DVec3;
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -26,9 +26,9 @@ pub(in crate::normals) fn turns_by_rounding(mesh: &Mesh) -> Option<Vec<f64>> {
 }
 
 /// By how much the normal of a face turns at most if its corners move by so much.
-fn turn(faces: FacesRef, positions: &[DVec3], face: usize, moved: f64) -> f64 {
+fn turn(faces: FacesRef, positions: PositionsRef, face: usize, moved: f64) -> f64 {
     let corners = faces.face(face);
-    let at = |corner: usize| positions[corners[corner % corners.len()] as usize];
+    let at = |corner: usize| positions.at(corners[corner % corners.len()]);
     let first = at(0);
     let (mut doubled_area, mut diagonals) = (DVec3::ZERO, 0.0);
     for corner in 0..corners.len() {
@@ -66,7 +66,7 @@ fn rounded_to(mesh: &Mesh) -> Option<f64> {
 }
 
 fn coordinates(mesh: &Mesh) -> impl Iterator<Item = f64> {
-    mesh.positions().iter().flat_map(DVec3::to_array)
+    mesh.positions().iter().flat_map(|p| p.to_array())
 }
 
 /// The last of so many decimals, if there are no more.
@@ -81,7 +81,7 @@ fn last_digit(coordinate: f64, decimals: i32) -> Option<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{Faces, MeshBuilder};
+    use crate::mesh::{Faces, MeshBuilder, Positions};
     use crate::num::test_numbers::Numbers;
 
     fn strip(round: impl Fn(f64) -> f64, storage: Storage) -> Mesh {
@@ -89,7 +89,9 @@ mod tests {
         let mut point = || DVec3::from_array([0; 3].map(|_| round(8.0 * numbers.unit() - 4.0)));
         let positions = (0..40).map(|_| point()).collect();
         let faces = Faces::triangles((0..38).flat_map(|i| [i, i + 1, i + 2]).collect());
-        MeshBuilder { positions, storage, faces, ..MeshBuilder::default() }.build().unwrap()
+        MeshBuilder { positions: Positions::rounded(positions, storage), faces, ..MeshBuilder::default() }
+            .build()
+            .unwrap()
     }
 
     fn to_decimals(decimals: i32) -> impl Fn(f64) -> f64 {
@@ -114,7 +116,7 @@ mod tests {
     fn no_face_turns_by_more_and_some_by_nearly_as_much() {
         let exact = strip(|x| x, Storage::F64);
         let normal = |mesh: &Mesh, face: usize| {
-            let [a, b, c] = [0, 1, 2].map(|k| mesh.positions()[face + k]);
+            let [a, b, c] = [0, 1, 2].map(|k| mesh.positions().at((face + k) as u32));
             (b - a).cross(c - a)
         };
         let mut closest = 0.0_f64;

@@ -1,12 +1,11 @@
 //! Counting edges by what they are, for reports.
 
-use crate::mesh::Link;
+use crate::mesh::{Link, PositionsRef};
 use crate::normals::creases::chains::CreaseChains;
 use crate::normals::creases::dihedral_test::CreaseTest;
 use crate::normals::creases::fans::{Fans, MeshWalker, Sector};
 use crate::normals::faces::face_normals::FaceNormals;
 use crate::normals::field::EdgeCounts;
-use glam::DVec3;
 use rayon::prelude::*;
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -73,7 +72,7 @@ impl FoundEdges {
 
     /// The chains of creases. None are counted if chains may end at marked edges, too, which are modelled, or if nothing is
     /// smooth.
-    pub(crate) fn chains(&self, positions: &[DVec3]) -> CreaseChains {
+    pub(crate) fn chains(&self, positions: PositionsRef) -> CreaseChains {
         match self.counts {
             EdgeCounts { marked: 0, smooth: 1.., .. } => {
                 CreaseChains::of(&self.creases, &self.open, positions)

@@ -298,7 +298,7 @@ mod tests {
     fn mesh(positions: Vec<DVec3>, faces: &[&[u32]]) -> Mesh {
         let mut list = Faces::new();
         faces.iter().for_each(|face| list.push(face));
-        MeshBuilder { positions, faces: list, ..MeshBuilder::default() }.build().unwrap()
+        MeshBuilder { positions: positions.into(), faces: list, ..MeshBuilder::default() }.build().unwrap()
     }
 
     /// A closed fan around vertex 0 whose faces turn by the given angles: face i has its normal at the sum of

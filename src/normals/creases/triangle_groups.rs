@@ -321,13 +321,12 @@ impl Fans for RingFans {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{Faces, MeshBuilder, Topology};
+    use crate::mesh::{Faces, MeshBuilder, Positions, Storage, Topology};
     use crate::normals::creases::edge_counts::edge_counts;
     use crate::normals::creases::fans::MeshFans;
     use crate::normals::creases::hard_edges::Marks;
     use crate::normals::creases::smooth_groups::SmoothGroups;
     use crate::normals::faces::face_normals::face_normals;
-    use crate::normals::faces::positions::Positions;
     use crate::normals::recipe::NormalRecipe;
     use crate::num::{Degrees, test_numbers::Numbers};
     use glam::DVec3;
@@ -360,12 +359,12 @@ mod tests {
         for round in 0..20_000 {
             let (positions, triangles) = soup(&mut numbers);
             let faces = FacesRef::triangles(&triangles);
-            let normals = face_normals(faces, Positions::F64(&positions, crate::mesh::Storage::F32));
+            let normals = face_normals(faces, Positions::rounded(positions.clone(), Storage::F32).view());
             let crease = CreaseTest::new(Some(Degrees([0.0, 10.0, 40.0, 100.0, 180.0][round % 5])));
             let slivers = [Slivers::Exclude, Slivers::Keep][round % 2];
 
             let mesh = MeshBuilder {
-                positions: positions.clone(),
+                positions: positions.clone().into(),
                 faces: Faces::triangles(triangles.as_flattened().to_vec()),
                 ..MeshBuilder::default()
             };

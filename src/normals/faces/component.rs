@@ -1,14 +1,13 @@
 //! The number types of the caller's positions and normals.
 
-use crate::mesh::Storage;
-use crate::normals::faces::positions::Positions;
+use crate::mesh::PositionsRef;
 use crate::num::{Lanes, Real};
 use glam::DVec3;
 
 /// A component of positions and of unit vectors, `f32` or `f64`.
 pub(crate) trait Component: Real + bytemuck::Pod {
     /// Positions as kernels read them.
-    fn positions(points: &[[Self; 3]]) -> Positions<'_>;
+    fn positions(points: &[[Self; 3]]) -> PositionsRef<'_>;
 
     /// The vector, rounded to the type.
     fn emit(unit: DVec3) -> [Self; 3];
@@ -24,8 +23,8 @@ pub(crate) trait Component: Real + bytemuck::Pod {
 }
 
 impl Component for f32 {
-    fn positions(points: &[[f32; 3]]) -> Positions<'_> {
-        Positions::F32(points)
+    fn positions(points: &[[f32; 3]]) -> PositionsRef<'_> {
+        PositionsRef::F32(points)
     }
 
     #[inline(always)]
@@ -50,8 +49,8 @@ impl Component for f32 {
 }
 
 impl Component for f64 {
-    fn positions(points: &[[f64; 3]]) -> Positions<'_> {
-        Positions::F64(bytemuck::cast_slice(points), Storage::F64)
+    fn positions(points: &[[f64; 3]]) -> PositionsRef<'_> {
+        PositionsRef::F64(bytemuck::cast_slice(points))
     }
 
     #[inline(always)]

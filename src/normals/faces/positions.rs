@@ -1,26 +1,17 @@
 //! Positions as the kernels read them: in place, in the type that they came in.
 
-use crate::mesh::Storage;
+use crate::mesh::{PositionsRef, Storage};
 use crate::normals::faces::sliver;
 use crate::num::{self, Kernel, LANES, Lanes};
 use glam::DVec3;
 use rayon::prelude::*;
-
-/// Borrowed positions.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Positions<'a> {
-    /// Single precision.
-    F32(&'a [[f32; 3]]),
-    /// Double precision, which may hold nothing but `f32` values.
-    F64(&'a [DVec3], Storage),
-}
 
 /// Where kernels read positions. Everything is measured in *kernel units*: the caller's own for `f32` values;
 /// for doubles, those times a power of two that brings the largest coordinate to the top of the `f32` range. So
 /// one proof of what can overflow serves both, and scaling a mesh by a power of two cannot change a bit.
 #[derive(Clone, Copy)]
 pub(crate) struct Source<'a> {
-    positions: Positions<'a>,
+    positions: PositionsRef<'a>,
     /// From the caller's units to kernel units: a power of two.
     factor: f64,
     extent: Option<Extent>,
@@ -46,20 +37,17 @@ impl Extent {
 
 impl<'a> Source<'a> {
     /// Finds the largest coordinate, in parallel.
-    pub(crate) fn new(positions: Positions<'a>) -> Self {
+    pub(crate) fn new(positions: PositionsRef<'a>) -> Self {
         let (factor, extent) = match positions {
-            Positions::F32(points) => {
+            PositionsRef::F32(points) => {
                 let largest = |points: &[[f32; 3]]| num::dispatch(LargestSingle(points.as_flattened()));
                 let largest = points.par_chunks(1 << 16).map(largest).reduce(|| 0, u32::max);
                 (1.0, Extent::new(f64::from(f32::from_bits(largest))))
             }
-            Positions::F64(points, storage) => {
+            PositionsRef::F64(points) => {
                 let largest = |points: &[DVec3]| num::dispatch(LargestDouble(points));
                 let largest = points.par_chunks(1 << 14).map(largest).reduce(|| 0.0, f64::max);
-                match storage {
-                    Storage::F32 => (1.0, Extent::new(largest)),
-                    Storage::F64 => (factor_of(largest), None),
-                }
+                (factor_of(largest), None)
             }
         };
         Self { positions, factor, extent }
@@ -68,18 +56,15 @@ impl<'a> Source<'a> {
     /// Whether every coordinate is an `f32` value.
     #[inline(always)]
     pub(crate) fn storage(&self) -> Storage {
-        match self.positions {
-            Positions::F32(_) => Storage::F32,
-            Positions::F64(_, storage) => storage,
-        }
+        self.positions.storage()
     }
 
     /// The position of a vertex, in kernel units, and whether the conversion lost bits.
     #[inline(always)]
     pub(crate) fn point(&self, vertex: u32) -> (DVec3, bool) {
         match self.positions {
-            Positions::F32(points) => (DVec3::from(points[vertex as usize].map(f64::from)), false),
-            Positions::F64(points, _) => {
+            PositionsRef::F32(points) => (DVec3::from(points[vertex as usize].map(f64::from)), false),
+            PositionsRef::F64(points) => {
                 let point = points[vertex as usize];
                 let scaled = point * self.factor;
                 (scaled, self.factor < 1.0 && scaled / self.factor != point)
@@ -90,18 +75,15 @@ impl<'a> Source<'a> {
     /// The number of vertices.
     #[inline(always)]
     pub(crate) fn count(&self) -> usize {
-        match self.positions {
-            Positions::F32(points) => points.len(),
-            Positions::F64(points, _) => points.len(),
-        }
+        self.positions.len()
     }
 
     /// The positions of eight vertices, in kernel units. None may be the last, as rows are read with the number after them.
     #[inline(always)]
     pub(crate) fn columns<A: Lanes>(&self, arch: A, vertices: [u32; LANES]) -> [A::Number; 3] {
         match self.positions {
-            Positions::F32(points) => arch.columns_of_singles(rows(points.as_flattened(), vertices)),
-            Positions::F64(points, _) => {
+            PositionsRef::F32(points) => arch.columns_of_singles(rows(points.as_flattened(), vertices)),
+            PositionsRef::F64(points) => {
                 let [x, y, z, _] = arch.columns(rows(bytemuck::cast_slice(points), vertices));
                 let factor = arch.splat(self.factor);
                 [arch.mul(x, factor), arch.mul(y, factor), arch.mul(z, factor)]

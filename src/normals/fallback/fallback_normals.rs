@@ -12,7 +12,6 @@
 
 use crate::mesh::{FacesRef, Link, Mesh, Topology};
 use crate::normals::faces::face_normals::{FaceNormals, face_normals};
-use crate::normals::faces::positions::Positions;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::fallback::neighbours::{LAST_RESORT, lexicographic};
 use crate::normals::fault::{Fault, FaultReason};
@@ -199,8 +198,7 @@ pub(crate) struct FaceField(FaceNormals);
 impl FaceField {
     /// Of a mesh unchanged, faithful.
     pub(crate) fn new(mesh: &Mesh, topology: &Topology) -> Self {
-        let positions = Positions::F64(mesh.positions(), mesh.storage());
-        Self::with_fallbacks(mesh, topology, face_normals(mesh.faces().view(), positions))
+        Self::with_fallbacks(mesh, topology, face_normals(mesh.faces().view(), mesh.positions()))
     }
 
     /// Adds fallback normals for faces without a direction.

@@ -1,7 +1,7 @@
 //! Fallback normals from the faces at a vertex and the edges of a face, without topology.
 
-use crate::mesh::FacesRef;
-use crate::normals::faces::positions::{Positions, Source};
+use crate::mesh::{FacesRef, PositionsRef};
+use crate::normals::faces::positions::Source;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::sums::corner_mean::uniform_mean;
 use crate::normals::sums::corner_terms::CornerTerms;
@@ -40,7 +40,7 @@ pub(crate) struct VertexFallback {
 /// Looks up the faces of some vertices, given ascending, in one walk over all faces.
 pub(crate) fn vertex_fallbacks(
     faces: FacesRef,
-    positions: Positions,
+    positions: PositionsRef,
     vertices: &[u32],
 ) -> Vec<VertexFallback> {
     if vertices.is_empty() {

@@ -165,10 +165,9 @@ mod tests {
 
     fn square(normals: Option<Column<DVec3>>) -> Mesh {
         MeshBuilder {
-            positions: vec![DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y],
+            positions: vec![DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y].into(),
             faces: Faces::triangles(vec![0, 1, 2, 0, 2, 3]),
             columns: Columns { normals, ..Columns::default() },
-            ..MeshBuilder::default()
         }
         .build()
         .unwrap()
@@ -239,10 +238,9 @@ mod tests {
         let normals = Some(Column::per_vertex(vec![DVec3::NEG_Z; 3]));
         let columns = Columns { normals, ..Columns::default() };
         let mesh = MeshBuilder {
-            positions: vec![DVec3::ZERO, DVec3::X, DVec3::X * 2.0],
+            positions: vec![DVec3::ZERO, DVec3::X, DVec3::X * 2.0].into(),
             faces: Faces::triangles(vec![0, 1, 2]),
             columns,
-            ..MeshBuilder::default()
         }
         .build()
         .unwrap();
@@ -260,9 +258,7 @@ mod tests {
         let with = |normals| {
             let columns = Columns { normals: Some(normals), ..Columns::default() };
             let faces = Faces::triangles(vec![0, 1, 2, 0, 2, 3, 0, 3, 4]);
-            MeshBuilder { positions: positions.clone(), faces, columns, ..MeshBuilder::default() }
-                .build()
-                .unwrap()
+            MeshBuilder { positions: positions.clone().into(), faces, columns }.build().unwrap()
         };
         let computed = compute(&with(Column::per_vertex(vec![DVec3::Z; 5])), &recipe);
         let mean = *computed.normals.get(6, 0).unwrap();

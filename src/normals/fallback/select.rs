@@ -121,10 +121,9 @@ mod tests {
         let normals =
             Some(Column::per_corner(vec![DVec3::X, DVec3::new(0.6, 0.0, 0.8)], vec![1, 1, 1, 0, NONE, NONE]));
         MeshBuilder {
-            positions: vec![DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y],
+            positions: vec![DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y].into(),
             faces: Faces::triangles(vec![0, 1, 2, 0, 2, 3]),
             columns: Columns { normals, ..Columns::default() },
-            ..MeshBuilder::default()
         }
         .build()
         .unwrap()

@@ -1,6 +1,6 @@
 //! Normals of least-squares quadrics: second order in the edge length, where weighted means are first order.
 
-use crate::mesh::Topology;
+use crate::mesh::{PositionsRef, Topology};
 use crate::normals::creases::smooth_groups::SlotCorners;
 use crate::normals::fits::nearest::{NearTree, Neighbour, by_coordinates};
 use crate::num::{UnitVec3, least_squares, unit_scale};
@@ -30,7 +30,7 @@ const ROUNDING: f64 = 1.0 / (1_u64 << 40) as f64;
 pub(crate) struct QuadricRequest<'a> {
     pub(crate) corner_vertices: &'a [u32],
     pub(crate) topology: &'a Topology,
-    pub(crate) positions: &'a [DVec3],
+    pub(crate) positions: PositionsRef<'a>,
     /// The smooth group of each corner.
     pub(crate) corner_group: &'a [u32],
     /// The corners of each smooth group.
@@ -147,7 +147,7 @@ impl<'a> Rings<'a> {
 
     /// The position at a corner, without negative zeros.
     fn place(&self, corner: u32) -> DVec3 {
-        self.request.positions[self.request.corner_vertices[corner as usize] as usize] + DVec3::ZERO
+        self.request.positions.at(self.request.corner_vertices[corner as usize]) + DVec3::ZERO
     }
 
     /// The two neighbours of a corner in its face.
@@ -219,9 +219,8 @@ fn sort_positions(positions: &mut Vec<DVec3>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{Faces, Mesh, MeshBuilder, Storage, Weld};
+    use crate::mesh::{Faces, Mesh, MeshBuilder, Weld};
     use crate::normals::compute::compute;
-    use crate::normals::faces::positions::Positions;
     use crate::normals::recipe::{Crease, NormalRecipe, Slivers, Weight};
     use crate::normals::sums::request::SumRequest;
     use crate::normals::sums::weighted_sums::weighted_sums;
@@ -230,9 +229,13 @@ mod tests {
     use std::f64::consts::TAU;
 
     fn build(positions: Vec<DVec3>, triangles: Vec<u32>) -> Mesh {
-        MeshBuilder { positions, faces: Faces::triangles(triangles), ..MeshBuilder::default() }
-            .build()
-            .unwrap()
+        MeshBuilder {
+            positions: positions.into(),
+            faces: Faces::triangles(triangles),
+            ..MeshBuilder::default()
+        }
+        .build()
+        .unwrap()
     }
 
     /// Groups of corners: all at a vertex, or by the given numbers.
@@ -241,7 +244,7 @@ mod tests {
         let groups = corner_group.iter().max().map_or(0, |&group| group as usize + 1);
         let mut normals = weighted_sums(&SumRequest {
             faces: mesh.faces().view(),
-            positions: Positions::F64(mesh.positions(), Storage::F64),
+            positions: mesh.positions(),
             target: corner_group,
             slots: groups,
             weight: Weight::Angle,
@@ -358,9 +361,9 @@ mod tests {
     fn errors_shrink_with_the_square_of_the_edges() {
         // One-sided fits at the rim of a patch are not what is measured.
         let error = |(mesh, exact): (Mesh, Vec<DVec3>), counted: fn(DVec3) -> bool| {
-            let pairs = smooth(&mesh).0.into_iter().zip(exact).zip(mesh.positions());
+            let pairs = smooth(&mesh).0.into_iter().zip(exact).zip(mesh.positions().iter());
             let (normals, exact): (Vec<_>, Vec<_>) =
-                pairs.filter(|(_, p)| counted(**p)).map(|(pair, _)| pair).unzip();
+                pairs.filter(|(_, p)| counted(*p)).map(|(pair, _)| pair).unzip();
             errors(&normals, &exact)
         };
         let torus = [32, 64, 128].map(|m| error(torus(m, m / 2), |_| true));
@@ -470,7 +473,7 @@ mod tests {
         let (mesh, _) = torus(24, 12);
         let (normals, _) = smooth(&mesh);
         for power in [-900, -300, -40, 1, 300, 900] {
-            let scale = |p: &DVec3| DVec3::from(p.to_array().map(|x| libm::ldexp(x, power)));
+            let scale = |p: DVec3| DVec3::from(p.to_array().map(|x| libm::ldexp(x, power)));
             let scaled = mesh.positions().iter().map(scale).collect();
             assert_eq!(smooth(&build(scaled, mesh.faces().corners().to_vec())).0, normals, "2^{power}");
         }
@@ -487,7 +490,7 @@ mod tests {
             let mut new_vertex: Vec<u32> = (0..mesh.vertex_count() as u32).collect();
             numbers.shuffle(&mut new_vertex);
             let mut positions = vec![DVec3::ZERO; mesh.vertex_count()];
-            for (&new, &p) in new_vertex.iter().zip(mesh.positions()) {
+            for (&new, p) in new_vertex.iter().zip(mesh.positions().iter()) {
                 positions[new as usize] = p;
             }
             let mut faces: Vec<[u32; 3]> = mesh
@@ -509,7 +512,7 @@ mod tests {
     #[test]
     fn copies_of_a_vertex_count_once() {
         let (mesh, _) = torus(24, 12);
-        let places = mesh.faces().corners().iter().map(|&v| mesh.positions()[v as usize]).collect();
+        let places = mesh.faces().corners().iter().map(|&v| mesh.positions().at(v)).collect();
         let soup = build(places, (0..mesh.faces().corner_count() as u32).collect());
         assert_eq!(normals_of(&soup, mesh.faces().corners()), smooth(&mesh));
     }
@@ -518,9 +521,9 @@ mod tests {
     #[test]
     fn hard_edges_are_not_crossed() {
         let (mesh, _) = patch(12, |_, _| (0.0, 0.0, 0.0));
-        let ridge = |p: &DVec3| DVec3::new((p.x * 12.0).round(), p.y * 12.0, -(p.x * 12.0).round().abs());
+        let ridge = |p: DVec3| DVec3::new((p.x * 12.0).round(), p.y * 12.0, -(p.x * 12.0).round().abs());
         let roof = build(mesh.positions().iter().map(ridge).collect(), mesh.faces().corners().to_vec());
-        let side = |face: &[u32]| face.iter().any(|&v| roof.positions()[v as usize].x > 0.0);
+        let side = |face: &[u32]| face.iter().any(|&v| roof.positions().at(v).x > 0.0);
         let vertices = roof.vertex_count() as u32;
         let groups: Vec<u32> = roof
             .faces()

@@ -297,8 +297,7 @@ pub(crate) fn repeats(slots: &[u32], corner: usize) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{FacesRef, Storage};
-    use crate::normals::faces::positions::Positions;
+    use crate::mesh::{FacesRef, Positions, Storage};
     use crate::normals::recipe::{Slivers, Weight};
     use crate::normals::sums::partition::Partition;
     use crate::normals::sums::request::SlotState;
@@ -328,10 +327,11 @@ mod tests {
         assert_eq!([&faces, &mixed, &shuffled].map(|faces| parts(faces)), [8, 8, 1]);
         for faces in [&faces, &mixed, &shuffled] {
             for weight in Weight::ALL {
-                for storage in [Storage::F32, Storage::F64] {
+                for positions in [Storage::F32, Storage::F64].map(|it| Positions::rounded(points.clone(), it))
+                {
                     let request = SumRequest {
                         faces: FacesRef::triangles(faces),
-                        positions: Positions::F64(&points, storage),
+                        positions: positions.view(),
                         target: faces.as_flattened(),
                         slots: points.len(),
                         weight,

@@ -5,8 +5,8 @@
 //! whose sum shrinks by k, by no more than k times that of its worst face, where k is near 1 on smooth surfaces and at most
 //! 1000. Whatever lies outside the range is left to double precision.
 
+use crate::mesh::PositionsRef;
 use crate::normals::faces::component::Component;
-use crate::normals::faces::positions::Positions;
 use crate::normals::recipe::Weight;
 use crate::normals::sums::accumulate::{BlockTerms, Walk, add_triangles};
 use crate::normals::sums::block::{ALL, GroupTerms};
@@ -49,8 +49,8 @@ pub(crate) fn single_sums_into<O: Component>(
     }
     let mut copied = std::mem::take(&mut scratch.single_positions);
     let points: &[[f32; 3]] = match request.positions {
-        Positions::F32(points) => points,
-        Positions::F64(points, _) => {
+        PositionsRef::F32(points) => points,
+        PositionsRef::F64(points) => {
             points.par_iter().map(|point| point.as_vec3().to_array()).collect_into_vec(&mut copied);
             &copied
         }
@@ -372,7 +372,7 @@ mod tests {
     fn the_distance_from_the_origin_has_a_limit() {
         for (distance, is_declined) in [(0.0, false), (1e3, false), (1e6, true)] {
             let near = mesh(1.0, 1.0);
-            let positions = near.positions().iter().map(|&p| p + DVec3::splat(distance)).collect();
+            let positions = near.positions().iter().map(|p| p + DVec3::splat(distance)).collect();
             let far = MeshBuilder { positions, faces: near.faces().clone(), ..MeshBuilder::default() };
             let field = compute(&far.build().unwrap(), &fast(Weight::Area));
             assert_eq!(field.summary.fast_declined, is_declined, "{distance:e}");

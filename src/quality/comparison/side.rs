@@ -41,7 +41,7 @@ impl<'a> Side<'a> {
     pub(crate) fn place(&self, corner: u32) -> [u32; 3] {
         let (part, corner) = self.locate(corner);
         let mesh = self.meshes[part];
-        let position = mesh.positions()[mesh.faces().corners()[corner] as usize];
+        let position = mesh.positions().at(mesh.faces().corners()[corner]);
         position.to_array().map(|x| (x as f32 + 0.0).to_bits())
     }
 

@@ -91,8 +91,8 @@ fn some_faces(mesh: &Mesh, chosen: &[u32]) -> Mesh {
         of_face: chosen.iter().map(|&face| groups.of_face[face as usize]).collect(),
         before_first: 0,
     });
-    let positions = vertices.iter().map(|&vertex| mesh.positions()[vertex as usize]).collect();
+    let positions = mesh.positions().gather(&vertices);
     let columns = Columns { smoothing, ..Columns::default() };
-    let builder = MeshBuilder { positions, storage: mesh.storage(), faces, columns };
+    let builder = MeshBuilder { positions, faces, columns };
     builder.build().expect("a part of a mesh is a mesh")
 }

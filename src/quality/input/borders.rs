@@ -48,7 +48,7 @@ impl Borders {
         for (part, mesh, world) in placed {
             let Some(stored) = mesh.columns().normals.as_ref() else { continue };
             for (corner, &vertex) in mesh.faces().corners().iter().enumerate() {
-                let key = world.key(mesh.positions()[vertex as usize]);
+                let key = world.key(mesh.positions().at(vertex));
                 if shared.contains(&hash(key))
                     && let Some(unit) = stored_unit(stored, mesh, corner)
                     && let Some(normal) = world.normals.apply(unit)
@@ -75,7 +75,7 @@ impl Borders {
 /// Hashes of the positions that several parts have: 16 bytes a vertex rather than a map of all positions.
 fn shared_positions(placed: &[(u32, &Mesh, &World)]) -> FxHashSet<u64> {
     let hashes_of = |&(part, mesh, world): &(u32, &Mesh, &World)| {
-        let hashes = mesh.positions().iter().map(|&position| (hash(world.key(position)), part));
+        let hashes = mesh.positions().iter().map(|position| (hash(world.key(position)), part));
         hashes.collect::<Vec<(u64, u32)>>()
     };
     let mut hashes: Vec<(u64, u32)> = placed.iter().flat_map(hashes_of).collect();

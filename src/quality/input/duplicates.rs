@@ -78,5 +78,5 @@ fn candidates(mesh: &Mesh, area: &[f64]) -> Vec<usize> {
 
 /// The bits of the position of a corner.
 fn key(mesh: &Mesh, corner: usize) -> [u64; 3] {
-    place_key(mesh.positions()[mesh.faces().corners()[corner] as usize])
+    place_key(mesh.positions().at(mesh.faces().corners()[corner]))
 }

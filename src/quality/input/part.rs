@@ -133,7 +133,7 @@ impl<'a> Part<'a> {
 
     /// The scaled position of a corner.
     pub(crate) fn position(&self, corner: usize) -> DVec3 {
-        self.mesh.positions()[self.vertex(corner) as usize] * self.scale
+        self.mesh.positions().at(self.vertex(corner)) * self.scale
     }
 
     /// The scaled vector from a corner to the next one of its face.
@@ -165,14 +165,14 @@ impl<'a> Part<'a> {
     /// three faces, at which fans end: which faces follow one another depends on whether vertices are the same by number or by
     /// position. Either fan is right.
     pub(crate) fn has_two_fans(&self, corner: usize) -> bool {
-        let position = self.mesh.positions()[self.vertex(corner) as usize];
+        let position = self.mesh.positions().at(self.vertex(corner));
         !self.two_fans.is_empty() && self.two_fans.contains(&place_key(position))
     }
 
     /// Whether the edge of a half-edge is one of two that only nearly coincide.
     pub(crate) fn is_cracked(&self, half_edge: u32) -> bool {
         let Link::Welded(across) = self.topology.link(half_edge) else { return false };
-        let key = |vertex: u32| place_key(self.mesh.positions()[vertex as usize]);
+        let key = |vertex: u32| place_key(self.mesh.positions().at(vertex));
         let ends = |half_edge| self.topology.ends(self.mesh.faces().corners(), half_edge);
         let ((tail, head), (other_head, other_tail)) = (ends(half_edge), ends(across));
         self.has_near_edges && (key(tail) != key(other_tail) || key(head) != key(other_head))
@@ -180,7 +180,7 @@ impl<'a> Part<'a> {
 
     /// Whether another part of the file has this normal at the position of a corner.
     pub(crate) fn is_shared_with_other_part(&self, corner: usize, normal: DVec3) -> bool {
-        let position = self.mesh.positions()[self.vertex(corner) as usize];
+        let position = self.mesh.positions().at(self.vertex(corner));
         self.file.has_in_other_part(self.number, position, normal)
     }
 }
@@ -221,7 +221,7 @@ fn positions_of_two_fans(
     duplicates: &DuplicateFaces,
 ) -> FxHashSet<[u64; 3]> {
     let faces = mesh.faces();
-    let key = |&vertex: &u32| place_key(mesh.positions()[vertex as usize]);
+    let key = |&vertex: &u32| place_key(mesh.positions().at(vertex));
     // A triangle with such an edge has no area; a polygon may.
     let may_have = |&face: &usize| directions[face] == Direction::Undefined || faces.face(face).len() > 3;
     let edges = (0..faces.len()).filter(may_have).flat_map(|face| {

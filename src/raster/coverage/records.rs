@@ -40,7 +40,7 @@ impl Record {
         let nearness = match job.view.has_level() {
             false => v.map(|v| v.depth),
             true => vertices.map(|vertex| {
-                let point = object.map.view(object.points.get(vertex));
+                let point = object.map.view(object.points.at(vertex));
                 job.view.nearness(point.z) as f32
             }),
         };

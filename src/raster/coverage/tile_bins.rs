@@ -248,7 +248,7 @@ impl Clipper {
         }
         self.polygon.clear();
         self.polygon.extend(vertices.iter().enumerate().map(|(k, &vertex)| ClipVertex {
-            point: object.map.view(object.points.get(vertex)),
+            point: object.map.view(object.points.at(vertex)),
             attribute: Shares::of_corner(k),
         }));
         clip(view, planes, &mut self.polygon, &mut self.spare);

@@ -45,7 +45,7 @@ impl<'a> DrawnObject<'a> {
             Shape::Triangles(triangles) => TriangleList::Whole(triangles.triangles),
             Shape::Surface(_) => return None,
         };
-        let near = points.first().unwrap_or_default();
+        let near = points.iter().next().unwrap_or_default();
         let map = ObjectMap::about(view, transform, near);
         let (vertices, outside) = project(points, &map, view);
         Some(Self { object, first, list, points, vertices, outside, map, mirrored })
@@ -56,7 +56,7 @@ impl<'a> DrawnObject<'a> {
     pub(crate) fn kept_faces(&self, count: usize, cull: Cull) -> Vec<bool> {
         let is_kept = |triangle: u32| {
             let [a, b, c] = self.list.vertices(triangle).map(|vertex| {
-                let ViewPoint { x, y, h, .. } = self.map.view(self.points.get(vertex));
+                let ViewPoint { x, y, h, .. } = self.map.view(self.points.at(vertex));
                 DVec3::new(x, y, h)
             });
             // Twice the area on the picture, times all three h. No product overflows.
@@ -91,7 +91,7 @@ impl DrawnObject<'_> {
     pub(crate) fn plane_point(&self, view: &View, triangle: [u32; 3], at: [f64; 2]) -> PlanePoint {
         let [mx, my] = view.middle();
         let ray = DVec3::new(at[0] - mx, at[1] - my, 1.0);
-        let seen = triangle.map(|vertex| self.map.view(self.points.get(vertex)));
+        let seen = triangle.map(|vertex| self.map.view(self.points.at(vertex)));
         let corners = seen.map(|point| DVec3::new(point.x, point.y, point.h));
         let normals = [0, 1, 2].map(|k| num::cross::<Split>(corners[(k + 1) % 3], corners[(k + 2) % 3]));
         let parts = normals.map(|normal| ray.dot(normal));

@@ -214,14 +214,14 @@ impl<'a> Prepared<'a> {
     pub(crate) fn exact_corner_normal(&self, Corner { number, vertex, turned }: Corner) -> DVec3 {
         let normal = match self.shape {
             Shape::Mesh { normals, .. } => normals.normals.get(number as usize, vertex).copied(),
-            shape => Some(shape.normals().get(vertex)),
+            shape => Some(shape.normals().at(vertex)),
         };
         side(self.in_scene(normal.unwrap_or(DVec3::ZERO)), turned)
     }
 
     /// [`face_normal`](Self::face_normal) in doubles.
     pub(crate) fn exact_face_normal(&self, face: u32, turned: bool) -> DVec3 {
-        side(self.in_scene(self.shape.face_normals().get(face)), turned)
+        side(self.in_scene(self.shape.face_normals().at(face)), turned)
     }
 
     /// Whether faces have normals of their own; triangles of slices need not.
@@ -300,7 +300,7 @@ fn check_range(object: &DrawnObject) -> Result<(), RenderError> {
         return Ok(());
     }
     let vertex = object.vertices.iter().position(|vertex| vertex.outside & NOT_FINITE != 0).unwrap_or(0);
-    let position = object.points.get(vertex as u32);
+    let position = object.points.at(vertex as u32);
     let place = format!("object {}: vertex {vertex} at {position}", object.object);
     Err(RenderError::Invalid(format!("{place} has no finite position in front of the camera")))
 }
@@ -308,7 +308,7 @@ fn check_range(object: &DrawnObject) -> Result<(), RenderError> {
 /// The range of distances that [`Show::Depth`] spreads over.
 fn distances(drawn: &[DrawnObject], view: &View, scene: &Scene) -> [f64; 2] {
     let each = drawn.iter().flat_map(|object| {
-        (0..object.points.len() as u32).map(|vertex| object.map.view(object.points.get(vertex)).z)
+        (0..object.points.len() as u32).map(|vertex| object.map.view(object.points.at(vertex)).z)
     });
     let [low, high] = each
         .filter(|&z| z >= view.near)

@@ -35,7 +35,7 @@ use std::time::Instant;
 /// use glam::DVec3;
 ///
 /// let mesh = MeshBuilder {
-///     positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y],
+///     positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y].into(),
 ///     faces: Faces::triangles(vec![0, 1, 2]),
 ///     ..MeshBuilder::default()
 /// }

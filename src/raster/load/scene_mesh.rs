@@ -92,8 +92,7 @@ impl NewNumbers {
             summary: field.summary,
         };
         let builder = MeshBuilder {
-            positions: kept_vertices.iter().map(|&vertex| mesh.positions()[vertex as usize]).collect(),
-            storage: mesh.storage(),
+            positions: mesh.positions().gather(&kept_vertices),
             faces: part_faces,
             columns: Columns::default(),
         };
@@ -146,7 +145,7 @@ mod tests {
                 let (here, there) = (mesh.faces().range(face), whole.mesh.faces().range(source as usize));
                 for (corner, old) in here.zip(there) {
                     let (vertex, was) = (mesh.faces().corners()[corner], whole.mesh.faces().corners()[old]);
-                    assert_eq!(mesh.positions()[vertex as usize], whole.mesh.positions()[was as usize]);
+                    assert_eq!(mesh.positions().at(vertex), whole.mesh.positions().at(was));
                     assert_eq!(normals.normals.get(corner, vertex), whole.normals.normals.get(old, was));
                     let colour =
                         |mesh: &SceneMesh, vertex: u32| mesh.colours.as_ref().unwrap()[vertex as usize];

@@ -178,7 +178,7 @@ fn vertices_of<'a>(vertices: &'a [u32], ends: &[usize], point: usize) -> &'a [u3
 
 /// The mean of some vertices as shaders take it, before anything is rounded.
 fn exactly(lit: &Lit, vertices: &[u32]) -> DVec3 {
-    let place = |&vertex: &u32| lit.drawn.map.scene_point(lit.drawn.points.get(vertex)) / lit.job.frame.unit;
+    let place = |&vertex: &u32| lit.drawn.map.scene_point(lit.drawn.points.at(vertex)) / lit.job.frame.unit;
     vertices.iter().map(place).sum::<DVec3>() / vertices.len() as f64
 }
 
@@ -205,7 +205,7 @@ impl Kernel for FromOrigin<'_> {
         let mut rows = [[0.0; LANES]; 3];
         for (block, vertices) in vertices.chunks(LANES).enumerate() {
             for (lane, &vertex) in vertices.iter().enumerate().take(LANES) {
-                let point = points.get(vertex);
+                let point = points.at(vertex);
                 (rows[0][lane], rows[1][lane], rows[2][lane]) = (point.x, point.y, point.z);
             }
             let mut single = [[0.0; LANES]; 3];

@@ -159,7 +159,7 @@ impl Painter {
             ObjectColour::Given(colours) => single(colours[corner.vertex as usize]),
             ObjectColour::Lit(_) => self.light.colour(at),
         };
-        let place = |corner: Corner| drawn.map.view(drawn.points.get(corner.vertex));
+        let place = |corner: Corner| drawn.map.view(drawn.points.at(corner.vertex));
         let mut placed =
             corners().enumerate().map(|(at, corner)| (place(corner), value((at, corner)).as_dvec3()));
         for record in &faces {

@@ -217,7 +217,7 @@ mod tests {
                 ..scene(&[], &[])
             };
             let camera = solid.framing(1.0).unwrap();
-            let seen = mesh.positions().iter().map(|&point| seen(&camera, 1.0, point).abs().max_element());
+            let seen = mesh.positions().iter().map(|point| seen(&camera, 1.0, point).abs().max_element());
             let farthest = seen.fold(0.0, f64::max);
             assert!((farthest * MARGIN - 1.0).abs() < 0.005, "{primitive:?}: {farthest}");
         }

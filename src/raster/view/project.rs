@@ -1,5 +1,6 @@
 //! Vertices on the picture.
 
+use crate::mesh::PositionsRef;
 use crate::num::{self, Kernel, Lanes};
 use crate::raster::view::fixed_point::{GUARD, snap};
 use crate::raster::view::screen_transform::{ObjectMap, View};
@@ -21,33 +22,8 @@ pub(crate) struct ScreenVertex {
 /// The bit of a vertex whose place on the picture overflows.
 pub(crate) const NOT_FINITE: u32 = 1 << 5;
 
-/// Positions to read vertices from.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Points<'a> {
-    F64(&'a [DVec3]),
-    F32(&'a [[f32; 3]]),
-}
-
-impl Points<'_> {
-    pub(crate) fn len(self) -> usize {
-        match self {
-            Self::F64(points) => points.len(),
-            Self::F32(points) => points.len(),
-        }
-    }
-
-    pub(crate) fn first(self) -> Option<DVec3> {
-        (self.len() > 0).then(|| self.get(0))
-    }
-
-    #[inline(always)]
-    pub(crate) fn get(self, vertex: u32) -> DVec3 {
-        match self {
-            Self::F64(points) => points[vertex as usize],
-            Self::F32(points) => DVec3::from(points[vertex as usize].map(f64::from)),
-        }
-    }
-}
+/// Positions or normals to read, in either precision.
+pub(crate) type Points<'a> = PositionsRef<'a>;
 
 /// Vertices that one task projects.
 const TASK: usize = 8192;

@@ -141,7 +141,7 @@ impl Around {
 
 /// The positions of the corners of a face.
 fn points(mesh: &Mesh, face: usize) -> impl Iterator<Item = DVec3> {
-    mesh.faces().face(face).iter().map(|&vertex| mesh.positions()[vertex as usize])
+    mesh.faces().face(face).iter().map(|&vertex| mesh.positions().at(vertex))
 }
 
 #[cfg(test)]
@@ -156,7 +156,7 @@ mod tests {
             vec![corner(0.0, 0.0), corner(-100.0, 0.0), corner(0.0, 1.0), corner(1.0, 1.0), corner(1.0, 0.0)];
         let mut faces = Faces::new();
         [&[0, 2, 1][..], &[0, 4, 3, 2]].iter().for_each(|face| faces.push(face));
-        MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap()
+        MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build().unwrap()
     }
 
     /// The close-up of a corner at the end of a long face was as wide as that face.

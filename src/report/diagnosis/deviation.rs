@@ -85,7 +85,7 @@ impl Model {
     fn corners(&self) -> impl Iterator<Item = Corner> {
         self.objects.iter().flat_map(|&(part, place)| {
             let PartModel { mesh, deviations, .. } = &self.parts[part];
-            let point = |vertex: u32| mesh.positions()[vertex as usize];
+            let point = |vertex: u32| mesh.positions().at(vertex);
             let least_at = least_at_places(mesh, deviations);
             let of_face = move |face: &[u32]| -> Vec<Corner> {
                 let count = face.len();
@@ -108,7 +108,7 @@ impl Model {
 /// The smallest deviation at each position.
 fn least_at_places(mesh: &Mesh, deviations: &[Option<f64>]) -> HashMap<[u64; 3], f64> {
     let mut least = HashMap::new();
-    for (&position, degrees) in mesh.positions().iter().zip(deviations) {
+    for (position, degrees) in mesh.positions().iter().zip(deviations) {
         if let &Some(degrees) = degrees {
             let known = least.entry(place_key(position)).or_insert(degrees);
             *known = degrees.min(*known);
@@ -185,7 +185,8 @@ mod tests {
         let positions: Vec<DVec3> = corners.iter().map(|&([x, y], _)| DVec3::new(x, y, 0.0)).collect();
         let count = positions.len() as u32;
         let faces = Faces::triangles((0..count).collect());
-        let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
+        let mesh =
+            MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build().unwrap();
         let vertices: Vec<u32> = (0..count).collect();
         let normals = NormalField {
             normals: Column::per_corner(vec![DVec3::Z; corners.len()], vertices.clone()),

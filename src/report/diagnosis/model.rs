@@ -106,7 +106,7 @@ impl Model {
     /// All points, in the world.
     pub(super) fn points(&self) -> impl Iterator<Item = DVec3> {
         let of = |&(part, place): &(usize, DMat4)| {
-            self.parts[part].mesh.positions().iter().map(move |&position| place.transform_point3(position))
+            self.parts[part].mesh.positions().iter().map(move |position| place.transform_point3(position))
         };
         self.objects.iter().flat_map(of)
     }
@@ -173,7 +173,7 @@ impl PartModel {
         for range in mesh.faces().ranges() {
             faces.push(&range.map(|corner| corner as u32).collect::<Vec<u32>>());
         }
-        let positions = corners.iter().map(|&vertex| mesh.positions()[vertex as usize]).collect();
+        let positions = corners.iter().map(|&vertex| mesh.positions().at(vertex)).collect();
         let separate = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build();
         let separate = separate.map_err(|error| ReportError::Encoder(error.to_string()))?;
         let corner_numbers: Vec<u32> = (0..corners.len() as u32).collect();

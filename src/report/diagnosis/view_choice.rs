@@ -50,7 +50,7 @@ impl Wanted {
         let middle = site.face.map_or(position, |face| {
             let mesh = &model.parts[part].mesh;
             let corners = mesh.faces().face(face as usize);
-            let sum: DVec3 = corners.iter().map(|&vertex| mesh.positions()[vertex as usize]).sum();
+            let sum: DVec3 = corners.iter().map(|&vertex| mesh.positions().at(vertex)).sum();
             place.transform_point3(sum / corners.len() as f64)
         });
         let position = position.lerp(middle, ASIDE);

@@ -66,7 +66,7 @@ fn into_mesh(net: Net, tessellation: &Tessellation) -> Mesh {
         Column::per_corner(net.corner_parameters, index)
     });
     let columns = Columns { normals: Some(Column::per_vertex(normals)), uvs, ..Columns::default() };
-    let builder = MeshBuilder { positions, faces: net.faces, columns, ..MeshBuilder::default() };
+    let builder = MeshBuilder { positions, faces: net.faces, columns };
     builder.build().expect("lengths are bounded, so positions are finite, and faces count their own vertices")
 }
 

@@ -1,7 +1,7 @@
 //! Edges whose dihedral angle is exactly the crease angle, before rounding.
 
 use super::prelude::*;
-use crate::mesh::{Link, Topology};
+use crate::mesh::{Link, Positions, Topology};
 use crate::normals::compute_on;
 
 /// Sides of the prisms: they meet at 45°, 40° (the default) and 30°.
@@ -103,7 +103,11 @@ impl Prism {
         faces.push(&(0..sides as u32).rev().map(|i| 2 * i).collect::<Vec<_>>());
         let storage = if matches!(stored, Stored::Single) { Storage::F32 } else { Storage::F64 };
         let positions = (0..2 * sides).map(corner).collect();
-        let mesh = MeshBuilder { positions, storage, faces, ..MeshBuilder::default() };
+        let mesh = MeshBuilder {
+            positions: Positions::rounded(positions, storage),
+            faces,
+            ..MeshBuilder::default()
+        };
         let mesh = mesh.build().expect("a good mesh");
         let topology = Topology::by_index(mesh.faces(), mesh.vertex_count());
         Self { sides, mesh, topology }
@@ -150,7 +154,7 @@ impl Prism {
 
     /// The positions of the corners of a face.
     fn corners(&self, face: usize) -> Vec<DVec3> {
-        self.mesh.faces().face(face).iter().map(|&vertex| self.mesh.positions()[vertex as usize]).collect()
+        self.mesh.faces().face(face).iter().map(|&vertex| self.mesh.positions().at(vertex)).collect()
     }
 
     /// The angle between the stored faces at an edge.
@@ -176,7 +180,7 @@ impl Prism {
     fn plain_normals(&self) -> Vec<Vec3> {
         let normal = |face: usize| {
             let corners = self.mesh.faces().face(face);
-            plain::face_normal([0, 1, 2].map(|k| self.mesh.positions()[corners[k] as usize].as_vec3()))
+            plain::face_normal([0, 1, 2].map(|k| self.mesh.positions().at(corners[k]).as_vec3()))
         };
         (0..self.sides).map(normal).collect()
     }

@@ -80,8 +80,7 @@ pub(super) fn faithful(triangles: &[Triangle]) -> Vec<([f32; 3], bool)> {
 /// Triangles of `f32` positions as a mesh.
 pub(super) fn indexed(positions: &[Vec3], triangles: &[[u32; 3]]) -> Mesh {
     let builder = MeshBuilder {
-        positions: positions.iter().map(|p| p.as_dvec3()).collect(),
-        storage: Storage::F32,
+        positions: positions.iter().map(|p| p.to_array()).collect(),
         faces: Faces::triangles(triangles.as_flattened().to_vec()),
         ..MeshBuilder::default()
     };

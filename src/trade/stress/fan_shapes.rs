@@ -187,14 +187,11 @@ fn cylinder(sides: u32, turn: DQuat, store: fn(f64) -> f64) -> Mesh {
         [a, b, b + 1, a, b + 1, a + 1]
     };
     let faces = Faces::triangles((0..sides).flat_map(side).collect());
-    MeshBuilder { positions, faces, storage: Storage::F64, ..MeshBuilder::default() }
-        .build()
-        .expect("a good mesh")
+    MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().expect("a good mesh")
 }
 
 fn plain_mean(mesh: &Mesh, vertex: u32) -> Vec3 {
     let around = mesh.faces().iter().filter(|face| face.contains(&vertex));
-    let normal =
-        |face: &[u32]| plain::face_normal([0, 1, 2].map(|k| mesh.positions()[face[k] as usize].as_vec3()));
+    let normal = |face: &[u32]| plain::face_normal([0, 1, 2].map(|k| mesh.positions().at(face[k]).as_vec3()));
     plain::unit(around.map(normal).fold(Vec3::ZERO, |sum, normal| sum + normal))
 }

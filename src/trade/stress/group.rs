@@ -29,9 +29,7 @@ impl Group {
     pub const fn without_fast(self) -> &'static str {
         match self {
             Group::NonFinite => "reading and checking positions is the same for both",
-            Group::Angle | Group::Product => {
-                "fast uses the same function"
-            }
+            Group::Angle | Group::Product => "fast uses the same function",
             Group::Unit => "normalised in f64 only",
             Group::Crease => "counted for the report from the same face normals",
             Group::Raster => "drawing has no fast variant",

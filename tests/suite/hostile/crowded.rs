@@ -15,7 +15,7 @@ const COUNT: u32 = 100_000;
 fn mesh(positions: Vec<DVec3>, triangles: impl Iterator<Item = [u32; 3]>, columns: Columns) -> Mesh {
     let mut faces = Faces::new();
     triangles.for_each(|triangle| faces.push(&triangle));
-    MeshBuilder { positions, faces, columns, ..MeshBuilder::default() }.build().unwrap()
+    MeshBuilder { positions: positions.into(), faces, columns }.build().unwrap()
 }
 
 /// A shallow cone of triangles about one vertex.

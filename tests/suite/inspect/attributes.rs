@@ -45,9 +45,12 @@ impl Vertices {
             .enumerate()
             .for_each(|(corner, &v)| normals[v as usize] = *stored.get(corner, v).unwrap());
         let sheared = |p: DVec3| p + DVec3::X * SHEAR * p.y;
-        let leant: Vec<DVec3> = mesh.positions().iter().map(|&p| sheared(p)).collect();
-        let leant =
-            crease::mesh::MeshBuilder { positions: leant, faces: mesh.faces().clone(), ..Default::default() };
+        let leant: Vec<DVec3> = mesh.positions().iter().map(sheared).collect();
+        let leant = crease::mesh::MeshBuilder {
+            positions: leant.into(),
+            faces: mesh.faces().clone(),
+            ..Default::default()
+        };
         let leant = with_normals(
             leant.build().unwrap(),
             &NormalRecipe { crease: crease::normals::Crease::OFF, ..NormalRecipe::default() },

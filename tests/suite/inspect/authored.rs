@@ -31,7 +31,7 @@ fn leaves(count: u32, up: f64, have_backs: bool) -> Mesh {
             faces.push(&[3, 2, 1, 0].map(|corner| corners[corner]));
         }
     }
-    let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
+    let mesh = MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build().unwrap();
     mesh.with_normals(Some(Column::per_vertex(normals)))
 }
 
@@ -61,7 +61,7 @@ fn together(first: &Mesh, second: &Mesh) -> Mesh {
     for face in second.faces().iter() {
         faces.push(&Vec::from_iter(face.iter().map(|vertex| vertex + count)));
     }
-    let mesh = rebuilt([first.positions(), second.positions()].concat(), faces);
+    let mesh = rebuilt([first.positions().to_vec(), second.positions().to_vec()].concat(), faces);
     per_corner(&mesh, [unshared(first), unshared(second)].concat())
 }
 
@@ -108,7 +108,7 @@ fn leaves_next_to_a_trunk_may_be_meant() {
 fn what_happened_to_a_whole_piece_is_a_fault() {
     let ball = Tessellation { pattern: Pattern::Icosphere(2), ..Tessellation::default() };
     let ball = Surface::from(Sphere::default()).tessellate(&ball).unwrap();
-    let away = ball.positions().iter().map(|&position| position + 9.0 * DVec3::X).collect();
+    let away = ball.positions().iter().map(|position| position + 9.0 * DVec3::X).collect();
     let ball = with_normals(rebuilt(away, ball.faces().clone()), &recipe(Weight::Angle, 180.0));
     let changed = |change: &dyn Fn(DVec3) -> DVec3| {
         per_corner(&ball, unshared(&ball).into_iter().map(change).collect())
@@ -149,7 +149,7 @@ fn ball_changed(change: impl Fn(DVec3, DVec3) -> DVec3) -> Mesh {
     let cells = Tessellation { pattern: Pattern::Icosphere(3), ..Tessellation::default() };
     let ball = Surface::from(Sphere::default()).tessellate(&cells).unwrap().with_normals(None);
     let normals = unshared(&with_normals(ball.clone(), &recipe(Weight::Angle, 180.0)));
-    let place = |corner: usize| ball.positions()[ball.faces().corners()[corner] as usize];
+    let place = |corner: usize| ball.positions().at(ball.faces().corners()[corner]);
     let changed = normals.iter().enumerate().map(|(corner, &normal)| change(place(corner), normal));
     per_corner(&ball, changed.collect())
 }
@@ -167,7 +167,7 @@ fn what_is_curved_in_one_place_may_be_meant() {
                 });
                 let mut normals = unshared(&bent);
                 let corners = bent.faces().corners().iter().enumerate();
-                let behind = corners.filter(|&(_, &vertex)| bent.positions()[vertex as usize].x < -0.2);
+                let behind = corners.filter(|&(_, &vertex)| bent.positions().at(vertex).x < -0.2);
                 let behind: Vec<usize> = behind.map(|(corner, _)| corner).collect();
                 for k in 0..faults {
                     normals[behind[k * 71 % behind.len()]] *= -1.0;
@@ -255,8 +255,8 @@ fn a_stray_does_not_make_inverted_normals_less_grave() {
 fn a_copy_that_runs_the_other_way_has_its_normals_turned_round() {
     let sheet = surface(&Surface::Wave(Wave::default()), [24, 24]);
     let count = sheet.vertex_count() as u32;
-    let next_to = sheet.positions().iter().map(|&position| position + 5.0 * DVec3::X);
-    let positions = sheet.positions().iter().copied().chain(next_to).collect();
+    let next_to = sheet.positions().iter().map(|position| position + 5.0 * DVec3::X);
+    let positions = sheet.positions().iter().chain(next_to).collect();
     let mut faces = sheet.faces().clone();
     for face in sheet.faces().iter() {
         faces.push(&face.iter().rev().map(|vertex| vertex + count).collect::<Vec<_>>());

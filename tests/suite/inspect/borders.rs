@@ -16,14 +16,14 @@ fn side(whole: &Mesh, is_right: bool, to_part: DMat4) -> Mesh {
     let (mut faces, mut normals) = (Faces::new(), Vec::new());
     for face in 0..whole.faces().len() {
         let corners = whole.faces().face(face);
-        let middle: DVec3 = corners.iter().map(|&vertex| whole.positions()[vertex as usize]).sum();
+        let middle: DVec3 = corners.iter().map(|&vertex| whole.positions().at(vertex)).sum();
         if (middle.x > 0.0) == is_right {
             faces.push(corners);
             let own = &of_whole[whole.faces().range(face)];
             normals.extend(own.iter().map(|&normal| to_part.transform_vector3(normal)));
         }
     }
-    let positions = whole.positions().iter().map(|&position| to_part.transform_point3(position)).collect();
+    let positions = whole.positions().iter().map(|position| to_part.transform_point3(position)).collect();
     per_corner(&super::rebuilt(positions, faces), normals)
 }
 
@@ -62,7 +62,7 @@ fn what_goes_on_in_another_part_does_not_stray() {
 
     // What strays at the border is no normal of the other part.
     let border = (0..left.faces().corner_count())
-        .find(|&corner| left.positions()[left.faces().corners()[corner] as usize].x.abs() < 1e-9)
+        .find(|&corner| left.positions().at(left.faces().corners()[corner]).x.abs() < 1e-9)
         .unwrap();
     let mut normals = unshared(&left);
     normals[border] = DMat4::from_rotation_z(1.0).transform_vector3(normals[border].any_orthonormal_vector());

@@ -30,8 +30,7 @@ fn severity_does_not_fall_as_half_of_the_normals_turn_further() {
         let positions = clean.mesh.positions();
         let is_turned = |corner: usize| {
             let face = clean.mesh.faces().ranges().position(|range| range.contains(&corner)).unwrap();
-            clean.mesh.faces().face(face).iter().map(|&vertex| positions[vertex as usize].x).sum::<f64>()
-                > 0.0
+            clean.mesh.faces().face(face).iter().map(|&vertex| positions.at(vertex).x).sum::<f64>() > 0.0
         };
         let normals = unshared(&clean.mesh);
         let half: Vec<bool> = (0..normals.len()).map(is_turned).collect();
@@ -63,7 +62,7 @@ fn averaged_beyond(mesh: &Mesh, share: f64) -> (Mesh, usize) {
     let topology = Topology::build(mesh, Weld::Exact);
     let (mut normals, corners) = (unshared(mesh), mesh.faces().corners());
     let (low, high) = mesh.bounds().unwrap();
-    let at = |corner: u32| mesh.positions()[corners[corner as usize] as usize];
+    let at = |corner: u32| mesh.positions().at(corners[corner as usize]);
     let key = |corner: u32| at(corner).to_array().map(|x| (x + 0.0).to_bits());
     let is_beyond = |corner: u32| at(corner).x > low.x + share * (high.x - low.x);
     let mut edges = 0;
@@ -118,7 +117,7 @@ fn averaged_creases_of_parts_are_reported_once() {
 
 /// The same mesh with a vertex for each corner.
 fn with_own_vertices(mesh: &Mesh) -> Mesh {
-    let positions = mesh.faces().corners().iter().map(|&vertex| mesh.positions()[vertex as usize]).collect();
+    let positions = mesh.faces().corners().iter().map(|&vertex| mesh.positions().at(vertex)).collect();
     let mut faces = Faces::new();
     mesh.faces()
         .ranges()
@@ -128,7 +127,7 @@ fn with_own_vertices(mesh: &Mesh) -> Mesh {
         smoothing: mesh.columns().smoothing.clone(),
         ..Columns::default()
     };
-    MeshBuilder { positions, faces, columns, ..MeshBuilder::default() }.build().unwrap()
+    MeshBuilder { positions, faces, columns }.build().unwrap()
 }
 
 /// Which corners an averaged edge explains does not depend on how corners share vertices.

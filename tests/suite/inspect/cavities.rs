@@ -205,7 +205,7 @@ fn facets(mesh: &Mesh) -> String {
     for face in mesh.faces().iter() {
         solid.push_str("facet normal 0 0 0\nouter loop\n");
         for &vertex in face {
-            let [x, y, z] = mesh.positions()[vertex as usize].to_array();
+            let [x, y, z] = mesh.positions().at(vertex).to_array();
             solid.push_str(&format!("vertex {x:e} {y:e} {z:e}\n"));
         }
         solid.push_str("endloop\nendfacet\n");

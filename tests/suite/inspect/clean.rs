@@ -71,7 +71,7 @@ fn jittered(shape: &Surface, segments: [u32; 2]) -> Mesh {
 /// Half a ball of uneven triangles, open below.
 fn bowl() -> Mesh {
     let whole = jittered(&Surface::from(Sphere::default()), [40, 24]);
-    let is_above = |face: &&[u32]| face.iter().all(|&v| whole.positions()[v as usize].y > -0.2);
+    let is_above = |face: &&[u32]| face.iter().all(|&v| whole.positions().at(v).y > -0.2);
     let mut faces = Faces::new();
     whole.faces().iter().filter(is_above).for_each(|face| faces.push(face));
     rebuilt(whole.positions().to_vec(), faces)

@@ -53,7 +53,7 @@ fn shuffled(mesh: &Mesh) -> Mesh {
     let vertex = |v: u32| v * 7 % vertices;
     let order: Vec<usize> = (0..count).map(|face| face * 11 % count).collect();
     let mut positions = vec![DVec3::NAN; vertices as usize];
-    for (v, &position) in mesh.positions().iter().enumerate() {
+    for (v, position) in mesh.positions().iter().enumerate() {
         positions[vertex(v as u32) as usize] = position;
     }
     assert!(positions.iter().all(|position| position.is_finite()), "every vertex has a place");
@@ -164,6 +164,6 @@ fn normals_come_and_go() {
 #[test]
 fn shapes_without_a_face_in_common_are_refused() {
     let before = torus();
-    let moved = rebuilt(before.positions().iter().map(|&p| p + DVec3::X).collect(), before.faces().clone());
+    let moved = rebuilt(before.positions().iter().map(|p| p + DVec3::X).collect(), before.faces().clone());
     assert_eq!(try_to_compare(&before, &moved), Err(Incomparable::NothingInCommon));
 }

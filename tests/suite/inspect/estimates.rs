@@ -130,18 +130,14 @@ fn crease_angles_are_reported_as_computing_has_them() {
 fn a_seam_between_groups_is_meant() {
     let ball = surface(&Surface::from(Sphere::default()), [32, 16]);
     let group = |face: &[u32]| {
-        let above = face.iter().map(|&vertex| ball.positions()[vertex as usize].y).sum::<f64>() > 0.0;
+        let above = face.iter().map(|&vertex| ball.positions().at(vertex).y).sum::<f64>() > 0.0;
         if above { 1 } else { 2 }
     };
     let of_face = ball.faces().iter().map(group).collect();
     let smoothing = Some(SmoothingGroups { of_face, before_first: 0 });
     let columns = Columns { smoothing, ..Columns::default() };
-    let grouped = MeshBuilder {
-        positions: ball.positions().to_vec(),
-        faces: ball.faces().clone(),
-        columns,
-        ..MeshBuilder::default()
-    };
+    let grouped =
+        MeshBuilder { positions: ball.positions().to_vec().into(), faces: ball.faces().clone(), columns };
     let grouped = grouped.build().unwrap();
     let with = |groups| NormalRecipe { groups, ..recipe(Weight::Angle, 40.0) };
     let across = inspect(&with_normals(grouped.clone(), &with(Groups::Ignore)), 1);

@@ -41,13 +41,13 @@ fn errors_far_from_the_origin_are_as_reported() {
         let mesh = Surface::from(Torus::default()).tessellate(&cells).unwrap();
         // Aslant, so that no two corners of a face have a coordinate in common, which rounding would move together.
         let aslant = DMat3::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 1.0);
-        let moved = |p: &DVec3| aslant * *p + DVec3::new(1e5, 1e5, 0.0);
+        let moved = |p: DVec3| aslant * p + DVec3::new(1e5, 1e5, 0.0);
         let far = rebuilt(mesh.positions().iter().map(moved).collect(), mesh.faces().clone());
         let rounded = far.positions().iter().map(|p| p.as_vec3().as_dvec3()).collect();
         let rounded = rebuilt(rounded, far.faces().clone());
         let area_vector = |mesh: &Mesh, face: &[u32]| {
             let place =
-                |corner: usize| mesh.positions()[face[corner % face.len()] as usize] - far.positions()[0];
+                |corner: usize| mesh.positions().at(face[corner % face.len()]) - far.positions().at(0);
             (0..face.len()).map(|corner| place(corner).cross(place(corner + 1))).sum::<DVec3>()
         };
         let off = |face: &[u32]| {
@@ -153,7 +153,7 @@ fn rounded_normals_are_measured() {
         let entries = ruled.corner_index(torus.faces().corners());
         let columns =
             Columns { normals: Some(Column::per_corner(normals, entries)), ..torus.columns().clone() };
-        let builder = MeshBuilder { positions: torus.positions().to_vec(), ..MeshBuilder::default() };
+        let builder = MeshBuilder { positions: torus.positions().to_vec().into(), ..MeshBuilder::default() };
         MeshBuilder { faces: torus.faces().clone(), columns, ..builder }.build().unwrap()
     };
     let stored = rounded(&ruled.values);
@@ -200,7 +200,7 @@ fn cut_strip(columns: Columns) -> Mesh {
     ];
     let mut faces = Faces::new();
     [[0, 1, 2, 3], [4, 5, 6, 7]].iter().for_each(|face| faces.push(face));
-    MeshBuilder { positions, faces, columns, ..MeshBuilder::default() }.build().unwrap()
+    MeshBuilder { positions: positions.into(), faces, columns }.build().unwrap()
 }
 
 /// Places on faces tell the lines of these, and others those of their vertices, whatever stands between.
@@ -376,7 +376,7 @@ fn words_and_numbers_are_of_the_same_parts() {
         let sphere = surface(&Surface::from(Sphere::new(radius).unwrap()), segments).with_normals(None);
         // Every face with vertices of its own: all edges could be merged.
         let corners = sphere.faces().corners();
-        let positions = corners.iter().map(|&vertex| sphere.positions()[vertex as usize]).collect();
+        let positions = corners.iter().map(|&vertex| sphere.positions().at(vertex)).collect();
         let mut faces = Faces::new();
         sphere.faces().ranges().for_each(|range| faces.push(&range.map(|it| it as u32).collect::<Vec<_>>()));
         let mesh = rebuilt(positions, faces);

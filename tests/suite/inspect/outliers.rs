@@ -118,7 +118,7 @@ fn severity_does_not_fall_as_the_threshold_gets_stricter() {
 /// either, and those of points with none that is as it was.
 fn open(mesh: &Mesh, places: &BTreeSet<u32>) -> BTreeSet<u32> {
     let faces = mesh.faces();
-    let position = |vertex: u32| mesh.positions()[vertex as usize];
+    let position = |vertex: u32| mesh.positions().at(vertex);
     let point = |vertex: u32| position(vertex).to_array().map(f64::to_bits);
     let corners = faces.corners().iter().zip(0..);
     let right = corners.filter(|(_, corner)| !places.contains(corner));

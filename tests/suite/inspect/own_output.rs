@@ -3,7 +3,7 @@
 use crate::cli::{crease, path, text};
 use crate::meshes::{Row, rows};
 use crease::io::{Format, Part, ReadOptions, WriteOptions, read, write_new};
-use crease::mesh::{Columns, Faces, Mesh, MeshBuilder, Storage};
+use crease::mesh::{Columns, Faces, Mesh, MeshBuilder, Positions, Storage};
 use crease::quality::catalogue::Family;
 use crease::quality::{Severity, Thresholds, diagnose};
 use crease::surface::{Sphere, Surface, Tessellation};
@@ -25,7 +25,11 @@ fn saddle() -> Mesh {
     for (i, j) in (0..8).flat_map(|j| (0..8).map(move |i| (i, j))) {
         faces.push(&[corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)]);
     }
-    let builder = MeshBuilder { positions, storage: Storage::F32, faces, columns: Columns::default() };
+    let builder = MeshBuilder {
+        positions: Positions::rounded(positions, Storage::F32),
+        faces,
+        columns: Columns::default(),
+    };
     builder.build().unwrap()
 }
 
@@ -72,7 +76,7 @@ fn with_slivers(seed: u32, round: impl Fn(f64) -> f64) -> Mesh {
     let rough = Tessellation { noise: 0.2, seed, segments: [32, 20], ..Tessellation::default() };
     let ball = Surface::from(Sphere::default()).tessellate(&rough).unwrap();
     let round = |point: DVec3| DVec3::from_array(point.to_array().map(|x| f64::from(round(x) as f32)));
-    let mut positions: Vec<DVec3> = ball.positions().iter().copied().map(round).collect();
+    let mut positions: Vec<DVec3> = ball.positions().iter().map(round).collect();
     let mut faces = Faces::new();
     for (number, face) in ball.faces().iter().enumerate() {
         let &[a, b, c] = face else { panic!("the ball is of triangles") };
@@ -87,7 +91,11 @@ fn with_slivers(seed: u32, round: impl Fn(f64) -> f64) -> Mesh {
         let between = positions.len() as u32 - 1;
         [[a, between, c], [between, b, c], [a, b, between]].iter().for_each(|face| faces.push(face));
     }
-    let builder = MeshBuilder { positions, storage: Storage::F32, faces, columns: Columns::default() };
+    let builder = MeshBuilder {
+        positions: Positions::rounded(positions, Storage::F32),
+        faces,
+        columns: Columns::default(),
+    };
     builder.build().unwrap()
 }
 

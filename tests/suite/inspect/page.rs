@@ -111,7 +111,7 @@ fn is_seen_but_not_from(side: DVec3, mesh: Mesh) {
 #[test]
 fn the_view_sees_what_is_wrong() {
     let ball = surface(&Surface::from(Sphere::default()), [48, 24]);
-    let mut positions: Vec<DVec3> = ball.positions().iter().map(|&p| p * 0.3).collect();
+    let mut positions: Vec<DVec3> = ball.positions().iter().map(|p| p * 0.3).collect();
     let mut faces = ball.faces().clone();
     let first = positions.len() as u32;
     for height in [-1.0, 0.5] {

@@ -128,8 +128,7 @@ pub(super) fn averaged_crease(mesh: &Mesh) -> Option<Planted> {
     let mut places = BTreeSet::new();
     // By place: beyond a seam the same corner of the shape is another vertex.
     let mut touched: BTreeSet<[u64; 3]> = BTreeSet::new();
-    let place =
-        |corner: u32| mesh.positions()[corners[corner as usize] as usize].to_array().map(f64::to_bits);
+    let place = |corner: u32| mesh.positions().at(corners[corner as usize]).to_array().map(f64::to_bits);
     // Beyond the 40° that the meshes are made with.
     let far = |a: DVec3, b: DVec3| angle_between(a, b).0 > 0.7;
     for half_edge in 0..corners.len() as u32 {
@@ -197,7 +196,7 @@ fn doubled_faces(clean: &Clean) -> Planted {
 fn other_groups(clean: &Clean) -> Planted {
     let faces = clean.mesh.faces();
     let middle = |face: usize| -> f64 {
-        faces.face(face).iter().map(|&v| clean.mesh.positions()[v as usize].x).sum::<f64>()
+        faces.face(face).iter().map(|&v| clean.mesh.positions().at(v).x).sum::<f64>()
     };
     let of_face: Vec<u32> = (0..faces.len()).map(|face| if middle(face) > 0.0 { 1 } else { 2 }).collect();
     let topology = Topology::build(&clean.mesh, Weld::Exact);
@@ -222,7 +221,7 @@ fn other_groups(clean: &Clean) -> Planted {
     let mut columns = clean.mesh.columns().clone();
     columns.smoothing = Some(SmoothingGroups { of_face, before_first: 0 });
     let (positions, faces) = (clean.mesh.positions().to_vec(), faces.clone());
-    let mesh = MeshBuilder { positions, faces, columns, ..MeshBuilder::default() }.build().unwrap();
+    let mesh = MeshBuilder { positions: positions.into(), faces, columns }.build().unwrap();
     Planted::new("smoothing groups cut by a plane", Kind::GroupMismatch, mesh, places)
 }
 

@@ -47,7 +47,7 @@ fn mesh(balls: &[Ball]) -> Mesh {
             index.extend(face.iter().map(|&vertex| if stored.is_some() { vertex } else { NONE }));
             faces.push(&face);
         }
-        positions.extend(ball.positions().iter().map(|&position| position + x * DVec3::X));
+        positions.extend(ball.positions().iter().map(|position| position + x * DVec3::X));
         let sign = if stored == Some(In) { -1.0 } else { 1.0 };
         normals.extend(ball.positions().iter().map(|position| sign * position.normalize()));
     }
@@ -55,7 +55,7 @@ fn mesh(balls: &[Ball]) -> Mesh {
         return rebuilt(positions, faces);
     }
     let columns = Columns { normals: Some(Column::per_corner(normals, index)), ..Columns::default() };
-    MeshBuilder { positions, faces, columns, ..MeshBuilder::default() }.build().unwrap()
+    MeshBuilder { positions: positions.into(), faces, columns }.build().unwrap()
 }
 
 fn file(meshes: Vec<Mesh>) -> Loaded {

@@ -17,7 +17,7 @@ use std::collections::BTreeSet;
 /// Whether a face lies on the half of a ball towards +x.
 fn is_right(mesh: &Mesh, face: usize) -> bool {
     let corners = mesh.faces().face(face);
-    corners.iter().map(|&vertex| mesh.positions()[vertex as usize].x).sum::<f64>() > 0.0
+    corners.iter().map(|&vertex| mesh.positions().at(vertex).x).sum::<f64>() > 0.0
 }
 
 /// Two halves of a ball as primitives of one glTF mesh, each with vertices of its own.
@@ -74,14 +74,14 @@ pub(super) fn cut(mesh: &Mesh, across: DVec3, apart: f64) -> Mesh {
     let aside = DVec3::new(0.6, 0.0, 0.8) * apart * (high - low).length();
     let positions = mesh.positions();
     let is_beyond =
-        |face: &[u32]| face.iter().map(|&v| (positions[v as usize] - middle).dot(across)).sum::<f64>() > 0.0;
+        |face: &[u32]| face.iter().map(|&v| (positions.at(v) - middle).dot(across)).sum::<f64>() > 0.0;
     let count = positions.len() as u32;
     let mut faces = Faces::new();
     for face in mesh.faces().iter() {
         let offset = if is_beyond(face) { count } else { 0 };
         faces.push(&face.iter().map(|v| v + offset).collect::<Vec<_>>());
     }
-    let all = [DVec3::ZERO, aside].into_iter().flat_map(|by| positions.iter().map(move |&p| p + by));
+    let all = [DVec3::ZERO, aside].into_iter().flat_map(|by| positions.iter().map(move |p| p + by));
     rebuilt(all.collect(), faces)
 }
 

@@ -113,7 +113,7 @@ fn reversed_component(clean: &Clean) -> Planted {
     let (mesh, count) = (&clean.mesh, clean.mesh.face_count());
     let offset = DVec3::X * 10.0 * mesh.bounds().map_or(1.0, |(low, high)| (high - low).max_element());
     let positions =
-        [DVec3::ZERO, offset].into_iter().flat_map(|at| mesh.positions().iter().map(move |&p| p + at));
+        [DVec3::ZERO, offset].into_iter().flat_map(|at| mesh.positions().iter().map(move |p| p + at));
     let first = mesh.vertex_count() as u32;
     let mut faces = Faces::new();
     for start in [0, first] {

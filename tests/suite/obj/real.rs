@@ -209,7 +209,7 @@ fn tobj_agrees_where_it_is_right() {
         for (range, theirs) in mesh.faces().ranges().zip(theirs) {
             assert_eq!(range.len(), theirs.len(), "{}", row.name());
             for (corner, (position, uv, normal)) in range.zip(theirs) {
-                let ours = mesh.positions()[mesh.faces().corners()[corner] as usize];
+                let ours = mesh.positions().at(mesh.faces().corners()[corner]);
                 assert!(
                     (0..3).all(|axis| close(ours[axis], position[axis])),
                     "{}: corner {corner}",

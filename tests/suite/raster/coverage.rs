@@ -36,7 +36,7 @@ fn closed(kind: &str, random: &mut Random) -> Model {
             // Slivers: as thin as a thousandth, and turned anyhow.
             let Model { mesh, .. } = bumpy(1, random);
             let turn = DMat4::from_rotation_x(unit(random)) * DMat4::from_rotation_y(3.0 * unit(random));
-            let squeeze = |p: &DVec3| turn.transform_point3(*p * DVec3::new(1.0, 1.0, 1e-3));
+            let squeeze = |p: DVec3| turn.transform_point3(p * DVec3::new(1.0, 1.0, 1e-3));
             Model::new(mesh.positions().iter().map(squeeze).collect(), mesh.faces().clone())
         }
         _ => {
@@ -44,7 +44,7 @@ fn closed(kind: &str, random: &mut Random) -> Model {
             let cut = Tessellation { segments: [10, 5], ..Tessellation::default() };
             let mesh = torus.tessellate(&cut).unwrap();
             let turn = DMat4::from_rotation_x(3.0 * unit(random)) * DMat4::from_rotation_z(unit(random));
-            let positions = mesh.positions().iter().map(|p| turn.transform_point3(*p)).collect();
+            let positions = mesh.positions().iter().map(|p| turn.transform_point3(p)).collect();
             Model::new(positions, mesh.faces().clone())
         }
     }

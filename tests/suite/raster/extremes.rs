@@ -247,7 +247,7 @@ fn rays_agree(model: &Model, projection: Projection, what: &str, tally: &mut Tal
     let triangles: Vec<[DVec3; 3]> = (0..count)
         .map(|face| {
             let corners = model.mesh.faces().face(face);
-            [0, 1, 2].map(|k| model.mesh.positions()[corners[k] as usize])
+            [0, 1, 2].map(|k| model.mesh.positions().at(corners[k]))
         })
         .collect();
     let numbers: Vec<LinearRgb> = (0..3 * count).map(|k| LinearRgb::grey((k / 3 + 1) as f64)).collect();

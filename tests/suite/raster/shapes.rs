@@ -17,7 +17,8 @@ pub struct Model {
 
 impl Model {
     pub fn new(positions: Vec<DVec3>, faces: Faces) -> Self {
-        let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
+        let mesh =
+            MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build().unwrap();
         let normals = compute(&mesh, &NormalRecipe::default());
         Self { mesh, normals }
     }
@@ -39,7 +40,7 @@ impl Model {
 
     /// Puts other normals in place of those computed: one for each vertex.
     pub fn with_vertex_normals(mut self, normal: impl Fn(DVec3) -> DVec3) -> Self {
-        let values = self.normals.entry_vertex.iter().map(|&v| normal(self.mesh.positions()[v as usize]));
+        let values = self.normals.entry_vertex.iter().map(|&v| normal(self.mesh.positions().at(v)));
         self.normals.normals.values = values.collect();
         self
     }
@@ -106,7 +107,7 @@ pub fn icosphere(level: usize) -> Model {
 /// A closed, bumpy shape: an icosphere with its vertices moved in and out.
 pub fn bumpy(level: usize, random: &mut Random) -> Model {
     let Model { mesh, .. } = icosphere(level);
-    let positions = mesh.positions().iter().map(|p| *p * (0.6 + 0.8 * unit(random))).collect();
+    let positions = mesh.positions().iter().map(|p| p * (0.6 + 0.8 * unit(random))).collect();
     Model::new(positions, mesh.faces().clone())
 }
 

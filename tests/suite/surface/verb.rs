@@ -64,7 +64,7 @@ fn the_torus_of_the_reference_comes_out_with_exact_normals() {
     assert_eq!((mesh.vertex_count(), mesh.face_count()), (2048, 4096));
     for (p, n) in mesh.positions().iter().zip(normals(&mesh)) {
         let ring = DVec3::new(p.x, 0.0, p.z);
-        let tube = *p - ring.normalize();
+        let tube = p - ring.normalize();
         // Both are doubles.
         assert!((tube.length() - 0.4).abs() < 1e-15);
         assert!((tube / 0.4 - *n).length() < 2e-15);
@@ -101,7 +101,7 @@ fn every_surface_goes_to_every_format() {
             assert_eq!(report["output"]["format"], format);
             // Facets of STL point the way of their own triangle, vertex normals to the same side of it.
             for (face, range) in mesh.faces().iter().zip(mesh.faces().ranges()) {
-                let [a, b, c] = [0, 1, 2].map(|k| mesh.positions()[face[k] as usize]);
+                let [a, b, c] = [0, 1, 2].map(|k| mesh.positions().at(face[k]));
                 let column = mesh.columns().normals.as_ref().unwrap();
                 let sum: DVec3 = range.zip(face).map(|(corner, &v)| *column.get(corner, v).unwrap()).sum();
                 assert!((b - a).cross(c - a).dot(sum) > 0.0, "{kind} {format}");
@@ -161,10 +161,10 @@ fn scaled_and_moved_copies_are_what_they_say() {
     let (report, copy) = written(&moved, "b.ply");
     assert_eq!(report["offset"], serde_json::json!([1e6, -3.0, 0.25]));
     let (scale, offset) = (DVec3::new(2.0, 1.0, -0.5), DVec3::new(1e6, -3.0, 0.25));
-    for ((p, q), n) in plain.positions().iter().zip(copy.positions()).zip(normals(&copy)) {
+    for ((p, q), n) in plain.positions().iter().zip(copy.positions().iter()).zip(normals(&copy)) {
         // A double of 1e6 has steps of 1.2e-10.
-        assert!((*p * scale + offset - *q).length() < 1.2e-10);
-        assert!(((*p / scale).normalize() - *n).length() < 1e-7);
+        assert!((p * scale + offset - q).length() < 1.2e-10);
+        assert!(((p / scale).normalize() - *n).length() < 1e-7);
     }
     // Mirrored, the faces run the other way round in the list and outward in space.
     assert_ne!(plain.faces().face(0), copy.faces().face(0));

@@ -198,7 +198,7 @@ fn wall(ratio: f64, span: f64, interpolation: Interpolation) -> Vec<f32> {
     let positions = corners.map(|[x, z_or_y]: [f64; 2]| DVec3::new(x, 2.0 * z_or_y, -x.abs())).to_vec();
     let mut faces = Faces::new();
     faces.push(&[0, 1, 2, 3]);
-    let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
+    let mesh = MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build().unwrap();
     let normals = compute(&mesh, &NormalRecipe::default());
     let colours = [0.0, span, span, 0.0].map(LinearRgb::grey).to_vec();
     let object = Object {

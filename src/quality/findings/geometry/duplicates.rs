@@ -38,7 +38,7 @@ pub(crate) fn search_vertices(facts: &Facts<'_>, found: &mut Found) {
     if facts.stored.is_some() || !facts.file.shares_vertices() {
         return;
     }
-    let key = |vertex: u32| place_key(facts.mesh.positions()[vertex as usize]);
+    let key = |vertex: u32| place_key(facts.mesh.positions().at(vertex));
     let used = (0..facts.mesh.vertex_count() as u32)
         .into_par_iter()
         .filter(|&vertex| !facts.topology.corners_at(vertex).is_empty());

@@ -26,7 +26,7 @@ pub(crate) fn check_folds(facts: &Facts<'_>, face: usize, folded: Limit, found: 
 /// Finds edges of more than two faces, each once.
 pub(crate) fn search_non_manifold(facts: &Facts<'_>, found: &mut Found) {
     let corners = facts.mesh.faces().corners();
-    let key = |vertex: u32| place_key(facts.mesh.positions()[vertex as usize]);
+    let key = |vertex: u32| place_key(facts.mesh.positions().at(vertex));
     let ends = |half_edge: u32| {
         let (tail, head) = facts.topology.ends(corners, half_edge);
         let [a, b] = match facts.topology.link(half_edge) {
@@ -52,7 +52,7 @@ pub(crate) fn largest_dihedral_angle(facts: &Facts<'_>, half_edge: u32) -> f64 {
     let vertices = facts.mesh.faces().corners();
     let ends = |half_edge: u32| {
         let (tail, head) = facts.topology.ends(vertices, half_edge);
-        [tail, head].map(|vertex| place_key(facts.mesh.positions()[vertex as usize]))
+        [tail, head].map(|vertex| place_key(facts.mesh.positions().at(vertex)))
     };
     let [tail, head] = ends(half_edge);
     let normals: Vec<DVec3> = (0..vertices.len() as u32)

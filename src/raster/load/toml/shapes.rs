@@ -55,10 +55,9 @@ impl PolygonTable {
         let mut face_list = Faces::new();
         faces.iter().for_each(|face| face_list.push(face));
         let builder = MeshBuilder {
-            positions: vertices.iter().map(|&vertex| vertex.into()).collect(),
+            positions: vertices.iter().map(|&vertex| DVec3::from(vertex)).collect(),
             faces: face_list,
             columns: Columns { normals: normals.map(Column::per_vertex), ..Columns::default() },
-            ..MeshBuilder::default()
         };
         let mesh = builder.build().map_err(|fault| error("faces", &fault.to_string()))?;
         Ok((mesh, colours.as_ref().map(|colours| colours.iter().map(|&Colour(colour)| colour).collect())))

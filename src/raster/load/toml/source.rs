@@ -82,10 +82,7 @@ impl Source<'_> {
             Some(value) if message.starts_with("expected") => format!("`{value}`: {message}"),
             _ => message,
         };
-        ReadError {
-            problem: Problem::Syntax,
-            ..self.error(&span, &found, "")
-        }
+        ReadError { problem: Problem::Syntax, ..self.error(&span, &found, "") }
     }
 
     /// An error about the value at `span`.

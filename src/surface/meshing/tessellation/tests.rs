@@ -29,7 +29,7 @@ fn normals(mesh: &Mesh) -> &[DVec3] {
 
 /// Twice the vector area of a face, relative to its first corner.
 fn vector_area(mesh: &Mesh, face: &[u32]) -> DVec3 {
-    let place = |k: usize| mesh.positions()[face[k] as usize] - mesh.positions()[face[0] as usize];
+    let place = |k: usize| mesh.positions().at(face[k]) - mesh.positions().at(face[0]);
     (1..face.len() - 1).map(|k| place(k).cross(place(k + 1))).sum()
 }
 
@@ -183,9 +183,9 @@ fn noise_leaves_the_surface_by_no_more_than_asked_and_keeps_normals() {
     );
     assert_eq!(normals(&smooth), normals(&rough));
     let (mut furthest, mut sum) = (0.0_f64, 0.0);
-    for ((p, q), n) in smooth.positions().iter().zip(rough.positions()).zip(normals(&smooth)) {
-        let lift = (*q - *p).dot(*n);
-        assert!((*p + *n * lift - *q).length() < 1e-15);
+    for ((p, q), n) in smooth.positions().iter().zip(rough.positions().iter()).zip(normals(&smooth)) {
+        let lift = (q - p).dot(*n);
+        assert!((p + *n * lift - q).length() < 1e-15);
         furthest = furthest.max(lift.abs());
         sum += lift;
     }
@@ -205,7 +205,7 @@ fn texture_coordinates_are_the_parameters() {
         let uv = *uvs.get(corner, vertex).unwrap();
         assert!(uv.cmpge(DVec2::ZERO).all() && uv.cmple(DVec2::ONE).all());
         let position = chart.at(uv.x, uv.y).unwrap().position;
-        assert!((position - mesh.positions()[vertex as usize]).length() < 1e-15);
+        assert!((position - mesh.positions().at(vertex)).length() < 1e-15);
     }
     // No face reaches round the back of the texture.
     for range in mesh.faces().ranges() {
