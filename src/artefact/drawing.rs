@@ -126,7 +126,6 @@ pub(super) fn errors(image: &Image, truth: &Image) -> Result<[f64; 2]> {
     Ok([error.max / 255.0, error.rms / 255.0])
 }
 
-/// The largest error of a component of a pixel.
 pub(super) fn largest_error(image: &Image, truth: &Image) -> Result<f64> {
     Ok(errors(image, truth)?[0])
 }

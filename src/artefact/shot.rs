@@ -58,7 +58,6 @@ pub struct Shot {
     pub image: Image,
 }
 
-/// The JSON of a picture is its size.
 fn size<S: Serializer>(image: &Image, serializer: S) -> Result<S::Ok, S::Error> {
     image.size.serialize(serializer)
 }

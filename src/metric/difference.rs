@@ -86,7 +86,6 @@ pub fn image_error(picture: &Image, truth: &Image, threshold: f64) -> Result<Ima
     Ok(error)
 }
 
-/// The differences of the components of all pixels.
 #[derive(Default)]
 struct Sum {
     threshold: f64,

@@ -196,7 +196,6 @@ fn refine_remedies(facts: &Facts<'_>, found: &mut Found) {
     }
 }
 
-/// Adds an option that every command needs.
 fn add_to_remedies(found: &mut Found, option: &str) {
     for (kind, tally) in found.iter_mut() {
         let own = tally.remedy.take().or_else(|| kind.entry().remedy.map(str::to_owned));
@@ -214,7 +213,6 @@ fn angle(facts: &Facts<'_>, kind: Kind, spot: &Spot) -> Option<f64> {
     }
 }
 
-/// What was found in all parts so far.
 struct Totals {
     found: Found,
     /// How many elements of each type the parts have.
@@ -223,7 +221,6 @@ struct Totals {
 }
 
 impl Totals {
-    /// Adds what was found in a part with so many nodes.
     fn add(&mut self, facts: &Facts<'_>, mut found: Found, nodes: usize) {
         let edges = &facts.field.summary.edges;
         let plain = edges.smooth + edges.boundary + edges.crease + edges.marked;
@@ -250,7 +247,6 @@ impl Totals {
         }
     }
 
-    /// The finding of an entry, if there is one.
     fn finding(&mut self, entry: &Entry, loaded: &Loaded) -> Option<Finding> {
         let tally = self.found.take(entry.kind);
         let places = tally.worst.iter().map(|spot| site(loaded, spot)).collect();

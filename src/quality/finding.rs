@@ -160,7 +160,6 @@ fn cause(entry: &Entry, tally: &Tally) -> String {
     if details.is_empty() { title } else { format!("{title}: {}", details.join("; ")) }
 }
 
-/// The sum over all parts ([`Tally::sum`]) in words.
 fn sum_in_words(kind: Kind, sum: u64) -> String {
     let is_one = sum == 1;
     match kind {

@@ -18,7 +18,6 @@ use std::borrow::Cow;
 /// The ends of many lines, which are in one space.
 pub(crate) struct LineEnds<'a> {
     points: Points<'a>,
-    /// From the points' space to the scene's.
     transform: DMat4,
     course: LineSource<'a>,
 }
@@ -32,7 +31,6 @@ enum LineSource<'a> {
     FromFaces(NormalLines<'a>, usize),
 }
 
-/// What leads along the normals of an object.
 struct NormalLines<'a> {
     shape: &'a Shape<'a>,
     matrix: NormalMatrix,
@@ -40,7 +38,6 @@ struct NormalLines<'a> {
 }
 
 impl<'a> LineEnds<'a> {
-    /// The edges of an object's faces that are not culled.
     pub(crate) fn edges(object: &'a Object<'a>, drawn: &DrawnObject<'a>, cull: Cull) -> Self {
         let edges = match cull {
             Cull::None => object.shape.edges(),
@@ -158,14 +155,12 @@ fn check_numbers(numbers: impl Iterator<Item = u32>, each: usize, count: usize) 
     wrong.map_or(Ok(()), |(at, index)| Err(RenderError::index("line", at / each, index, count)))
 }
 
-/// All lines of a picture.
 pub(crate) struct LineJob<'a> {
     sets: Vec<LineSet<'a>>,
     /// Where each tile's lines begin, with the total at the end; and the lines, as a set and a number in it.
     parts: Vec<(usize, Vec<u32>, Vec<u32>)>,
 }
 
-/// Lines that look alike.
 pub(crate) struct LineSet<'a> {
     ends: LineEnds<'a>,
     /// From the space of the ends to view space.
@@ -173,7 +168,6 @@ pub(crate) struct LineSet<'a> {
     pub(crate) colour: Vec3,
     pub(crate) radius: f64,
     pub(crate) hide: bool,
-    /// Whether these are the edges of an object under [`Shading::Wireframe`].
     pub(crate) is_wireframe: bool,
 }
 
@@ -250,7 +244,6 @@ impl<'a> LineSet<'a> {
         })
     }
 
-    /// The tiles that the box around a line touches.
     fn touched(&self, job: &Job, segment: Segment) -> Option<TileBox> {
         let [a, b] = segment.ends;
         let tiles = |axis: usize| {

@@ -103,7 +103,6 @@ pub fn probe(
     Ok(Some(point))
 }
 
-/// A point whose colour counts for a sample.
 struct ColourSource {
     share: f64,
     position: DVec3,
@@ -111,7 +110,6 @@ struct ColourSource {
     given: Option<LinearRgb>,
 }
 
-/// The terms of the light on the points that count for a sample.
 fn lit_points(
     job: &Job,
     paint: &Paint,
@@ -142,7 +140,6 @@ fn lit_points(
     sources.iter().map(lit).collect()
 }
 
-/// A sample of an analytic surface.
 fn on_surface(job: &Job, object: usize, at: [f64; 2]) -> Option<(ProbePoint, Vec<ColourSource>)> {
     let (hit, distance) = cast(job, object, at)?;
     let turned = job.settings.two_sided && !hit.front;
@@ -162,7 +159,6 @@ fn on_surface(job: &Job, object: usize, at: [f64; 2]) -> Option<(ProbePoint, Vec
     Some((point, vec![ColourSource { share: 1.0, position: hit.position, normal, given: None }]))
 }
 
-/// A sample of a face.
 fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> (ProbePoint, Vec<ColourSource>) {
     let object = &job.objects[drawn.object];
     let triangle = drawn.list.vertices(record.triangle);

@@ -263,7 +263,6 @@ pub fn svg_file(drawing: &str) -> String {
 
 const STYLE: &str = include_str!("page.css");
 
-/// A picture as an element that contains its bytes.
 pub(super) fn image(picture: &Picture, alternative: &str) -> Result<String, ReportError> {
     let source = format!("data:image/png;base64,{}", STANDARD.encode(encode_png(picture, Transfer::Srgb)?));
     let [width, height] = picture.size;

@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 
 /// Most entries that a GIF palette has.
 pub(super) const LARGEST: usize = 256;
-/// Bits of each component that colours are counted by.
 const BITS: u32 = 6;
 const DROPPED: u32 = 8 - BITS;
 
@@ -22,7 +21,6 @@ pub struct Palette {
     entry_of_cell: Vec<u8>,
 }
 
-/// Pixels of one cell.
 #[derive(Clone, Copy, Debug, Default)]
 struct Cell {
     count: u64,
@@ -101,7 +99,6 @@ fn cell_of(colour: [u8; 3]) -> usize {
     colour.into_iter().fold(0, |cell, c| cell << BITS | usize::from(c >> DROPPED))
 }
 
-/// A component of a cell.
 fn component(cell: u32, axis: usize) -> u32 {
     cell >> (BITS * (2 - axis as u32)) & ((1 << BITS) - 1)
 }

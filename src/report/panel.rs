@@ -13,7 +13,6 @@ pub struct Panel {
     pub picture: Picture,
 }
 
-/// Most panels in a row.
 const COLUMNS: usize = 4;
 /// The sheet and its text, as shares of the full code.
 const PAPER: [f32; 3] = [0.13; 3];
@@ -25,7 +24,6 @@ const TEXT_RANGE: [f32; 2] = [14.0, 56.0];
 /// The largest side of a sheet, as of any picture that is drawn.
 const LARGEST: u32 = 16_384;
 
-/// The layout of panels.
 struct Layout {
     columns: usize,
     /// Height of the text.

@@ -34,7 +34,6 @@ impl Reflectance {
         }
     }
 
-    /// Whether the numbers are valid, and K in the range of `R`.
     fn check<R: Real>(self, field: &'static str) -> Result<(), ShadeError> {
         if let Reflectance::Split { k, .. } = self {
             Place::Material.not_negative(field, k)?;
@@ -108,7 +107,6 @@ impl Material {
         (sum.largest() > 1.0 + 4.0 * f64::EPSILON).then_some(EnergyGain { sum })
     }
 
-    /// Whether the numbers are valid and colours are in the range of `R`.
     pub(crate) fn check<R: Real>(&self) -> Result<(), ShadeError> {
         for (field, reflectance) in [
             ("ambient reflection", self.ambient),

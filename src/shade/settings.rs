@@ -146,7 +146,6 @@ impl Guards {
 }
 
 impl ShadeSettings {
-    /// Whether every number is valid.
     pub(super) fn check(&self) -> Result<(), ShadeError> {
         let place = Place::Settings;
         place.position("origin", self.frame.origin)?;

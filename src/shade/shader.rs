@@ -35,7 +35,6 @@ pub struct Shader<R> {
     pub(super) lights: Vec<LightTerm<R>>,
     /// The viewer, if a term depends on the view direction.
     pub(super) view: Option<View<R>>,
-    /// cosⁿ of highlights.
     pub(super) power: Power<R>,
     pub(super) depth_cue: Option<R>,
     pub(super) two_sided: bool,
@@ -56,7 +55,6 @@ pub struct SurfacePoint<R> {
     pub normal: [R; 3],
 }
 
-/// The direction to the viewer.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum View<R> {
     /// V, the same at every point.
@@ -314,7 +312,6 @@ impl<R: Real> Shader<R> {
 }
 
 impl<R: Real> View<R> {
-    /// V and the distance to the viewer; 0 at infinity.
     #[inline(always)]
     pub(super) fn at(&self, position: Triple<R>) -> (Triple<R>, R) {
         match *self {

@@ -36,7 +36,6 @@ pub(super) struct SpotSource<R> {
     edge: Option<(R, R)>,
     /// The exponent of the cosine, unless it is 0.
     pub(super) concentration: Option<Power<R>>,
-    /// Whether the cosine is not let below 0.
     guarded: bool,
 }
 

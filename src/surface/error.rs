@@ -33,7 +33,6 @@ impl SurfaceError {
     }
 }
 
-/// Checks a number of cells or the like.
 pub(super) fn check_count(
     what: &str,
     found: impl Into<u64>,
@@ -46,7 +45,6 @@ pub(super) fn check_count(
     if found == limit { Ok(()) } else { Err(error()) }
 }
 
-/// A length, if it is valid.
 pub(super) fn length(what: &str, found: f64) -> Result<f64, SurfaceError> {
     let error =
         || out_of_range(what, format!("{found:?}").trim_end_matches(".0"), "a length from 1e-60 to 1e60");

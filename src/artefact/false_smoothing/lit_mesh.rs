@@ -15,7 +15,6 @@ pub(super) struct LitMesh {
     pub(super) size: u32,
 }
 
-/// Its pictures with one kind of normals.
 pub(super) struct Rendering {
     pub(super) lit: Image,
     flat: Image,

@@ -73,7 +73,6 @@ fn run(setup: &Setup) -> Result<Outcome> {
     Ok(out.finish(verdict, effect))
 }
 
-/// The largest jumps at the edges.
 struct Edges {
     /// Of flat shading.
     step: Found,

@@ -16,9 +16,7 @@ struct Piece {
 
 /// A polygon and the triangles that it became.
 pub(crate) struct Cut {
-    /// The polygon.
     pub(crate) face: u32,
-    /// The triangles.
     pub(crate) triangles: Vec<u32>,
     /// Corners of the polygon and of triangles at the same position.
     pub(crate) pairs: Vec<[u32; 2]>,

@@ -21,12 +21,10 @@ impl<'a> Side<'a> {
         Self { meshes, starts }
     }
 
-    /// How many corners there are.
     pub(crate) fn corners(&self) -> usize {
         self.starts[self.meshes.len()]
     }
 
-    /// How many faces there are.
     pub(crate) fn faces(&self) -> usize {
         self.meshes.iter().map(|mesh| mesh.face_count()).sum()
     }

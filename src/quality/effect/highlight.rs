@@ -6,7 +6,6 @@ use crate::quality::angles::Limit;
 use crate::quality::facts::Facts;
 use crate::shade::roughness_exponent;
 
-/// The exponent of faces whose material has none.
 const USUAL: f64 = 32.0;
 
 /// The highlight of each material that the faces of a part name.

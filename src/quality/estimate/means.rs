@@ -141,7 +141,6 @@ fn other_half(part: &Part<'_>, face: usize) -> Option<usize> {
     face.checked_sub(1).filter(|&before| is_cut(before))
 }
 
-/// What weightings need of a corner of a face.
 struct CornerTerm {
     normal: DVec3,
     ahead: DVec3,

@@ -7,7 +7,6 @@ use glam::{DMat3, DMat4, DVec3};
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 use std::hash::BuildHasher;
 
-/// The bits of a position in the world.
 type Key = [u64; 3];
 
 /// The normals at positions that several parts share.

@@ -27,7 +27,6 @@ pub(crate) enum Direction {
 pub(crate) struct Part<'a> {
     pub(crate) file: &'a FileContext<'a>,
     pub(crate) thresholds: &'a Thresholds,
-    /// The number of the part in its file.
     pub(crate) number: usize,
     pub(crate) mesh: &'a Mesh,
     pub(crate) topology: Topology,
@@ -37,18 +36,15 @@ pub(crate) struct Part<'a> {
     pub(crate) scale: f64,
     /// The largest extent of the mesh, scaled.
     pub(crate) size: f64,
-    /// The scaled area of each face.
     pub(crate) area: Vec<f64>,
     pub(crate) total_area: f64,
     pub(crate) winding: Winding,
     pub(crate) duplicates: DuplicateFaces,
-    /// The stored normals, if there are any.
     pub(crate) stored: Option<&'a Column<DVec3>>,
     /// The directions of the stored values, zero where there is none; empty if few corners share a value.
     stored_units: Vec<DVec3>,
     /// The normals of the faces until the corner normals are computed from them; then empty.
     pub(crate) face_field: FaceField,
-    /// The unit normals of the faces from then on.
     pub(crate) face_normals: Vec<DVec3>,
     directions: Vec<Direction>,
     /// Whether a reversed face is at a vertex, so that the mean of its faces has no meaning; empty if there are none.
@@ -93,22 +89,18 @@ impl<'a> Part<'a> {
         }
     }
 
-    /// How far the direction of a face can be relied on.
     pub(crate) fn direction(&self, face: usize) -> Direction {
         self.directions[face]
     }
 
-    /// Whether a face has a direction that its neighbours agree with.
     pub(crate) fn is_sound(&self, face: usize) -> bool {
         self.directions[face] == Direction::Sound
     }
 
-    /// Whether a face has a direction, right or reversed.
     pub(crate) fn has_direction(&self, face: usize) -> bool {
         self.directions[face] != Direction::Undefined
     }
 
-    /// The face's own unit normal.
     pub(crate) fn face_normal(&self, face: usize) -> DVec3 {
         match self.face_normals.is_empty() {
             true => self.face_field.units()[face],
@@ -116,17 +108,14 @@ impl<'a> Part<'a> {
         }
     }
 
-    /// The face of a corner.
     pub(crate) fn face_of(&self, corner: usize) -> usize {
         self.topology.face_of(corner as u32) as usize
     }
 
-    /// The corners of a face.
     pub(crate) fn corners_of(&self, face: usize) -> Range<usize> {
         self.mesh.faces().range(face)
     }
 
-    /// The vertex of a corner.
     pub(crate) fn vertex(&self, corner: usize) -> u32 {
         self.mesh.faces().corners()[corner]
     }
@@ -156,7 +145,6 @@ impl<'a> Part<'a> {
         Some(self.stored_units[slot as usize]).filter(|&unit| unit != DVec3::ZERO)
     }
 
-    /// Whether a reversed face is at the vertex of a corner.
     pub(crate) fn is_near_reversed(&self, corner: usize) -> bool {
         !self.near_reversed.is_empty() && self.near_reversed[self.vertex(corner) as usize]
     }

@@ -17,7 +17,6 @@ use rayon::prelude::*;
 pub(crate) struct Job<'a> {
     pub(crate) settings: &'a RenderSettings,
     pub(crate) view: View,
-    /// Rays in units of the frame.
     pub(crate) rays: Rays,
     pub(crate) frame: Frame,
     pub(crate) background: [f32; 3],
@@ -210,7 +209,6 @@ impl<'a> Prepared<'a> {
         }
     }
 
-    /// [`corner_normal`](Self::corner_normal) in doubles.
     pub(crate) fn exact_corner_normal(&self, Corner { number, vertex, turned }: Corner) -> DVec3 {
         let normal = match self.shape {
             Shape::Mesh { normals, .. } => normals.normals.get(number as usize, vertex).copied(),
@@ -219,7 +217,6 @@ impl<'a> Prepared<'a> {
         side(self.in_scene(normal.unwrap_or(DVec3::ZERO)), turned)
     }
 
-    /// [`face_normal`](Self::face_normal) in doubles.
     pub(crate) fn exact_face_normal(&self, face: u32, turned: bool) -> DVec3 {
         side(self.in_scene(self.shape.face_normals().get(face)), turned)
     }
@@ -281,7 +278,6 @@ fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Res
     }
 }
 
-/// Whether all triangles name vertices that exist.
 fn check_indices(triangles: &[[u32; 3]], count: usize) -> Result<(), RenderError> {
     // The largest index first: a search that stops early is slower.
     let parts = triangles.as_flattened().par_chunks(1 << 16);

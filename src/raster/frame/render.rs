@@ -97,7 +97,6 @@ fn blank(settings: &RenderSettings) -> Image {
     }
 }
 
-/// Draws all tiles and returns how many pixels are covered.
 fn draw_tiles(job: &Job, bins: &Bins, lines: &LineJob, image: &mut Image) -> Result<u64, RenderError> {
     let workers = Mutex::new(Vec::new());
     let spare =
@@ -159,7 +158,6 @@ fn rows_of_tiles<T>(list: &mut [T], size: [u32; 2]) -> Vec<Vec<&mut [T]>> {
 }
 
 impl Target<'_> {
-    /// Writes a tile, or background, and returns how many of its pixels are covered.
     pub(crate) fn write(&mut self, job: &Job, tile: Option<&Finished>) -> u64 {
         match tile {
             Some(tile) => num::dispatch(WriteTile { target: self, settings: job.settings, tile }),

@@ -35,7 +35,6 @@ pub(crate) struct Worker {
     /// Sums over the samples done.
     sum: Colours,
     covered: Box<[u8; PIXELS]>,
-    /// The pixels that edges of a wireframe are drawn in.
     edged: Box<[bool; PIXELS]>,
 }
 
@@ -49,9 +48,7 @@ fn colours() -> Colours {
 }
 
 pub(crate) struct Finished<'a> {
-    /// Linear colours, the mean of the samples.
     pub(crate) colours: &'a Colours,
-    /// How many samples of each pixel are covered.
     pub(crate) covered: &'a [u8; PIXELS],
     /// The pixels that show a wireframe's edge; `None` where faces are shown.
     pub(crate) edged: Option<&'a [bool; PIXELS]>,

@@ -216,7 +216,6 @@ impl Painter {
         Ok(())
     }
 
-    /// Lights samples at their positions, with their values as normals.
     fn shade(
         &mut self,
         job: &Job,
@@ -307,7 +306,6 @@ impl Painter {
 }
 
 impl Tile<'_> {
-    /// Where a sample is, in 256ths of a pixel of the picture.
     fn place(&self, seen: VisibleSample) -> [i32; 2] {
         let [column, row] = place(usize::from(seen.pixel)).map(|n| n as i32);
         [self.origin[0] + (column << BITS), self.origin[1] + (row << BITS)]

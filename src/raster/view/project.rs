@@ -21,7 +21,6 @@ pub(crate) struct ScreenVertex {
 /// The bit of a vertex whose place on the picture overflows.
 pub(crate) const NOT_FINITE: u32 = 1 << 5;
 
-/// Positions to read vertices from.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Points<'a> {
     F64(&'a [DVec3]),

@@ -104,12 +104,10 @@ fn page(title: &str, lead: &str, language: Language) -> Page {
     Page::new(title, lead).in_language(language.tag(), &tables::text("contents", language)).set_by(running)
 }
 
-/// Running text as markup.
 fn set(text: &str) -> Markup {
     PreEscaped(running(text))
 }
 
-/// Who claims it, and the closed forms.
 fn claim(experiment: &Experiment, setup: &Setup, language: Language, page: &mut Page) {
     page.heading(&tables::text("claim", language));
     page.paragraph(experiment.claim().get(language));

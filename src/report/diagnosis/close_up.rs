@@ -139,7 +139,6 @@ impl Around {
     }
 }
 
-/// The positions of the corners of a face.
 fn points(mesh: &Mesh, face: usize) -> impl Iterator<Item = DVec3> {
     mesh.faces().face(face).iter().map(|&vertex| mesh.positions()[vertex as usize])
 }

@@ -72,7 +72,6 @@ pub(super) fn section(
     Ok(())
 }
 
-/// The numbers of a comparison.
 fn numbers(name: &str, comparison: &Comparison) -> String {
     let [mean, largest] = [comparison.mean, comparison.largest].map(|angle| three_digits(angle.0));
     let [mean_steps, largest_steps] = comparison.steps().map(three_digits);

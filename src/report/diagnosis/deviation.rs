@@ -105,7 +105,6 @@ impl Model {
     }
 }
 
-/// The smallest deviation at each position.
 fn least_at_places(mesh: &Mesh, deviations: &[Option<f64>]) -> HashMap<[u64; 3], f64> {
     let mut least = HashMap::new();
     for (&position, degrees) in mesh.positions().iter().zip(deviations) {
@@ -157,7 +156,6 @@ fn coloured(
     Ok(Picture { size: [side; 2], pixels: Pixels::Eight(pixels) })
 }
 
-/// The number of given colours.
 fn count(paint: &Paint<'_>) -> usize {
     if let Paint::Given(colours) = paint { colours.len() } else { 0 }
 }

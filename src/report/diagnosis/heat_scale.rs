@@ -6,7 +6,6 @@ use crate::quality::Survey;
 /// The colour of corners without a valid stored normal; not on the scale.
 pub(super) const ABSENT: Srgb8 = Srgb8([240, 80, 200]);
 
-/// The range of deviations of the colours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct HeatScale {
     /// The deviation at the light end.
@@ -41,7 +40,6 @@ impl HeatScale {
         }
     }
 
-    /// The colour of a deviation.
     pub(super) fn colour(self, deviation: Option<f64>) -> LinearRgb {
         deviation.map_or(LinearRgb::from(ABSENT), |degrees| viridis(degrees / self.full.0))
     }

@@ -79,7 +79,6 @@ fn is_empty(lines: &Lines) -> bool {
 }
 
 impl HeatScale {
-    /// The colours of dots, each with the deviations that it marks.
     fn marks(self) -> Vec<(LinearRgb, impl Fn(Option<f64>) -> bool)> {
         let absent = (LinearRgb::from(ABSENT), None, None);
         let share = |at: f64| MARKED + (1.0 - MARKED) * at / SHADES as f64;
@@ -107,7 +106,6 @@ impl HeatScale {
     }
 }
 
-/// A corner that may be marked.
 pub(super) struct Corner {
     /// Where it is in the world.
     pub(super) position: DVec3,

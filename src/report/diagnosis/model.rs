@@ -17,20 +17,17 @@ use crate::shade::Material;
 use glam::{DMat3, DMat4, DVec3};
 use std::borrow::Cow;
 
-/// Pixels along the sides of overviews.
 pub(super) const OVERVIEW: u32 = 320;
 
 /// A file whose corners have separate colours and normals.
 pub(super) struct Model {
     pub(super) parts: Vec<PartModel>,
-    /// The part and the transform of each object.
     pub(super) objects: Vec<(usize, DMat4)>,
     /// The number of each object among the nodes with the same part.
     numbers: Vec<u32>,
     pub(super) scale: HeatScale,
 }
 
-/// A part of a file.
 pub(super) struct PartModel {
     /// Every corner is a separate vertex.
     pub(super) mesh: Mesh,
@@ -111,7 +108,6 @@ impl Model {
         self.objects.iter().flat_map(of)
     }
 
-    /// The lit scene from a camera.
     pub(super) fn scene(&self, camera: Camera) -> Scene<'_> {
         let paint = |_: &PartModel| Paint::Lit(Material::default());
         self.painted(camera, |part| &part.field, paint)
@@ -148,7 +144,6 @@ impl Model {
         self.scene(any).bounds()
     }
 
-    /// A picture, lit with its own normals.
     pub(super) fn lit(&self, camera: Camera, side: u32) -> Result<Picture, ReportError> {
         draw(&self.scene(camera), side, Show::Shaded)
     }

@@ -29,7 +29,6 @@ fn text(key: &str, values: &[(&'static str, Value)]) -> String {
     TEXTS.with(key, values).get(Language::English).to_owned()
 }
 
-/// The number of findings with close-ups.
 const CLOSE_UPS: usize = 12;
 
 /// The diagnosis of a file as a page of HTML that opens from disk with nothing else: pictures of the worst places, each
@@ -120,7 +119,6 @@ fn overview(
     Ok(())
 }
 
-/// The caption of the pictures of the overview.
 fn caption(marks: Marks, diagnosis: &Diagnosis) -> String {
     let of_edges = [Kind::AveragedCrease, Kind::SplitSeam, Kind::GroupMismatch];
     let marks = [
@@ -135,7 +133,6 @@ fn caption(marks: Marks, diagnosis: &Diagnosis) -> String {
     text("overview-caption", &[("marks", shown.into())])
 }
 
-/// The estimated recipe of each part.
 fn weightings(page: &mut Page, diagnosis: &Diagnosis) {
     let columns = ["part", "faces", "recipe", "median"];
     let mut table = Table::new("Recipes that reproduce the stored normals best", &columns);
@@ -159,7 +156,6 @@ fn digits(x: f64) -> String {
     powers_of_ten(&three_digits(x))
 }
 
-/// The heading and the words of a finding.
 fn describe(page: &mut Page, finding: &Finding) {
     let entry = finding.kind.entry();
     page.heading(entry.id);
@@ -219,7 +215,6 @@ fn close_ups(
     Ok(picture.is_some() || node.is_some())
 }
 
-/// The worst locations of a finding.
 fn places(finding: &Finding) -> Table {
     let columns = ["location", "face", "corner", "vertex", "position", "degrees"];
     let mut table = Table::new("Worst locations", &columns);

@@ -30,10 +30,8 @@ static TEXTS: Catalogue = catalogue!("page", en);
 /// Pixels along the sides of pictures.
 const SIDE: u32 = 230;
 
-/// Weights with pictures.
 const SHOWN: [Weight; 3] = [Weight::Angle, Weight::Max, Weight::Quadric];
 
-/// Surfaces and tilings with plots of convergence.
 const CONVERGENCE: [(&str, Tiling); 5] = [
     ("torus", Tiling::Jittered),
     ("torus", Tiling::Regular),

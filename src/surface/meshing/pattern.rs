@@ -85,7 +85,6 @@ impl Default for Tessellation {
 }
 
 impl Tessellation {
-    /// Checks the numbers, and that the pattern takes them.
     pub(super) fn check(&self) -> Result<(), SurfaceError> {
         let Self { pattern, jitter, noise, .. } = *self;
         for (what, found) in [("the jitter", jitter), ("the noise", noise)] {

@@ -44,7 +44,6 @@ impl Surface {
         Ok(into_mesh(net, tessellation))
     }
 
-    /// Patterns that are made of a grid.
     fn grid(&self, tessellation: &Tessellation) -> Result<Net, SurfaceError> {
         let charts = self.charts();
         let mut net = grid::net(&charts, tessellation)?;

@@ -63,7 +63,6 @@ fn truth(lamp: Vec3) -> Big {
     &lamp[2] / (squared * exact::length(&lamp))
 }
 
-/// The light at the point itself: 0/0 and 1/0.
 fn measure_at_light() -> Measured {
     let wrong = |colour: Option<f64>| Worst::wrong(usize::from(colour.is_some()));
     Measured {

@@ -56,7 +56,6 @@ pub struct Bound {
     /// Its unit.
     #[serde(skip)]
     pub unit: Unit,
-    /// The key of the text about its source.
     #[serde(serialize_with = "as_text")]
     source: &'static str,
 }
@@ -66,12 +65,10 @@ fn as_text<S: serde::Serializer>(key: &str, serializer: S) -> Result<S::Ok, S::E
 }
 
 impl Bound {
-    /// A bound with the key of its source.
     pub(super) const fn new(most: f64, unit: Unit, source: &'static str) -> Self {
         Self { most, unit, source }
     }
 
-    /// No wrong answer at all.
     pub(super) const fn none_wrong(source: &'static str) -> Self {
         Self::new(0.0, Unit::Wrong, source)
     }
@@ -97,7 +94,6 @@ pub struct Worst {
 }
 
 impl Worst {
-    /// This number of wrong answers.
     pub(super) fn wrong(count: usize) -> Self {
         Self { error: count as f64, undefined: 0 }
     }
@@ -136,7 +132,6 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Pairs of errors: of `faithful` and of the plain formula.
     pub(super) fn pairs(errors: impl IntoIterator<Item = [f64; 2]>) -> Self {
         let errors = errors.into_iter().map(|[faithful, plain]| [faithful, 0.0, plain]);
         Self { fast: None, ..Self::triples(errors) }
@@ -153,7 +148,6 @@ impl Measured {
         Self { samples, faithful, fast: Some(fast), declined: 0, plain: Some(plain) }
     }
 
-    /// Numbers of wrong answers of `faithful` and of the plain formula.
     pub(super) fn wrong(samples: usize, faithful: usize, plain: usize) -> Self {
         let [faithful, plain] = [faithful, plain].map(Worst::wrong);
         Self { samples, faithful, plain: Some(plain), ..Self::default() }

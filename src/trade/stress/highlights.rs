@@ -30,7 +30,6 @@ impl Scene {
         Self { far: false, ..Self::far(vectors, exponent, reflection) }
     }
 
-    /// The same scene with a true highlight of 0.
     fn without_highlight(self) -> Self {
         Self { dark: true, ..self }
     }
@@ -110,7 +109,6 @@ impl Scene {
     }
 }
 
-/// The errors of the highlights of scenes.
 fn measure_scenes(scenes: impl Iterator<Item = Scene>) -> Measured {
     Measured::triples(scenes.map(|scene| {
         let truth = scene.true_highlight();
@@ -137,7 +135,6 @@ fn roundings(number: f64, source: &'static str) -> (Bound, Option<Bound>) {
     (bound(53), Some(bound(24)))
 }
 
-/// No highlight at all.
 fn none(source: &'static str) -> (Bound, Option<Bound>) {
     roundings(0.0, source)
 }

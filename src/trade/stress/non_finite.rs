@@ -6,7 +6,6 @@ use crate::mesh::MeshError;
 
 /// Vertices along the side of a bumpy sheet.
 const SIDE: usize = 9;
-/// The vertex in the middle.
 const MIDDLE: usize = SIDE * SIDE / 2;
 
 pub(super) fn cases() -> Vec<StressCase> {

@@ -1,10 +1,7 @@
 //! Positions so far from the origin that rounding to 32 bits turns the normals of faces.
 
 use crate::num::{Degrees, Radians};
-use crate::quality::catalogue::Kind;
-use crate::quality::counts::{Found, Remark};
-use crate::quality::facts::Facts;
-use crate::quality::spot::Spot;
+use crate::quality::findings::prelude::*;
 use glam::DVec3;
 
 /// The most faces that are sampled.

@@ -2,10 +2,8 @@
 
 use crate::io::FileNode;
 use crate::mesh::normal_matrix;
-use crate::quality::catalogue::Kind;
-use crate::quality::counts::Found;
 use crate::quality::effect::lost_light::key_light_lost;
-use crate::quality::spot::{Measure, Spot};
+use crate::quality::findings::prelude::*;
 use glam::DMat3;
 
 /// Checks the matrices that place a part in the world.

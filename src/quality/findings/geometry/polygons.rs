@@ -1,10 +1,6 @@
 //! Polygons of four corners and more that are not plane, not convex or not simple.
 
-use crate::quality::angles::degrees_between;
-use crate::quality::catalogue::Kind;
-use crate::quality::counts::Found;
-use crate::quality::facts::Facts;
-use crate::quality::spot::Spot;
+use crate::quality::findings::prelude::*;
 use glam::{DVec2, DVec3};
 
 /// The longest polygon of which all pairs of edges are compared.
@@ -13,7 +9,6 @@ const LONGEST: usize = 64;
 /// The sine of an inward turn from which a corner is concave: straight corners are neither.
 const INWARD: f64 = 1e-6;
 
-/// Checks one face.
 pub(crate) fn check(facts: &Facts<'_>, face: usize, found: &mut Found) {
     if facts.corners_of(face).len() < 4 {
         return;
@@ -110,7 +105,6 @@ fn turns(flat: &[DVec2]) -> Vec<f64> {
     (0..count).map(at).collect()
 }
 
-/// Whether two edges that share no corner cross.
 fn crosses_itself(flat: &[DVec2]) -> bool {
     let count = flat.len();
     if count > LONGEST {

@@ -2,14 +2,10 @@
 
 use crate::normals::FaultReason;
 use crate::num::{Degrees, Radians};
-use crate::quality::catalogue::Kind;
-use crate::quality::counts::Found;
-use crate::quality::facts::Facts;
 use crate::quality::findings::geometry::polygons::{is_balanced, positions};
-use crate::quality::spot::{Measure, Spot};
+use crate::quality::findings::prelude::*;
 use glam::DVec3;
 
-/// Checks the shape of one face.
 pub(crate) fn check(facts: &Facts<'_>, face: usize, found: &mut Found) {
     if facts.area[face] == 0.0 {
         return;

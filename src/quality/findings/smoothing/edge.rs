@@ -1,8 +1,7 @@
 //! An edge between two sound faces, with the stored normals on both sides.
 
 use crate::mesh::Link;
-use crate::quality::angles::{SAME, degrees_between};
-use crate::quality::facts::Facts;
+use crate::quality::findings::prelude::*;
 use crate::quality::findings::stored::origin::Origin;
 use crate::quality::thresholds::Thresholds;
 use rayon::prelude::*;
@@ -19,7 +18,6 @@ pub(crate) struct Edge {
 }
 
 impl Edge {
-    /// All edges, each once.
     pub(crate) fn all(facts: &Facts<'_>) -> impl ParallelIterator<Item = Edge> {
         let half_edges = (0..facts.mesh.faces().corner_count() as u32).into_par_iter();
         half_edges.filter_map(|half_edge| Self::once(facts, half_edge))
@@ -30,7 +28,6 @@ impl Edge {
         facts.across_once(half_edge).and_then(|_| Self::at(facts, half_edge))
     }
 
-    /// The edge of a half-edge.
     pub(crate) fn at(facts: &Facts<'_>, half_edge: u32) -> Option<Edge> {
         let stored = facts.stored?;
         let topology = &facts.topology;
@@ -58,7 +55,6 @@ impl Edge {
         Some((Self::at(facts, half_edge)?, usize::from(!is_ahead)))
     }
 
-    /// Whether both sides have the same normal, at both ends.
     pub(crate) fn is_shared(&self) -> bool {
         self.gaps[0].max(self.gaps[1]) <= SAME
     }

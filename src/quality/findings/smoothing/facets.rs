@@ -1,10 +1,6 @@
 //! Flat normals on a shape that is smooth.
 
-use crate::quality::angles::Limit;
-use crate::quality::catalogue::Kind;
-use crate::quality::counts::Found;
-use crate::quality::facts::Facts;
-use crate::quality::spot::Spot;
+use crate::quality::findings::prelude::*;
 use rayon::prelude::*;
 
 /// Edges of a smaller dihedral angle, in degrees, do not count.

@@ -1,8 +1,7 @@
 //! Runs: corners that follow one another around a vertex and share a stored normal, and what the edges among them explain.
 
-use crate::quality::angles::SAME;
 use crate::quality::estimate::pole_cache::{PoleCache, SHORT};
-use crate::quality::facts::Facts;
+use crate::quality::findings::prelude::*;
 use crate::quality::findings::smoothing::edge::Edge;
 
 /// What explains the normal of a run.
@@ -30,7 +29,6 @@ impl<'a> Runs<'a> {
         Some(Self { facts, reported_from, long: PoleCache::default() })
     }
 
-    /// The run of a corner.
     pub(crate) fn of(&self, corner: u32) -> Run {
         let short = || Some(self.walk(corner, SHORT)).filter(|(_, corners)| corners.len() <= SHORT);
         self.long.of(corner, || short().map(|(run, _)| run), || self.walk(corner, usize::MAX))

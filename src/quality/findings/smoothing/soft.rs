@@ -1,17 +1,12 @@
 //! Smooth normals on a shape with sharp edges.
 
 use crate::normals::Crease;
-use crate::quality::angles::{Limit, degrees_between};
-use crate::quality::catalogue::Kind;
-use crate::quality::counts::Found;
-use crate::quality::element::Severity;
 use crate::quality::estimate::recipe::REPRODUCED;
-use crate::quality::facts::Facts;
 use crate::quality::findings::geometry::polygons::bow;
+use crate::quality::findings::prelude::*;
 use crate::quality::findings::smoothing::edge::Edge;
 use crate::quality::findings::smoothing::facets::{FLAT, GENTLE, angle_over, count_edges, is_gentle};
 use crate::quality::findings::smoothing::seams::FEWEST_SHARP;
-use crate::quality::spot::Spot;
 use rayon::prelude::*;
 
 /// The largest number of edges between gentle and sharp ones for each sharp one on a sharp shape: a machined part has 0.05, a gear
@@ -29,7 +24,6 @@ const ALL: f64 = 0.98;
 /// The fewest triangles of a broad flat: one side of a coarse tube has two.
 const BROAD: usize = 3;
 
-/// Finds sharp edges that are smooth, if all of them are.
 pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
     let Some(estimate) = facts.estimate.filter(|_| facts.file.shares_vertices()) else { return };
     let sharp_from = Crease::DEFAULT_ANGLE.0 + facts.thresholds.crease.0;
@@ -72,7 +66,6 @@ fn count_flat_sided(facts: &Facts<'_>, sharp_from: f64) -> usize {
     (0..facts.mesh.faces().corner_count() as u32).into_par_iter().filter(has_flat).count()
 }
 
-/// Whether a face is part of a broad flat.
 fn is_broad(facts: &Facts<'_>, face: usize) -> bool {
     let limit = Limit::new(FLAT);
     let mut flat = vec![face];

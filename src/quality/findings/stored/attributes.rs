@@ -1,11 +1,7 @@
 //! Attributes that go with normals: tangents, and the normals of morph targets.
 
 use crate::num::UnitVec3;
-use crate::quality::angles::degrees_between;
-use crate::quality::catalogue::Kind;
-use crate::quality::counts::Found;
-use crate::quality::facts::Facts;
-use crate::quality::spot::{Measure, Spot};
+use crate::quality::findings::prelude::*;
 
 /// Checks the tangents and morph targets of a part with stored normals.
 pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {

@@ -1,11 +1,7 @@
 //! Normals that are missing, without a direction or not of unit length.
 
-use crate::quality::angles::degrees_between;
-use crate::quality::catalogue::Kind;
-use crate::quality::counts::Found;
 use crate::quality::effect::lost_light::{key_light_lost, key_light_scaled};
-use crate::quality::facts::Facts;
-use crate::quality::spot::{Measure, Spot};
+use crate::quality::findings::prelude::*;
 
 /// Reports a part without normals, with the corners at which flat normals, as glTF asks for, are farthest from smooth ones.
 pub(crate) fn report_none(facts: &Facts<'_>, found: &mut Found) {
@@ -27,7 +23,6 @@ pub(crate) fn report_none(facts: &Facts<'_>, found: &mut Found) {
     found.add_mesh(Kind::NoNormals, facts.total_area, worst);
 }
 
-/// Checks the stored normals of all corners.
 pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
     let Some(stored) = facts.stored else { return };
     found.merge(facts.scan_corners(|face, corner, found| {

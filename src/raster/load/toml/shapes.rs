@@ -13,7 +13,6 @@ use glam::DVec3;
 use serde::Deserialize;
 use toml::Spanned;
 
-/// `polygons = { … }`
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct PolygonTable {

@@ -64,7 +64,6 @@ pub(super) enum ReflectanceValue {
 }
 
 impl ReflectanceValue {
-    /// The reflectance, given the material's colour.
     pub(super) fn of(self, colour: LinearRgb) -> Reflectance {
         match self {
             Self::Coefficient(k) => Reflectance::new(k, colour),
@@ -74,7 +73,6 @@ impl ReflectanceValue {
     }
 }
 
-/// One step of a transform.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Step {
