@@ -1,9 +1,9 @@
 //! The definition of an experiment.
 
+use super::effect::Role;
 use super::error::ArtefactError;
 use super::outcome::{Outcome, Verdict};
 use super::parameters::{ParameterName, Parameters, Setup};
-use super::shot::Role;
 use crate::io::shell_word;
 use crate::raster::Image;
 use crate::text::{Catalogue, Language, Text, Value, given};

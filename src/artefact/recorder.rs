@@ -1,8 +1,8 @@
 //! Collects the findings of an experiment. Each text is looked up by the name of what it describes.
 
+use super::effect::{Caption, Role, Shot};
 use super::effect::{Effect, Threshold};
 use super::outcome::{Chart, Curve, Drawn, Expected, Measure, Outcome, Range, Scale, Verdict};
-use super::shot::{Caption, Role, Shot};
 use crate::raster::Image;
 use crate::text::{Catalogue, Text, Value};
 use std::mem::take;

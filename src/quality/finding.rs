@@ -3,7 +3,7 @@
 use crate::io::shell_word;
 use crate::quality::catalogue::{Entry, Kind};
 use crate::quality::counts::{Milder, Tally};
-use crate::quality::effect::lost_light::key_light_steps;
+use crate::quality::effect::key_light_steps;
 use crate::quality::element::Severity;
 use crate::quality::spot::Measure;
 use glam::DVec3;

@@ -4,7 +4,7 @@ use crate::mesh::{NormalMatrix, normal_matrix};
 use crate::raster::coverage::setup::TILE;
 use crate::raster::coverage::tile_bins::{TileBox, sort, tiles};
 use crate::raster::coverage::triangles::DrawnObject;
-use crate::raster::error::RenderError;
+use crate::raster::error::{RenderError, Result};
 use crate::raster::frame::job::Job;
 use crate::raster::scene::{LinePath, Object, Scene, Shape};
 use crate::raster::settings::{Cull, LineStyle, Shading};
@@ -51,7 +51,7 @@ impl<'a> LineEnds<'a> {
     }
 
     /// The ends of the scene's `number`-th set of lines, checked.
-    pub(crate) fn new(scene: &'a Scene<'a>, number: usize, path: &'a LinePath) -> Result<Self, RenderError> {
+    pub(crate) fn new(scene: &'a Scene<'a>, number: usize, path: &'a LinePath) -> Result<Self> {
         let of_object = |object: usize| {
             let owner = scene.objects.get(object);
             let found = owner.and_then(|owner| Some((owner, owner.shape.points()?)));
@@ -126,7 +126,7 @@ impl<'a> LineEnds<'a> {
 }
 
 impl<'a> NormalLines<'a> {
-    fn new(owner: &'a Object<'a>, object: usize, length: f64) -> Result<Self, RenderError> {
+    fn new(owner: &'a Object<'a>, object: usize, length: f64) -> Result<Self> {
         let matrix = normal_matrix(DMat3::from_mat4(owner.transform));
         let matrix = matrix.ok_or_else(|| RenderError::singular(object))?;
         match length.is_finite() {
@@ -140,7 +140,7 @@ impl<'a> NormalLines<'a> {
     }
 }
 
-fn check_finite(points: &[DVec3]) -> Result<(), RenderError> {
+fn check_finite(points: &[DVec3]) -> Result<()> {
     let wrong = points.iter().find(|point| !point.is_finite());
     wrong.map_or(Ok(()), |point| Err(number("the end of a line", point.to_string())))
 }
@@ -150,7 +150,7 @@ fn number(what: &'static str, found: String) -> RenderError {
 }
 
 /// Holds numbers, so many for each line, to how many there are of what they name.
-fn check_numbers(numbers: impl Iterator<Item = u32>, each: usize, count: usize) -> Result<(), RenderError> {
+fn check_numbers(numbers: impl Iterator<Item = u32>, each: usize, count: usize) -> Result<()> {
     let wrong = numbers.enumerate().find(|&(_, index)| index as usize >= count);
     wrong.map_or(Ok(()), |(at, index)| Err(RenderError::index("line", at / each, index, count)))
 }
@@ -180,7 +180,7 @@ pub(crate) struct Segment {
 }
 
 impl<'a> LineJob<'a> {
-    pub(crate) fn new(job: &Job<'a>, scene: &'a Scene<'a>) -> Result<Self, RenderError> {
+    pub(crate) fn new(job: &Job<'a>, scene: &'a Scene<'a>) -> Result<Self> {
         let mut sets = Vec::new();
         if job.settings.shading == Shading::Wireframe {
             check_style(&job.settings.wire)?;
@@ -216,7 +216,7 @@ impl<'a> LineJob<'a> {
     }
 }
 
-fn check_style(style: &LineStyle) -> Result<(), RenderError> {
+fn check_style(style: &LineStyle) -> Result<()> {
     let number = |what, found: String, expected| Err(RenderError::Number { what, found, expected });
     if !(style.width.is_finite() && style.width > 0.0) {
         return number("the width of lines", style.width.to_string(), "above 0 and finite");

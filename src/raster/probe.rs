@@ -3,7 +3,7 @@
 use crate::num::LinearRgb;
 use crate::raster::coverage::records::{Record, face_corners, takes_mean, triangle_corners};
 use crate::raster::coverage::triangles::{Corner, DrawnObject, PlanePoint, shares};
-use crate::raster::error::RenderError;
+use crate::raster::error::{RenderError, Result};
 use crate::raster::frame::job::{Job, shade_settings};
 use crate::raster::frame::render::bins;
 use crate::raster::frame::tile::Worker;
@@ -78,7 +78,7 @@ pub fn probe(
     settings: &RenderSettings,
     [x, y]: [u32; 2],
     sample: usize,
-) -> Result<Option<ProbePoint>, RenderError> {
+) -> Result<Option<ProbePoint>> {
     let job = Job::new(scene, settings)?;
     let place = settings.samples.places().nth(sample);
     let (Some(place), Some(offset), true) =
@@ -116,7 +116,7 @@ fn lit_points(
     lights: &[Light],
     point: &ProbePoint,
     sources: &[ColourSource],
-) -> Result<Vec<LitPoint>, RenderError> {
+) -> Result<Vec<LitPoint>> {
     let Paint::Lit(material) = paint else {
         let given = |source: &ColourSource| source.given.map(LinearRgb::to_array);
         let lit = |source: &ColourSource| LitPoint { share: source.share, given: given(source), light: None };

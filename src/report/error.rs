@@ -1,5 +1,7 @@
 //! Errors of pictures and pages.
 
+pub(super) type Result<T> = std::result::Result<T, ReportError>;
+
 /// Why a picture cannot be made into a file.
 #[derive(Debug, thiserror::Error)]
 pub enum ReportError {

@@ -14,13 +14,9 @@
 
 // What can go wrong.
 mod error;
-// Pictures to combine and to draw on.
+// Pictures to combine and to draw on, as PNG files.
 mod picture;
-// PNG files.
-mod png;
-// Text in pictures.
-mod label;
-// Pictures side by side with captions.
+// Text in pictures, and pictures side by side with captions.
 mod panel;
 // The palette of an animation.
 mod palette;
@@ -51,13 +47,11 @@ pub use artefact::{
 pub use diagnosis::{After, Sight, deviation_picture, diagnosis_page};
 pub use error::ReportError;
 pub use html::{Drawing, Page, escape_html, svg_file};
-pub use label::{draw_text, text_width};
 pub use overlay::{Overlay, overlay};
 pub use palette::{ColourCount, Palette};
-pub use panel::{Panel, panels, panels_size};
-pub use picture::Picture;
+pub use panel::{Panel, draw_text, panels, panels_size, text_width};
+pub use picture::{Picture, encode_png};
 pub use plot::{Axis, Mark, Plot, Scale, Series};
-pub use png::encode_png;
 pub use probe::{PixelReport, SampleReport, probe_pixel};
 pub use table::Table;
 pub use trade::{

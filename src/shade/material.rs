@@ -1,6 +1,6 @@
 //! Materials: what a surface does with light.
 
-use super::error::{Place, ShadeError};
+use super::error::{Place, Result};
 use crate::num::{LinearRgb, Real};
 
 /// The share of light that a surface returns by one kind of reflection (F15).
@@ -34,7 +34,7 @@ impl Reflectance {
         }
     }
 
-    fn check<R: Real>(self, field: &'static str) -> Result<(), ShadeError> {
+    fn check<R: Real>(self, field: &'static str) -> Result<()> {
         if let Reflectance::Split { k, .. } = self {
             Place::Material.not_negative(field, k)?;
         }
@@ -107,7 +107,7 @@ impl Material {
         (sum.largest() > 1.0 + 4.0 * f64::EPSILON).then_some(EnergyGain { sum })
     }
 
-    pub(crate) fn check<R: Real>(&self) -> Result<(), ShadeError> {
+    pub(crate) fn check<R: Real>(&self) -> Result<()> {
         for (field, reflectance) in [
             ("ambient reflection", self.ambient),
             ("diffuse reflection", self.diffuse),

@@ -1,6 +1,6 @@
 //! Lights and a material resolved to the terms that they need, and the light on a point.
 
-use super::error::{NotFinite, Place, ShadeError};
+use super::error::{NotFinite, Place, Result};
 use super::formula::{self, Triple, rounded, unit};
 use super::light::Light;
 use super::material::Material;
@@ -90,7 +90,7 @@ impl<R: Real> Shader<R> {
     /// # Errors
     /// Invalid numbers: not finite, negative, a direction of length 0, an angle out of range, depth cueing without a viewer at a
     /// finite distance, lights or viewers too far from the scene, and colours beyond the range of `R`.
-    pub fn new(lights: &[Light], material: &Material, settings: &ShadeSettings) -> Result<Self, ShadeError> {
+    pub fn new(lights: &[Light], material: &Material, settings: &ShadeSettings) -> Result<Self> {
         Self::with(lights, material, settings, |term| !term.is_dark())
     }
 
@@ -100,7 +100,7 @@ impl<R: Real> Shader<R> {
         material: &Material,
         settings: &ShadeSettings,
         wanted: fn(&LightTerm<R>) -> bool,
-    ) -> Result<Self, ShadeError> {
+    ) -> Result<Self> {
         material.check::<R>()?;
         settings.check()?;
         let viewer = match settings.viewer {

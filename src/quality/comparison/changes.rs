@@ -8,7 +8,7 @@ use crate::quality::catalogue::{Kind, entries};
 use crate::quality::comparison::matching::Matching;
 use crate::quality::comparison::side::Side;
 use crate::quality::diagnosis::Diagnosis;
-use crate::quality::effect::lost_light::key_light_steps;
+use crate::quality::effect::key_light_steps;
 use crate::quality::finding::Site;
 use crate::quality::sites::{locate, site};
 use crate::quality::spot::Spot;

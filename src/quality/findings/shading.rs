@@ -1,8 +1,8 @@
 //! What interpolation shows of the faces, even with correct normals: broken shadows, lost highlights, Mach bands, outlines.
 
 use crate::num::{angle_between, three_digits};
-use crate::quality::effect::highlight::Highlights;
-use crate::quality::effect::lost_light::slope_jump;
+use crate::quality::effect::Highlights;
+use crate::quality::effect::slope_jump;
 use crate::quality::findings::prelude::*;
 use glam::DVec3;
 

@@ -6,7 +6,7 @@ use crate::raster::coverage::setup::{TILE, depth_plane, double_area};
 use crate::raster::coverage::tile_bins::{Bins, tile_origin, tiles};
 use crate::raster::coverage::tile_list::{DrawTriangles, Owner, Run, TileList};
 use crate::raster::coverage::visible_triangle::{Colours, NOTHING, PIXELS, Visible, number, place};
-use crate::raster::error::RenderError;
+use crate::raster::error::Result;
 use crate::raster::frame::job::Job;
 use crate::raster::lines::{LineJob, LineSet, Segment};
 use crate::raster::settings::{Shading, Show};
@@ -81,7 +81,7 @@ impl Worker {
         bins: &Bins,
         lines: &LineJob,
         tile: [usize; 2],
-    ) -> Result<Option<Finished<'_>>, RenderError> {
+    ) -> Result<Option<Finished<'_>>> {
         let number = tile[1] * tiles(job.view.size)[0] + tile[0];
         if bins.is_empty(number) && lines.is_empty(number) && job.cast_objects().next().is_none() {
             return Ok(None);
@@ -191,7 +191,7 @@ impl Worker {
         }
     }
 
-    fn paint(&mut self, job: &Job, origin: [i32; 2]) -> Result<(), RenderError> {
+    fn paint(&mut self, job: &Job, origin: [i32; 2]) -> Result<()> {
         for (row, background) in self.colour.iter_mut().zip(job.background) {
             row.fill(background);
         }

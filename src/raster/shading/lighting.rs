@@ -3,7 +3,7 @@
 use crate::mesh::NONE;
 use crate::num::{self, Kernel, Lanes};
 use crate::raster::coverage::triangles::{Corner, DrawnObject};
-use crate::raster::error::RenderError;
+use crate::raster::error::{RenderError, Result};
 use crate::raster::frame::job::{Job, Prepared};
 use crate::raster::shading::surface_colour::Shaders;
 use crate::raster::view::project::Points;
@@ -58,11 +58,7 @@ impl PointLight {
     }
 
     /// Lights corners of faces with their normals; [`colour`](Self::colour) then has the light on each.
-    pub(crate) fn corners(
-        &mut self,
-        lit: &Lit,
-        corners: impl Iterator<Item = Corner>,
-    ) -> Result<(), RenderError> {
+    pub(crate) fn corners(&mut self, lit: &Lit, corners: impl Iterator<Item = Corner>) -> Result<()> {
         self.clear();
         self.memo.fill(UNKNOWN);
         for corner @ Corner { number, vertex, turned } in corners {
@@ -85,7 +81,7 @@ impl PointLight {
         &mut self,
         lit: &Lit,
         faces: impl Iterator<Item = (C, Vec3)>,
-    ) -> Result<(), RenderError> {
+    ) -> Result<()> {
         self.clear();
         for (corners, normal) in faces {
             self.vertices.extend(corners.map(|corner| corner.vertex));
@@ -151,7 +147,7 @@ impl PointLight {
         }
     }
 
-    fn light(&mut self, lit: &Lit) -> Result<(), RenderError> {
+    fn light(&mut self, lit: &Lit) -> Result<()> {
         self.bring_into_reach();
         let count = self.normals[0].len();
         self.colours.iter_mut().for_each(|row| row.resize(count, 0.0));

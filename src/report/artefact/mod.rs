@@ -5,8 +5,6 @@
 mod notation;
 // The texts of the pages: tables and sentences.
 mod tables;
-// Pictures of experiments: panels, thumbnails, plots.
-mod pictures;
 // Pages of experiments: for a browser, paper and a projector.
 mod page;
 // The gallery's structure, in both languages.

@@ -7,7 +7,7 @@ use crate::io::Loaded;
 use crate::num::three_digits;
 use crate::quality::{Comparison, Site, Survey};
 use crate::raster::Camera;
-use crate::report::error::ReportError;
+use crate::report::error::Result;
 use crate::report::html::Page;
 use crate::report::table::Table;
 use crate::text::{Catalogue, Language, Value, catalogue};
@@ -32,7 +32,7 @@ pub(super) fn section(
     after: After<'_>,
     surveys: &[Survey],
     camera: Camera,
-) -> Result<(), ReportError> {
+) -> Result<()> {
     let comparison = after.comparison;
     page.heading("Before and after");
     page.paragraph(&numbers(after.name, comparison));

@@ -14,7 +14,7 @@ use crate::mesh::{Mesh, place_key};
 use crate::num::{LinearRgb, Srgb8};
 use crate::quality::{Diagnosis, Severity, Site, survey};
 use crate::raster::{Camera, Lines, Paint, Pixels, RenderSettings, Scene};
-use crate::report::error::ReportError;
+use crate::report::error::{ReportError, Result};
 use crate::report::picture::Picture;
 use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
@@ -33,12 +33,7 @@ pub(super) fn worst_places(diagnosis: &Diagnosis) -> Vec<&Site> {
 ///
 /// # Errors
 /// If there is nothing to draw, or it cannot be drawn.
-pub fn deviation_picture(
-    loaded: &Loaded,
-    diagnosis: &Diagnosis,
-    sight: Sight,
-    side: u32,
-) -> Result<Picture, ReportError> {
+pub fn deviation_picture(loaded: &Loaded, diagnosis: &Diagnosis, sight: Sight, side: u32) -> Result<Picture> {
     let surveys = survey(loaded);
     let model = Model::new(loaded, &surveys, HeatScale::of(surveys.iter()))?;
     let camera = camera(&model, diagnosis, None, sight).ok_or(ReportError::Empty)?;
@@ -47,12 +42,7 @@ pub fn deviation_picture(
 
 impl Model {
     /// A heat map with rings around the visible ones of some sites and a legend below, and the marks of the legend.
-    pub(super) fn deviation(
-        &self,
-        camera: Camera,
-        side: u32,
-        sites: &[&Site],
-    ) -> Result<(Picture, Marks), ReportError> {
+    pub(super) fn deviation(&self, camera: Camera, side: u32, sites: &[&Site]) -> Result<(Picture, Marks)> {
         let scene = self.encoded(camera);
         // Colours alone do not show the form.
         let mut lines = crease_lines(&scene, side);
@@ -117,18 +107,13 @@ fn least_at_places(mesh: &Mesh, deviations: &[Option<f64>]) -> HashMap<[u64; 3],
 }
 
 /// A scene of [encoded](super::heat_scale::encode) deviations in colours of a scale, with lines.
-fn coloured(
-    scene: Scene<'_>,
-    lines: Vec<Lines>,
-    scale: HeatScale,
-    side: u32,
-) -> Result<Picture, ReportError> {
+fn coloured(scene: Scene<'_>, lines: Vec<Lines>, scale: HeatScale, side: u32) -> Result<Picture> {
     let vertices = scene.objects.iter().map(|object| count(&object.paint)).max();
     // Shared: a file may have many nodes with one mesh.
     let black = vec![LinearRgb::BLACK; vertices.unwrap_or(0)];
     let mut scene: Scene<'_> = scene;
     let background = scene.background;
-    let linear = |scene: &Scene<'_>| -> Result<Vec<[f32; 3]>, ReportError> {
+    let linear = |scene: &Scene<'_>| -> Result<Vec<[f32; 3]>> {
         let image =
             render_at(scene, side, RenderSettings { keep_linear: true, ..RenderSettings::default() })?;
         Ok(image.linear.unwrap_or_default())

@@ -3,7 +3,7 @@
 use super::heat_scale::{ABSENT, HeatScale};
 use super::markers::{LINE, ring};
 use crate::num::{LinearRgb, Srgb8, viridis};
-use crate::report::label::{draw_text, text_width};
+use crate::report::panel::{draw_text, text_width};
 use crate::report::picture::Picture;
 
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -13,7 +13,7 @@ use crate::num::{powers_of_ten, three_digits};
 use crate::quality::catalogue::Kind;
 use crate::quality::{Diagnosis, Finding, Severity, Site, survey};
 use crate::raster::Camera;
-use crate::report::error::ReportError;
+use crate::report::error::Result;
 use crate::report::html::{Page, with_code};
 use crate::report::picture::Picture;
 use crate::report::table::Table;
@@ -44,7 +44,7 @@ pub fn diagnosis_page(
     name: &str,
     fix: Option<&str>,
     sight: Sight,
-) -> Result<String, ReportError> {
+) -> Result<String> {
     let surveys = survey(loaded);
     // The same colours before and after.
     let later = after.map(|after| survey(after.loaded)).unwrap_or_default();
@@ -91,12 +91,7 @@ fn verdict(diagnosis: &Diagnosis) -> String {
     format!("{errors}, {warnings}, {notes} in {faces} faces.")
 }
 
-fn overview(
-    page: &mut Page,
-    model: &Model,
-    diagnosis: &Diagnosis,
-    camera: Option<Camera>,
-) -> Result<(), ReportError> {
+fn overview(page: &mut Page, model: &Model, diagnosis: &Diagnosis, camera: Option<Camera>) -> Result<()> {
     page.heading("Overview");
     let Some(camera) = camera else {
         page.paragraph("There are no faces to show.");
@@ -190,7 +185,7 @@ fn close_ups(
     (model, obstacles, camera): (&Model, &[Obstacles<'_>], Option<Camera>),
     site: &Site,
     id: &str,
-) -> Result<bool, ReportError> {
+) -> Result<bool> {
     let picture = model.close_up(site, obstacles, CLOSE_UP)?;
     if let Some(picture) = &picture {
         let alternative = text("close-up-alternative", &[("finding", id.into())]);

@@ -4,7 +4,7 @@ use super::axis::Fitted;
 use super::series::{Mark, Plot, Series};
 use super::series::{SIGN, SeriesStyle, series_styles};
 use crate::report::html::escape_html;
-use crate::report::label::text_width;
+use crate::report::panel::text_width;
 use std::fmt::Write;
 
 /// Margins of the field for numbers and labels, in pixels; the left one may be wider.

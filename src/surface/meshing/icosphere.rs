@@ -1,7 +1,7 @@
 //! Subdivided icosahedra.
 
 use crate::mesh::Faces;
-use crate::surface::error::{SurfaceError, check_count};
+use crate::surface::error::{Result, check_count};
 use crate::surface::meshing::net::Net;
 use crate::surface::shapes::chart::Sample;
 use crate::surface::shapes::star::StarShaped;
@@ -12,7 +12,7 @@ use rustc_hash::FxHashMap;
 const HIGHEST: u64 = 10;
 
 /// The surface in the directions of an icosahedron whose triangles are cut in four so many times.
-pub(crate) fn net(surface: &dyn StarShaped, level: u32) -> Result<Net, SurfaceError> {
+pub(crate) fn net(surface: &dyn StarShaped, level: u32) -> Result<Net> {
     check_count("levels of division", level, 0..=HIGHEST)?;
     let (mut directions, mut triangles) = icosahedron();
     for _ in 0..level {

@@ -2,7 +2,7 @@
 
 use crate::mesh::Faces;
 use crate::num::unit_scale;
-use crate::surface::error::{MOST_CELLS, SurfaceError, check_count};
+use crate::surface::error::{MOST_CELLS, Result, SurfaceError, check_count};
 use crate::surface::meshing::net::{Net, sample_at};
 use crate::surface::meshing::pattern::GridHash;
 use crate::surface::shapes::chart::Sample;
@@ -11,7 +11,7 @@ use glam::DVec2;
 use spade::{DelaunayTriangulation, Point2, Triangulation};
 
 /// As many points as a grid has over the rectangle of a height: evenly spaced on the sides, random within.
-pub(crate) fn net(surface: &dyn Height, segments: [u32; 2], hash: GridHash) -> Result<Net, SurfaceError> {
+pub(crate) fn net(surface: &dyn Height, segments: [u32; 2], hash: GridHash) -> Result<Net> {
     let [columns, rows] = segments;
     let cells = u64::from(columns) * u64::from(rows);
     check_count("cells", cells, 1..=MOST_CELLS)?;
@@ -40,7 +40,7 @@ fn invalid(point: usize, reason: &str) -> SurfaceError {
 }
 
 /// Triangles of distinct points, counter-clockwise. Coordinates are scaled by a power of two to the range of exact predicates.
-pub(crate) fn delaunay(places: &[DVec2]) -> Result<Vec<[u32; 3]>, SurfaceError> {
+pub(crate) fn delaunay(places: &[DVec2]) -> Result<Vec<[u32; 3]>> {
     let scale = unit_scale(places.iter().fold(0.0, |most: f64, p| most.max(p.abs().max_element())));
     let scaled = |place: &DVec2| spade::mitigate_underflow(Point2::new(place.x * scale, place.y * scale));
     let sites: Vec<Point2<f64>> = places.iter().map(scaled).collect();

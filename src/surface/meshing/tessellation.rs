@@ -2,7 +2,7 @@
 
 use crate::mesh::{Column, Columns, Mesh, MeshBuilder};
 use crate::surface::catalogue::Surface;
-use crate::surface::error::SurfaceError;
+use crate::surface::error::{Result, SurfaceError};
 use crate::surface::meshing::net::{Net, dual, sample};
 use crate::surface::meshing::pattern::{GridHash, Pattern, Tessellation};
 use crate::surface::meshing::{grid, icosphere, marching, scattered};
@@ -14,7 +14,7 @@ impl Surface {
     ///
     /// # Errors
     /// For settings out of range, an impossible pattern, and too few or too many segments (2²⁴ cells).
-    pub fn tessellate(&self, tessellation: &Tessellation) -> Result<Mesh, SurfaceError> {
+    pub fn tessellate(&self, tessellation: &Tessellation) -> Result<Mesh> {
         tessellation.check()?;
         let Tessellation { pattern, segments, seed, .. } = *tessellation;
         let hash = GridHash { seed };
@@ -44,7 +44,7 @@ impl Surface {
         Ok(into_mesh(net, tessellation))
     }
 
-    fn grid(&self, tessellation: &Tessellation) -> Result<Net, SurfaceError> {
+    fn grid(&self, tessellation: &Tessellation) -> Result<Net> {
         let charts = self.charts();
         let mut net = grid::net(&charts, tessellation)?;
         grid::join(&mut net, self.patches(), tessellation);

@@ -207,6 +207,7 @@ surface_of_lengths! {
     /// A ray's crossings are the roots of a quartic, made as exact as the surface's equation by Newton steps on the
     /// signed distance. No crossing is missed or invented unless a ray grazes the surface within about 10⁻¹⁵·R²/r.
     Torus {
+        /// From the axis to the middle of the tube.
         major: "the ring's radius" = 1.0,
         /// The radius of the tube.
         minor: "the tube's radius" = 0.4,

@@ -2,7 +2,7 @@
 
 use crate::mesh::Link;
 use crate::normals::{FaultReason, Weight};
-use crate::quality::effect::lost_light::key_light_lost;
+use crate::quality::effect::key_light_lost;
 use crate::quality::estimate::means::term;
 use crate::quality::findings::prelude::*;
 use glam::DVec3;

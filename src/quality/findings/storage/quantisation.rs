@@ -1,7 +1,7 @@
 //! The precision of stored normals: the grid that all of them are on, and the highlights that it is good for.
 
 use crate::num::{Degrees, largest_exponent, three_digits};
-use crate::quality::effect::highlight::Highlights;
+use crate::quality::effect::Highlights;
 use crate::quality::findings::prelude::*;
 use crate::quality::findings::storage::grid::Grid;
 use glam::DVec3;

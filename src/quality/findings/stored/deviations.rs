@@ -3,7 +3,7 @@
 use crate::quality::estimate::recipe::{EXACT, REPRODUCED};
 use crate::quality::findings::prelude::*;
 use crate::quality::findings::smoothing::edge::is_at_averaged;
-use crate::quality::findings::smoothing::runs::{Run, Runs};
+use crate::quality::findings::smoothing::edge::{Run, Runs};
 use crate::quality::findings::stored::origin::Origin;
 use crate::quality::findings::stored::regions::Regions;
 use crate::quality::findings::stored::rotated;
