@@ -1,7 +1,6 @@
 //! The number that a cure changes: whether the artefact is present and whether it is cured, and the pictures that show it.
 
 use super::drawing::linear;
-use super::effect::{Effect, SHARED, Threshold};
 use crate::raster::Image;
 use crate::text::{Catalogue, Text, Value, catalogue};
 use serde::{Serialize, Serializer};

@@ -1,6 +1,6 @@
 //! Errors of pictures and pages.
 
-pub(super) type Result<T> = std::result::Result<T, ReportError>;
+pub(super) type Result<T, E = ReportError> = std::result::Result<T, E>;
 
 /// Why a picture cannot be made into a file.
 #[derive(Debug, thiserror::Error)]

@@ -1,7 +1,6 @@
 //! Pictures to combine and to draw on, and their PNG files.
 
 use super::error::{ReportError, Result};
-use super::picture::Picture;
 use crate::num::Transfer;
 use crate::raster::{Image, Pixels};
 use png::{BitDepth, ColorType, Encoder, SrgbRenderingIntent};

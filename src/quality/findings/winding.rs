@@ -2,7 +2,7 @@
 
 use crate::mesh::Link;
 use crate::quality::findings::prelude::*;
-use crate::quality::input::winding::InsideOut;
+use crate::quality::input::part::InsideOut;
 
 /// Finds faces with opposite winding to their neighbours. A duplicate face and one without a direction are findings of their own.
 pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {

@@ -20,6 +20,7 @@ pub(crate) struct Lit<'a> {
 }
 
 /// Lights points and keeps its memory.
+#[derive(Default)]
 pub(crate) struct PointLight {
     vertices: Vec<u32>,
     /// Where the vertices of each point end, if points are means of several.
@@ -29,7 +30,7 @@ pub(crate) struct PointLight {
     colours: [Vec<f32>; 3],
     /// Which point each corner asked for is.
     point_of: Vec<u32>,
-    memo: Box<[Known; MEMO]>,
+    memo: Vec<Known>,
 }
 
 #[derive(Clone, Copy)]
@@ -45,22 +46,11 @@ const MEMO: usize = 4096;
 const UNKNOWN: Known = Known { entry: 0, vertex: NONE, turned: false, point: 0 };
 
 impl PointLight {
-    pub(crate) fn new() -> Self {
-        Self {
-            vertices: Vec::new(),
-            ends: Vec::new(),
-            positions: Default::default(),
-            normals: Default::default(),
-            colours: Default::default(),
-            point_of: Vec::new(),
-            memo: Box::new([UNKNOWN; MEMO]),
-        }
-    }
-
     /// Lights corners of faces with their normals; [`colour`](Self::colour) then has the light on each.
     pub(crate) fn corners(&mut self, lit: &Lit, corners: impl Iterator<Item = Corner>) -> Result<()> {
         self.clear();
-        self.memo.fill(UNKNOWN);
+        self.memo.clear();
+        self.memo.resize(MEMO, UNKNOWN);
         for corner @ Corner { number, vertex, turned } in corners {
             let entry = lit.object.entry(number, vertex);
             let known = &mut self.memo[entry as usize % MEMO];

@@ -48,7 +48,7 @@ impl Painter {
             positions: rows(),
             colours: rows(),
             faces: rows(),
-            light: PointLight::new(),
+            light: PointLight::default(),
             polygons: Vec::new(),
         }
     }

@@ -1,6 +1,6 @@
 //! The comparison of two files: pictures side by side, and the numbers. Its texts are in comparison.en.ftl.
 
-use super::heat_scale::HeatScale;
+use super::markers::HeatScale;
 use super::model::{Model, OVERVIEW};
 use super::view_choice::hidden;
 use crate::io::Loaded;

@@ -4,8 +4,8 @@
 //! the colour of the mean deviation of its samples, or that of corners without a deviation if they are the majority. Colours
 //! are mixed only at the borders of the mesh, of lines and of dots.
 
-use super::heat_scale::HeatScale;
 use super::legend::{Marks, with_legend};
+use super::markers::HeatScale;
 use super::markers::{Corner, crease_lines, dots, longest_edge, ring};
 use super::model::{Model, PartModel, render_at};
 use super::view_choice::{Sight, camera, hidden};
@@ -106,7 +106,7 @@ fn least_at_places(mesh: &Mesh, deviations: &[Option<f64>]) -> HashMap<[u64; 3],
     least
 }
 
-/// A scene of [encoded](super::heat_scale::encode) deviations in colours of a scale, with lines.
+/// A scene of [encoded](super::markers::encode) deviations in colours of a scale, with lines.
 fn coloured(scene: Scene<'_>, lines: Vec<Lines>, scale: HeatScale, side: u32) -> Result<Picture> {
     let vertices = scene.objects.iter().map(|object| count(&object.paint)).max();
     // Shared: a file may have many nodes with one mesh.
@@ -186,7 +186,7 @@ mod tests {
             near: 0.0,
         };
         let measures: Vec<LinearRgb> =
-            corners.iter().map(|&(_, deviation)| super::super::heat_scale::encode(deviation)).collect();
+            corners.iter().map(|&(_, deviation)| super::super::markers::encode(deviation)).collect();
         let object = Object {
             paint: Paint::Given(Cow::Owned(measures)),
             ..Object::new(Shape::Mesh { mesh: &mesh, normals: &normals }, Material::default())

@@ -1,6 +1,6 @@
 //! The legend of a heat map.
 
-use super::heat_scale::{ABSENT, HeatScale};
+use super::markers::{ABSENT, HeatScale};
 use super::markers::{LINE, ring};
 use crate::num::{LinearRgb, Srgb8, viridis};
 use crate::report::panel::{draw_text, text_width};

@@ -1,6 +1,6 @@
 //! A file as a model whose corners have separate colours and normals, and its pictures.
 
-use super::heat_scale::{HeatScale, encode};
+use super::markers::{HeatScale, encode};
 use crate::io::Loaded;
 use crate::mesh::{Column, Faces, Mesh, MeshBuilder, Obstacles, normal_matrix};
 use crate::normals::{NormalField, Summary};

@@ -2,9 +2,9 @@
 
 use super::comparison::{self, After};
 use super::deviation::worst_places;
-use super::heat_scale::HeatScale;
 use super::histograms::histograms;
 use super::legend::Marks;
+use super::markers::HeatScale;
 use super::model::{Model, OVERVIEW};
 use super::view_choice::{Sight, camera};
 use crate::io::Loaded;

@@ -5,7 +5,7 @@ use crate::surface::catalogue::Surface;
 use crate::surface::error::{Result, SurfaceError};
 use crate::surface::meshing::net::{Net, dual, sample};
 use crate::surface::meshing::pattern::{GridHash, Pattern, Tessellation};
-use crate::surface::meshing::{grid, icosphere, marching, scattered};
+use crate::surface::meshing::{grid, gridless, marching};
 use crate::surface::shapes::chart::Sample;
 
 impl Surface {
@@ -24,7 +24,7 @@ impl Surface {
                 let star = self
                     .star_shaped()
                     .ok_or_else(|| missing("the pattern needs a sphere, an ellipsoid or a superquadric"))?;
-                icosphere::net(star, level)?
+                gridless::icosphere(star, level)?
             }
             Pattern::Marching => {
                 let zero_set = self.zero_set().zip(self.room());
@@ -37,7 +37,7 @@ impl Surface {
                 let height = self
                     .heights()
                     .ok_or_else(|| missing("the pattern needs a plane, a wave or a monkey saddle"))?;
-                scattered::net(height, segments, hash)?
+                gridless::scattered(height, segments, hash)?
             }
             _ => self.grid(tessellation)?,
         };

@@ -1,7 +1,7 @@
 //! Faces of little or no area, and positions that are not finite, which must be reported and must not spread.
 
 use super::face_normals::{self, FAST, Triangle};
-use super::fans::{self, Fan};
+use super::fans::{self, Fan, WEIGHTS};
 use super::prelude::*;
 use crate::mesh::MeshError;
 use crate::trade::exact;
@@ -122,7 +122,7 @@ pub(super) fn zero_area_cases() -> Vec<StressCase> {
                 let mut fan = Fan::cone(6, 0.3);
                 let (centre, [a, b]) = (fan.centre, fan.triangles[0]);
                 fan.triangles.extend([[a, a], [centre, b], [centre, centre]]);
-                fans::measure(&[fan], &fans::WEIGHTS)
+                fans::measure(&[fan], &WEIGHTS)
             },
         ),
     ]
@@ -210,7 +210,7 @@ fn measure_non_finite(bad: f32) -> Measured {
     let touches = |triangle: &[u32; 3]| triangle.contains(&(MIDDLE as u32));
     let others: Vec<[u32; 3]> = triangles.iter().copied().filter(|triangle| !touches(triangle)).collect();
     let expected_faces = normals_of_faces(&positions, &triangles).0;
-    let expected = WEIGHTS.map(|weight| faithful(&positions, &others, weight, Slivers::Exclude));
+    let expected = WEIGHTS.map(|weight| fans::faithful(&positions, &others, weight, Slivers::Exclude));
     positions[MIDDLE].y = bad;
 
     let (faces, reported) = normals_of_faces(&positions, &triangles);
@@ -222,7 +222,7 @@ fn measure_non_finite(bad: f32) -> Measured {
     });
     let mut wrong = faces_wrong.count();
     for (weight, expected) in WEIGHTS.into_iter().zip(expected) {
-        let normals = faithful(&positions, &triangles, weight, Slivers::Exclude);
+        let normals = fans::faithful(&positions, &triangles, weight, Slivers::Exclude);
         let is_wrong = |vertex: &usize| match *vertex {
             MIDDLE => !is_unit(normals[MIDDLE]),
             vertex => normals[vertex] != expected[vertex],

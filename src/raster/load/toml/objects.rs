@@ -8,9 +8,9 @@ use crate::raster::load::scene_file::{
     LoadOptions, MOST_OBJECTS, MOST_PLACED_CORNERS, SceneFile, SceneMesh, SceneObject, SceneShape,
 };
 use crate::raster::load::toml::lighting::{MaterialTable, ReflectionName};
-use crate::raster::load::toml::shapes::{PolygonTable, SurfaceTable};
 use crate::raster::load::toml::source::Source;
 use crate::raster::load::toml::values::Step;
+use crate::raster::load::toml::values::{PolygonTable, SurfaceTable};
 use crate::surface::{Primitive, Surface, Tessellation};
 use glam::{DMat3, DMat4};
 use serde::Deserialize;
