@@ -435,8 +435,8 @@ mod tests {
                         .collect();
                     expected.sort_unstable();
                     expected.dedup();
-                    let LineSource::Between(found) = &ends.course else { panic!("edges") };
-                    assert_eq!(**found, *expected, "{across} {size} {inside} {projection:?} {cull:?}");
+                    let LinePath::Edges { edges: found, .. } = &*ends.path else { panic!("edges") };
+                    assert_eq!(*found, expected, "{across} {size} {inside} {projection:?} {cull:?}");
                 }
             }
         }
