@@ -98,8 +98,8 @@ pub struct RecipeArgs {
     #[serde(serialize_with = "as_name")]
     pub weight: Weight,
 
-    /// Crease angle in degrees: edges with a larger dihedral angle stay sharp; `off` for none. If the file has
-    /// smoothing groups, the angle applies in addition to them only if it is given here [default: 40 without
+    /// Crease angle in degrees: edges with a larger dihedral angle stay sharp; `off` for none. The test adds 0.01° (or a
+    /// tenth of DEG, if that is less), so that chamfers at exactly DEG stay smooth. If the file has smoothing groups, the angle applies in addition to them only if it is given here [default: 40 without
     /// smoothing groups]
     #[arg(long, value_name = "DEG|off", value_parser = crease_angle, allow_negative_numbers = true)]
     pub crease: Option<Degrees>,
