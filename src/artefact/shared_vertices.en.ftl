@@ -41,7 +41,7 @@ note-2 =
     the vertex to the large face cures both the jump and the crack.
 note-3 =
     At a seam, two columns of vertices have the same positions. Vertex normals are averages over the incident faces, and
-    each column has the faces of one side only. Welding merges vertices at the same position.
+    each column has the faces of one side only. Welding averages over all faces at the same position.
 t-junction-title = T-junction
 t-junction-caption =
     Three faces whose corner colours depend only on height. The two small faces on the right are brightest at their

@@ -41,7 +41,7 @@ note-2 =
     Acrescentar o vértice à face grande cura tanto o salto quanto a fenda.
 note-3 =
     Numa emenda, duas colunas de vértices têm as mesmas posições. As normais dos vértices são médias das faces
-    incidentes, e cada coluna só tem as faces de um lado. A solda une os vértices na mesma posição.
+    incidentes, e cada coluna só tem as faces de um lado. A solda calcula a média de todas as faces na mesma posição.
 t-junction-title = junção em T
 t-junction-caption =
     Três faces cujas cores nos cantos só dependem da altura. As duas pequenas, à direita, têm sua cor mais clara no

@@ -119,6 +119,7 @@ pub fn read_bytes(
     };
     let is_other = bytes.is_empty() || other_format(&bytes).is_some();
     let what_it_is = is_other.then(|| unknown(&bytes));
+    let may_be_text = bytes.starts_with(b"<");
     let loaded = match format {
         Format::Obj => obj::read(bytes, base, options),
         Format::Gltf | Format::Glb => gltf::read(bytes, base, options),
@@ -126,14 +127,14 @@ pub fn read_bytes(
         Format::Ply => ply::read(bytes, base, options),
     };
     let mut loaded = loaded.map_err(|error| match what_it_is {
-        Some(other) if is_about_the_start(&error) => other,
+        Some(other) if !may_be_text || is_about_the_start(&error) => other,
         _ => error,
     })?;
     loaded.notes.extend(face_notes(&loaded.parts));
     Ok(loaded)
 }
 
-/// Whether an error may come from another format than the reader's. Behind the first line, the format is right. A binary STL has
+/// Whether an error may come from another format than the reader's, if that has no binary signature. Behind the first line, the format is right. A binary STL has
 /// no signature: its reader takes the first bytes for a header, and misses data.
 fn is_about_the_start(error: &ReadError) -> bool {
     match error.problem {

@@ -93,7 +93,9 @@ faceted-normals-title = flat normals on a smooth shape
 faceted-normals-meaning =
     Every face has its own normal, although the dihedral angles of most edges are small. Each facet is visible, and
     each vertex is stored once for every face.
-faceted-normals-advice = Compute smooth normals, unless the facets are intended.
+faceted-normals-advice =
+    Compute smooth normals, unless the facets are intended. STL files store only facet normals: convert them to
+    another format.
 
 soft-normals-title = smooth normals on a shape with sharp edges
 soft-normals-meaning =

@@ -36,7 +36,7 @@ impl Polygon {
             ArtefactError::request(key, &values.chain([name]).collect::<Vec<_>>())
         };
         let pair = |[first, second]: [usize; 2]| {
-            [("first", first), ("second", second)].map(|(name, number)| (name, (number + 1).to_string()))
+            [("first", first), ("second", second)].map(|(name, number)| (name, number.to_string()))
         };
         let faces = own.mesh.faces();
         let Some(face) = faces.iter().find(|face| face.len() > 3).or_else(|| faces.iter().next()) else {

@@ -24,7 +24,11 @@ pub fn command(findings: &[&Finding], input: &str, output: &str) -> Option<Strin
         due.filter_map(|finding| Some(finding.remedy.as_deref()?.split(' ').collect())).collect();
     let mut options: BTreeMap<&str, &str> = BTreeMap::new();
     for (number, words) in remedies.iter().enumerate() {
-        let given: BTreeMap<&str, &str> = pairs(words).collect();
+        let mut given: BTreeMap<&str, &str> = pairs(words).collect();
+        // Faces can be reoriented without touching normals that were authored.
+        if has_authored && given.keys().all(|option| *option == "--orient") {
+            given.insert("--when", "broken");
+        }
         for (option, values) in STRONGER {
             let strength = |value: &str| values.iter().position(|known| *known == value);
             let value = given.get(option).copied().unwrap_or_default();
@@ -92,5 +96,7 @@ mod tests {
         assert_eq!(with_authored(Severity::Note, "--crease 40"), None);
         assert!(with_authored(Severity::Note, "--when broken").is_some());
         assert!(with_authored(Severity::Warning, "--crease 40").is_some());
+        let reoriented = with_authored(Severity::Error, "--orient consistent").unwrap();
+        assert!(reoriented.ends_with("--orient consistent --when broken"), "{reoriented}");
     }
 }

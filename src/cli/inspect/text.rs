@@ -209,7 +209,8 @@ fn recipe(part: &PartDiagnosis) -> String {
     let rounded = part.precision.as_ref().map_or(String::new(), |precision| {
         format!("; rounded to {}: by at most {}°", precision.grid, three_digits(precision.error.0))
     });
-    format!("{name}{} faces, {} vertices{recipe}{rounded}", part.faces, part.vertices)
+    let (faces, vertices) = (count(part.faces, "face"), count_of(part.vertices, "vertex", "vertices"));
+    format!("{name}{faces}, {vertices}{recipe}{rounded}")
 }
 
 fn place(site: &Site, report: &InspectReport) -> String {

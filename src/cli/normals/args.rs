@@ -14,7 +14,7 @@ use std::path::PathBuf;
 const EXAMPLES: &str = "\
 Examples:
   crease normals gear.obj --crease 40 -o gear.glb
-  crease normals scan.ply --crease off --weight max -o smooth.ply
+  crease normals scan.ply --crease off --weight quadric -o smooth.ply
   crease normals models --recursive --out-dir out --json > report.jsonl";
 
 /// Compute normals and write them

@@ -131,7 +131,7 @@ pub struct ShadingArgs {
     pub interpolation: Option<Interpolation>,
 
     /// Highlight model, or the stored vertex colours without light [default: blinn]
-    #[arg(long, value_name = "WHOSE", value_parser = one_of::<ReflectionChoice>())]
+    #[arg(long, value_name = "MODEL", value_parser = one_of::<ReflectionChoice>())]
     pub reflection: Option<ReflectionChoice>,
 
     /// Exponent of the highlight, 0 or more: a larger exponent gives a smaller highlight [default: the material's, or
@@ -211,7 +211,7 @@ pub struct NormalArgs {
     #[arg(long, value_name = "DEG|off", value_parser = crease_angle, allow_negative_numbers = true)]
     pub crease: Option<Degrees>,
 
-    /// Stored normals to replace [default: all; normals of a scene file only if --weight, --crease or --when is used]
+    /// Stored normals to replace [default: always; normals of a scene file only if --weight, --crease or --when is used]
     #[arg(long, value_name = "WHICH", value_parser = one_of::<When>())]
     pub when: Option<When>,
 }

@@ -83,6 +83,7 @@ impl Estimate {
         let [low, high] = self.creases.map(|angle| (angle.0 * 10.0).ceil());
         let crease = match [low / 10.0, (high - 1.0) / 10.0] {
             [0.0, _] if high >= 1800.0 => "any crease angle".to_owned(),
+            [180.0, _] => "crease 180°".to_owned(),
             [low, _] if high >= 1800.0 => format!("crease {low}° or more"),
             [low, high] if low < high => format!("crease {low}° to {high}°"),
             [low, high] if low == high => format!("crease {low}°"),

@@ -298,7 +298,7 @@ fn check_range(object: &DrawnObject) -> Result<()> {
     let vertex = object.vertices.iter().position(|vertex| vertex.outside & NOT_FINITE != 0).unwrap_or(0);
     let position = object.points.get(vertex as u32);
     let place = format!("object {}: vertex {vertex} at {position}", object.object);
-    Err(RenderError::Invalid(format!("{place} has no finite place in front of the camera")))
+    Err(RenderError::Invalid(format!("{place} has no finite position in front of the camera")))
 }
 
 /// The range of distances that [`Show::Depth`] spreads over.

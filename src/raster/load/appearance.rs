@@ -125,7 +125,7 @@ pub(super) fn first_camera(
                 return Err(ReadError { advice, ..error });
             }
             Err(ReadError { place, found, .. }) => {
-                notes.push(Note::new(Severity::Note, place, format!("{found}; this camera is left out")));
+                notes.push(Note::new(Severity::Note, place, format!("{found}; this camera is omitted")));
             }
         }
     }
@@ -147,7 +147,7 @@ pub(super) fn lights(appearance: &Appearance, notes: &mut Vec<Note>) -> Option<V
                     "" => "a light".to_owned(),
                     name => format!("the light `{name}`"),
                 };
-                notes.push(Note::warning(Place::File, format!("{which} is left out: {error}")));
+                notes.push(Note::warning(Place::File, format!("{which} is omitted: {error}")));
             }
         }
     }

@@ -19,14 +19,14 @@ use crate::report::picture::Picture;
 use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
 
-/// The worst place of each error and warning.
+/// The worst position of each error and warning.
 pub(super) fn worst_places(diagnosis: &Diagnosis) -> Vec<&Site> {
     let grave = diagnosis.findings.iter().filter(|finding| finding.severity > Severity::Note);
     grave.filter_map(|finding| finding.places.first()).collect()
 }
 
 /// The heat map of a file: the angle between stored normals and those of the estimated weighting, with a ring around the
-/// visible worst place of each error and warning, and a legend below. It has `side` pixels across, and is higher by the
+/// visible worst position of each error and warning, and a legend below. It has `side` pixels across, and is higher by the
 /// legend. The deviation is interpolated over faces, and each pixel has the colour of the mean of its samples. Corners on
 /// faces too small to be visible are marked with dots, the worst last; corners without a valid stored normal have a
 /// separate colour.

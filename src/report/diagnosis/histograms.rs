@@ -64,7 +64,7 @@ fn histogram(name: &str, values: &[f64], end: f64) -> Plot {
     Plot {
         title: text(name, "title"),
         description: format!(
-            "A histogram of {} values; most, {:.1} %, lie between {:.3} and {:.3} {unit}.",
+            "A histogram of {} values. The fullest bin has {:.1} %, from {:.3} to {:.3} {unit}.",
             values.len(),
             100.0 * counts[fullest] as f64 / all,
             edge(fullest),

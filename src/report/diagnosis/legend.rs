@@ -21,18 +21,18 @@ pub(super) struct Marks {
     pub(super) lines: bool,
     /// Dots on corners whose faces are too small to be seen.
     pub(super) dots: bool,
-    /// Rings round worst places.
+    /// Rings round worst positions.
     pub(super) rings: bool,
-    /// Some worst places are not visible, and have no ring.
+    /// Some worst positions are not visible, and have no ring.
     pub(super) hidden: bool,
 }
 
 impl Marks {
     fn of_rings(self) -> &'static str {
         match (self.rings, self.hidden) {
-            (_, false) => "worst place",
-            (true, true) => "worst place (others lie behind)",
-            (false, true) => "worst place: lies behind",
+            (_, false) => "worst position",
+            (true, true) => "worst position (others lie behind)",
+            (false, true) => "worst position: lies behind",
         }
     }
 }

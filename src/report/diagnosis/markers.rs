@@ -1,4 +1,4 @@
-//! The colours of deviations, and markers over a heat map: lines along creases, dots on single corners, rings around worst places.
+//! The colours of deviations, and markers over a heat map: lines along creases, dots on single corners, rings around worst positions.
 
 use crate::num::{Degrees, LinearRgb, Srgb8, three_digits, viridis};
 use crate::quality::Survey;

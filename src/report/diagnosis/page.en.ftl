@@ -9,15 +9,15 @@ marks-dots = ; dots mark large deviations on faces too small to be visible
 marks-edges =
     ; all corners deviate at edges whose smoothing does not match the estimated crease angle (see the findings)
 marks-lines = ; grey lines mark edges with two computed normals
-marks-rings = ; red rings mark the worst location of each error and warning
-marks-hidden = ; worst locations behind other faces have no ring
+marks-rings = ; red rings mark the worst position of each error and warning
+marks-hidden = ; worst positions behind other faces have no ring
 
-close-up-alternative = close view of the worst location of { $finding }, from in front of its face
+close-up-alternative = close view of the worst position of { $finding }, from in front of its face
 close-up-seen = First: { -close-up } Second: a ring marks it in the whole mesh.
 close-up-hidden = First: { -close-up } Second: a ring marks it in the whole mesh, where it is behind other faces.
 close-up-alone = This is { -close-up }
 -close-up =
-    the worst location, viewed from in front of its face, with the edges of faces. Faces that cover it are cut away.
+    the worst position, viewed from in front of its face, with the edges of faces. Faces that cover it are cut away.
 whole-alternative = the whole mesh, with a ring around that location
 node-caption = The whole mesh, with a ring around the centre of the geometry of the first of these nodes.
 node-alternative = the whole mesh, with a ring around a node

@@ -31,8 +31,8 @@ fn text(key: &str, values: &[(&'static str, Value)]) -> String {
 
 const CLOSE_UPS: usize = 12;
 
-/// The diagnosis of a file as a page of HTML that opens from disk with nothing else: pictures of the worst places, each
-/// finding with its explanation and its worst place close up, and histograms. `name` is the name of the file, `fix` the command
+/// The diagnosis of a file as a page of HTML that opens from disk with nothing else: pictures of the worst positions, each
+/// finding with its explanation and its worst position close up, and histograms. `name` is the name of the file, `fix` the command
 /// that fixes all that can be fixed together. With a file `after` a change, both are shown side by side, with what changed.
 ///
 /// # Errors
@@ -179,7 +179,7 @@ fn describe(page: &mut Page, finding: &Finding) {
     [text, entry.meaning(), entry.advice()].iter().for_each(|text| page.paragraph(text));
 }
 
-/// Pictures of the worst place of a finding: close up and in the whole, or of its node. Whether there is one.
+/// Pictures of the worst position of a finding: close up and in the whole, or of its node. Whether there is one.
 fn close_ups(
     page: &mut Page,
     (model, obstacles, camera): (&Model, &[Obstacles<'_>], Option<Camera>),

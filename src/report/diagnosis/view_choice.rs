@@ -1,4 +1,4 @@
-//! The choice of a view in which the worst places are visible.
+//! The choice of a view in which the worst positions are visible.
 
 use super::model::Model;
 use crate::mesh::Obstacles;
@@ -10,7 +10,7 @@ use glam::{DMat3, DMat4, DVec3};
 /// The direction from which a file is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Sight {
-    /// The one that shows most of the worst places.
+    /// The one that shows most of the worst positions.
     #[default]
     Auto,
     /// From this side.

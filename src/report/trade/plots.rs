@@ -41,7 +41,7 @@ fn pareto_plot(points: &[ClassPoint], description: &str) -> Plot {
     let weights = points.iter().map(|point| {
         weight_series(point.weight, point.weight.name().into(), vec![place(point)], Mark::Points)
     });
-    let description = format!("From cheap to accurate, nothing beats: {}. {description}", on_it.join(", "));
+    let description = format!("Pareto frontier, from cheap to accurate: {}. {description}", on_it.join(", "));
     Plot {
         description: description.trim_end().into(),
         size: SIZE,

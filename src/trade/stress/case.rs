@@ -30,15 +30,13 @@ impl Group {
     pub const fn without_fast(self) -> &'static str {
         match self {
             Group::NonFinite => "reading and checking positions is the same for both",
-            Group::Angle | Group::Product => {
-                "single precision has no way of its own to them: fast uses them as a whole"
-            }
+            Group::Angle | Group::Product => "fast uses the same function",
             Group::Unit => "normalised in f64 only",
             Group::Crease => "counted for the report from the same face normals",
-            Group::Raster => "pictures are drawn one way",
-            Group::Encoding => "codes are made one way",
+            Group::Raster => "drawing has no fast variant",
+            Group::Encoding => "encoding has no fast variant",
             Group::Fan => "quadrics are fitted in f64, whatever the precision of the mean",
-            _ => "computed one way",
+            _ => "there is no fast variant",
         }
     }
 }

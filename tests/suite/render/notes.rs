@@ -104,7 +104,7 @@ fn a_files_camera_that_is_none_is_an_error_unless_it_is_replaced() {
         assert!(code(&refused) == 3 && message.contains(piece), "{message}");
     }
     let args = with(&args, &["--camera", "angle=20"]);
-    assert!(notes(&args).contains("`yfov` is 3.2; this camera is left out"), "{}", notes(&args));
+    assert!(notes(&args).contains("`yfov` is 3.2; this camera is omitted"), "{}", notes(&args));
     assert!(pixels_unlike(&picture(&args), [0, 0, 0]) > 200);
 }
 

@@ -201,7 +201,7 @@ fn without_lights_and_camera_it_is_framed_and_lit_by_itself() {
     assert!(covered > 100, "{covered}");
 }
 
-/// The first camera is taken, and what makes no sense is left out; both are told.
+/// The first camera is taken, and what cannot be used is omitted, with a note on each.
 #[test]
 fn what_is_not_taken_is_reported() {
     let nodes = r#", {"name": "node", "camera": 0}, {"name": "node", "mesh": 0, "scale": [1, 0, 1]},
@@ -211,7 +211,7 @@ fn what_is_not_taken_is_reported() {
     let file = file.unwrap();
     assert!(file.lights.is_none() && file.objects.len() == 1);
     let said = file.notes.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
-    for piece in ["the first of 2 cameras", "flattens its mesh", "a light is left out: light 0"] {
+    for piece in ["the first of 2 cameras", "flattens its mesh", "a light is omitted: light 0"] {
         assert!(said.contains(piece), "{said}");
     }
 }
@@ -236,7 +236,7 @@ fn cameras_that_are_none_are_refused_with_their_place() {
             "{error}"
         );
         let is_reported = |file: &SceneFile| {
-            file.notes.iter().any(|note| note.text.contains(field) && note.text.contains("left out"))
+            file.notes.iter().any(|note| note.text.contains(field) && note.text.contains("omitted"))
         };
         let loaded = read_bytes(wrong.into_bytes(), Some(Format::Gltf), None, &ReadOptions::default());
         let elsewhere = LoadOptions { from_elsewhere: true, ..LoadOptions::default() };

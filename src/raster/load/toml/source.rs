@@ -81,10 +81,7 @@ impl Source<'_> {
             Some(value) if message.starts_with("expected") => format!("`{value}`: {message}"),
             _ => message,
         };
-        ReadError {
-            problem: Problem::Syntax,
-            ..self.error(&span, &found, "`crease render --scene-help` lists all keys")
-        }
+        ReadError { problem: Problem::Syntax, ..self.error(&span, &found, "") }
     }
 
     pub(super) fn error(self, span: &Range<usize>, found: &str, advice: &str) -> ReadError {
