@@ -8,7 +8,6 @@ use crate::text::{Catalogue, Language, Value, catalogue};
 
 static TEXTS: Catalogue = catalogue!("errors", en);
 
-/// The result of what may fail with an [`ArtefactError`].
 pub(super) type Result<T> = std::result::Result<T, ArtefactError>;
 
 /// An error of an experiment.
@@ -32,7 +31,6 @@ pub enum ArtefactError {
 }
 
 impl ArtefactError {
-    /// The refusal of a request, with the text of a key.
     pub(super) fn request(key: &str, values: &[(&'static str, Value)]) -> Self {
         Self::Request(TEXTS.with(key, values).get(Language::English).to_owned())
     }

@@ -1,9 +1,9 @@
 //! The definition of an experiment.
 
+use super::effect::Role;
 use super::error::ArtefactError;
 use super::outcome::{Outcome, Verdict};
 use super::parameters::{ParameterName, Parameters, Setup};
-use super::shot::Role;
 use crate::io::shell_word;
 use crate::raster::Image;
 use crate::text::{Catalogue, Language, Text, Value, given};
@@ -25,13 +25,10 @@ pub struct Experiment {
     pub segments: RangeInclusive<u32>,
     /// Its own settings.
     pub defaults: Parameters,
-    /// Runs it.
     pub(super) run: fn(&Setup) -> Result<Outcome, ArtefactError>,
-    /// Draws a frame of its animation, if it has one.
     pub(super) frame: Option<FrameFn>,
 }
 
-/// Draws one frame of so many.
 pub(super) type FrameFn = fn(&Setup, u32, u32) -> Result<Image, ArtefactError>;
 
 /// A formula in LaTeX notation, and what it says.

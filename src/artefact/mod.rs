@@ -29,18 +29,14 @@ mod error;
 mod parameters;
 // Scenes, pictures made of pictures, and the meshes that experiments draw.
 mod drawing;
-// Bodies of triangles whose normals are chosen, not computed.
-mod triangle_mesh;
 // A user's mesh as the input of an experiment.
 mod user_mesh;
-// What a run finds.
+// What a run finds, and pictures with captions.
 mod effect;
 // The result of an experiment: data and linear pictures, no markup.
 mod outcome;
 // Collects the findings of an experiment.
 mod recorder;
-// Pictures with captions.
-mod shot;
 // The definition of an experiment.
 mod experiment;
 // The names that the code of every experiment uses.
@@ -77,10 +73,9 @@ mod vertex_average;
 mod gallery;
 
 pub use crate::text::{Language, Text};
-pub use effect::{Effect, Threshold};
+pub use effect::{Amount, Effect, Role, Shot, Threshold};
 pub use error::ArtefactError;
 pub use experiment::{Experiment, Formula};
 pub use gallery::{EXPERIMENTS, experiment};
 pub use outcome::{Chart, Curve, Drawn, Expected, Measure, Outcome, Range, Scale, Verdict};
 pub use parameters::{Changes, ParameterName, ParameterValues, Parameters, Setup, UserMesh};
-pub use shot::{Amount, Role, Shot};

@@ -1,7 +1,7 @@
 //! The result of an experiment: data and linear pictures, no markup.
 
 use super::effect::{Effect, judged};
-use super::shot::{Role, Shot};
+use super::effect::{Role, Shot};
 use crate::text::Text;
 use serde::{Serialize, Serializer};
 

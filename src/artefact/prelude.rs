@@ -5,13 +5,13 @@ pub(super) use super::drawing::{
     lamp, largest_difference, largest_error, light_at, linear, luminance, map, object, painted, picture,
     settings, sheets, shiny, smooth, tiles,
 };
+pub(super) use super::drawing::{BOX_FACES, Diagonal, TriangleMesh, box_corners};
 pub(super) use super::effect::{Effect, Threshold};
 pub(super) use super::error::{ArtefactError, Result};
 pub(super) use super::experiment::Experiment;
 pub(super) use super::outcome::{Drawn, Outcome, Verdict};
 pub(super) use super::parameters::{ParameterName, Parameters, Setup, UserMesh};
 pub(super) use super::recorder::{Axis, Check, Recorder};
-pub(super) use super::triangle_mesh::{BOX_FACES, Diagonal, TriangleMesh, box_corners};
 pub(super) use super::user_mesh::{Normalisation, camera, light_from, not_visible};
 pub(super) use crate::mesh::{Faces, Mesh};
 pub(super) use crate::normals::{Crease, NormalField, NormalRecipe, Weight, compute};

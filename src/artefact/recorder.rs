@@ -1,8 +1,8 @@
 //! Collects the findings of an experiment. Each text is looked up by the name of what it describes.
 
+use super::effect::{Caption, Role, Shot};
 use super::effect::{Effect, Threshold};
 use super::outcome::{Chart, Curve, Drawn, Expected, Measure, Outcome, Range, Scale, Verdict};
-use super::shot::{Caption, Role, Shot};
 use crate::raster::Image;
 use crate::text::{Catalogue, Text, Value};
 use std::mem::take;
@@ -56,7 +56,6 @@ impl Recorder {
         self.text(&key(name, part))
     }
 
-    /// Records a number, in a unit that may be empty.
     pub(super) fn measure(&mut self, name: &str, unit: &'static str, value: f64, check: Check) {
         let range = match check {
             Check::Near(value, tolerance) => Some(Range::Near { value, tolerance }),
@@ -120,7 +119,6 @@ impl Recorder {
         Curve { name: self.part(name, "curve"), drawn, points }
     }
 
-    /// Records a chart with axes across and upwards.
     pub(super) fn chart(&mut self, name: &'static str, [x, y]: [Axis; 2], curves: Vec<Curve>) {
         let scale = |part: &str, axis| Scale { label: self.part(name, part), logarithmic: axis == Axis::Log };
         let (x, y) = (scale("x", x), scale("y", y));

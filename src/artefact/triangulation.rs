@@ -210,7 +210,6 @@ fn wave_normal(u: f64, v: f64) -> DVec3 {
     DVec3::new(-slope, -slope, 1.0).normalize()
 }
 
-/// The waves without triangles: every pixel has the light of its own normal.
 fn exact_waves(light: Degrees, size: u32) -> Image {
     let light = direction(light);
     let at = |pixel: u32| WINDOW * ((f64::from(pixel) + 0.5) / f64::from(size) - 0.5);

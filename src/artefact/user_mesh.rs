@@ -55,7 +55,6 @@ impl Normalisation {
         Err(ArtefactError::request("not-alike", &values))
     }
 
-    /// Whether two are as good as the same.
     fn is_like(&self, other: &Self) -> bool {
         let distance = (self.centre - other.centre).abs().max_element();
         distance <= 0.25 * other.half && (self.half / other.half - 1.0).abs() <= 0.25

@@ -55,7 +55,6 @@ impl Contour {
         self.segments().map(|[a, b]| libm::hypot(b[0] - a[0], b[1] - a[1])).sum()
     }
 
-    /// The sides of the polygons.
     pub(super) fn segments(&self) -> impl Iterator<Item = [[f64; 2]; 2]> {
         self.loops.iter().flat_map(|points| {
             let next = points.iter().cycle().skip(1);

@@ -106,7 +106,6 @@ impl Rows {
         Self { first, rows }
     }
 
-    /// The distance to the nearest segment.
     fn nearest(&self, point: [f64; 2]) -> Option<f64> {
         let own = point[1].floor() as i64 - self.first;
         let row = |number: i64| usize::try_from(number).ok().and_then(|number| self.rows.get(number));

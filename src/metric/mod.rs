@@ -15,10 +15,8 @@
 
 // Errors, and pixels in pairs.
 mod pairs;
-// Linear light, luminance and sRGB.
+// Linear light, luminance and sRGB, and normals drawn as colours.
 mod difference;
-// Normals.
-mod deviation;
 // Outlines.
 mod contour;
 // Distances between outlines.
@@ -34,8 +32,7 @@ mod pictures_tests;
 mod profile;
 
 pub use contour::Contour;
-pub use deviation::{NormalDeviation, normal_deviation};
-pub use difference::{Difference, ImageError, image_error};
+pub use difference::{Difference, ImageError, NormalDeviation, image_error, normal_deviation};
 pub use distance::{ContourDistance, Distances, contour_distance};
 pub use flip::{FLIP_PIXELS_PER_DEGREE, Flip, flip};
 pub use highlight::{Highlight, HighlightChange};

@@ -34,16 +34,12 @@ pub(super) fn luminances(image: &Image) -> Result<Vec<f64>, MetricError> {
     Ok(colours.iter().map(|colour| LinearRgb::from(colour.map(f64::from)).luminance()).collect())
 }
 
-/// Refuses pictures of different sizes.
 pub(super) fn same_size(picture: &Image, truth: &Image) -> Result<(), MetricError> {
     if picture.size == truth.size { Ok(()) } else { Err(MetricError::Sizes(picture.size, truth.size)) }
 }
 
-/// A pixel of two pictures.
 pub(super) struct Pair {
-    /// Covered samples in each.
     pub(super) covered: [u8; 2],
-    /// Linear colour in each.
     pub(super) colours: [[f64; 3]; 2],
 }
 
@@ -54,7 +50,6 @@ impl Pair {
     }
 }
 
-/// The pixels of two pictures of one size, in order.
 pub(super) fn pairs<'a>(
     picture: &'a Image,
     truth: &'a Image,

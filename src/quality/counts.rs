@@ -107,7 +107,6 @@ impl Tally {
     }
 }
 
-/// What was found.
 pub(crate) type Found = Tallies<Kind>;
 
 /// Tallies by key, usually the kind of a finding. There are few, so a search is faster than a map.
@@ -127,7 +126,6 @@ impl<K: Copy + PartialEq> Tallies<K> {
         other.tallies.into_iter().for_each(|(key, tally)| self.absorb(key, tally));
     }
 
-    /// How often a key was counted.
     pub(crate) fn count(&self, key: K) -> u64 {
         self.tallies.iter().find(|known| known.0 == key).map_or(0, |known| known.1.count)
     }
@@ -156,19 +154,16 @@ impl<K: Copy + PartialEq> Tallies<K> {
         self.absorb(key, Tally { count: 1, area, worst, ..Tally::default() });
     }
 
-    /// Adds what a part has ([`Tally::add_part`]).
     pub(crate) fn add_part(&mut self, key: K, part: Tally, highest: Severity) {
         let most = self.most;
         self.tally(key).add_part(part, highest, most);
     }
 
-    /// Adds a tally to that of a key.
     pub(crate) fn absorb(&mut self, key: K, tally: Tally) {
         let most = self.most;
         self.tally(key).merge(tally, most);
     }
 
-    /// All that was counted.
     pub(crate) fn iter_mut(&mut self) -> impl Iterator<Item = (K, &mut Tally)> {
         self.tallies.iter_mut().filter(|(_, tally)| tally.count > 0).map(|(key, tally)| (*key, tally))
     }

@@ -8,14 +8,12 @@ use crate::quality::element::{Element, Severity};
 use crate::quality::estimate::recipe::Estimate;
 use crate::quality::facts::Facts;
 use crate::quality::finding::Finding;
-use crate::quality::findings::geometry::{
-    duplicates, edges, far_from_origin, nodes, polygons, slivers, vertices,
-};
+use crate::quality::findings::geometry::{duplicates, edges, face_shape, placement, vertices};
 use crate::quality::findings::shading;
-use crate::quality::findings::smoothing::{facets, seams, soft};
+use crate::quality::findings::smoothing::{seams, sharpness};
 use crate::quality::findings::storage::quantisation::{self, Precision};
 use crate::quality::findings::stored::coordinate_space::find_mistake;
-use crate::quality::findings::stored::{attributes, deviations, values};
+use crate::quality::findings::stored::{deviations, values};
 use crate::quality::findings::winding;
 use crate::quality::input::file::FileContext;
 use crate::quality::sites::{locate, nodes_of_parts, site};
@@ -148,29 +146,29 @@ fn search(facts: &Facts<'_>, nodes: &[&FileNode], found: &mut Found) -> Option<P
         values::search(facts, found);
         deviations::search(facts, found);
         refine_remedies(facts, found);
-        facets::search(facts, found);
-        soft::search(facts, found);
+        sharpness::search_facets(facts, found);
+        sharpness::search_soft(facts, found);
         precision = quantisation::search(facts, found);
-        attributes::search(facts, found);
+        values::search_attributes(facts, found);
     }
     seams::search(facts, found);
     duplicates::search_faces(facts, found);
     duplicates::search_vertices(facts, found);
     winding::search(facts, found);
     winding::search_components(facts, found);
-    slivers::search(facts, found);
+    face_shape::search_without_direction(facts, found);
     let folded = Limit::new(facts.thresholds.fold.0);
     found.merge(facts.scan_faces(|face, found| {
-        slivers::check(facts, face, found);
-        polygons::check(facts, face, found);
+        face_shape::check_width(facts, face, found);
+        face_shape::check_polygon(facts, face, found);
         edges::check_folds(facts, face, folded, found);
     }));
     edges::search_non_manifold(facts, found);
     vertices::search(facts, found);
     vertices::search_cancelling(facts, found);
-    far_from_origin::search(facts, found);
+    placement::search_distance(facts, found);
     shading::search(facts, found);
-    nodes::search(nodes, found);
+    placement::search_nodes(nodes, found);
     if facts.has_near_edges {
         add_to_remedies(found, &format!("--weld {:e}", facts.thresholds.weld));
     }
@@ -196,7 +194,6 @@ fn refine_remedies(facts: &Facts<'_>, found: &mut Found) {
     }
 }
 
-/// Adds an option that every command needs.
 fn add_to_remedies(found: &mut Found, option: &str) {
     for (kind, tally) in found.iter_mut() {
         let own = tally.remedy.take().or_else(|| kind.entry().remedy.map(str::to_owned));
@@ -207,14 +204,13 @@ fn add_to_remedies(found: &mut Found, option: &str) {
 /// The angle at an occurrence in degrees, where the search measures something else.
 fn angle(facts: &Facts<'_>, kind: Kind, spot: &Spot) -> Option<f64> {
     match kind {
-        Kind::Needles => Some(slivers::rounding_angle(facts, spot.face as usize)),
+        Kind::Needles => Some(face_shape::rounding_angle(facts, spot.face as usize)),
         Kind::NonManifold => Some(edges::largest_dihedral_angle(facts, spot.corner)),
         Kind::HighValence => Some(vertices::largest_leaning(facts, spot.vertex)),
         _ => None,
     }
 }
 
-/// What was found in all parts so far.
 struct Totals {
     found: Found,
     /// How many elements of each type the parts have.
@@ -223,7 +219,6 @@ struct Totals {
 }
 
 impl Totals {
-    /// Adds what was found in a part with so many nodes.
     fn add(&mut self, facts: &Facts<'_>, mut found: Found, nodes: usize) {
         let edges = &facts.field.summary.edges;
         let plain = edges.smooth + edges.boundary + edges.crease + edges.marked;
@@ -250,7 +245,6 @@ impl Totals {
         }
     }
 
-    /// The finding of an entry, if there is one.
     fn finding(&mut self, entry: &Entry, loaded: &Loaded) -> Option<Finding> {
         let tally = self.found.take(entry.kind);
         let places = tally.worst.iter().map(|spot| site(loaded, spot)).collect();

@@ -47,10 +47,8 @@ pub enum Element {
 }
 
 impl Element {
-    /// How many elements there are.
     pub(crate) const COUNT: usize = Element::Mesh as usize + 1;
 
-    /// Whether it covers a part of the surface.
     pub(crate) const fn has_area(self) -> bool {
         matches!(self, Element::Corner | Element::Face | Element::Mesh)
     }

@@ -35,7 +35,6 @@ impl<'a> Deref for Facts<'a> {
 }
 
 impl<'a> Facts<'a> {
-    /// The facts about a part of a file.
     pub(crate) fn new(file: &'a FileContext<'a>, number: usize) -> Self {
         Self::of(Part::new(file, number, &file.loaded.parts[number].mesh))
     }
@@ -87,7 +86,6 @@ impl<'a> Facts<'a> {
         !self.cancelling.is_empty() && self.cancelling.binary_search(&(corner as u32)).is_ok()
     }
 
-    /// The normal that a corner should have.
     pub(crate) fn expected(&self, corner: usize) -> DVec3 {
         *self.field.normals.get(corner, self.vertex(corner)).expect("a field has a normal for every corner")
     }
@@ -122,7 +120,6 @@ impl<'a> Facts<'a> {
         self.area[face] / self.corners_of(face).len() as f64
     }
 
-    /// Searches all faces in parallel.
     pub(crate) fn scan_faces<K: Copy + PartialEq + Send>(
         &self,
         search: impl Fn(usize, &mut Tallies<K>) + Sync,
@@ -132,7 +129,6 @@ impl<'a> Facts<'a> {
         })
     }
 
-    /// Searches all corners of all faces in parallel.
     pub(crate) fn scan_corners<K: Copy + PartialEq + Send>(
         &self,
         search: impl Fn(usize, usize, &mut Tallies<K>) + Sync,

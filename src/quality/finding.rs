@@ -3,7 +3,7 @@
 use crate::io::shell_word;
 use crate::quality::catalogue::{Entry, Kind};
 use crate::quality::counts::{Milder, Tally};
-use crate::quality::effect::lost_light::key_light_steps;
+use crate::quality::effect::key_light_steps;
 use crate::quality::element::Severity;
 use crate::quality::spot::Measure;
 use glam::DVec3;
@@ -160,7 +160,6 @@ fn cause(entry: &Entry, tally: &Tally) -> String {
     if details.is_empty() { title } else { format!("{title}: {}", details.join("; ")) }
 }
 
-/// The sum over all parts ([`Tally::sum`]) in words.
 fn sum_in_words(kind: Kind, sum: u64) -> String {
     let is_one = sum == 1;
     match kind {

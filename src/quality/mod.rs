@@ -93,7 +93,7 @@ mod survey;
 
 pub use comparison::changes::{Comparison, Incomparable, compare};
 pub use diagnosis::{Diagnosis, PartDiagnosis, diagnose};
-pub use effect::lost_light::key_light_steps;
+pub use effect::key_light_steps;
 pub use element::{Element, Severity};
 pub use estimate::recipe::{Estimate, SAMPLE};
 pub use finding::{Finding, Site, fix_command};

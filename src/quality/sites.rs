@@ -68,7 +68,6 @@ fn vertex_in_stl(site: &Site, loaded: &Loaded) -> Option<u32> {
         .or_else(first)
 }
 
-/// The nodes of each part, in their order.
 pub(crate) fn nodes_of_parts(loaded: &Loaded) -> Vec<Vec<&FileNode>> {
     let mut nodes = vec![Vec::new(); loaded.parts.len()];
     loaded.nodes.iter().for_each(|node| nodes[node.part].push(node));

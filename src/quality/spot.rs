@@ -3,7 +3,6 @@
 use crate::mesh::NONE;
 use std::cmp::Ordering;
 
-/// What the weight of an occurrence measures, other than its angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Measure {
     /// Only the order of occurrences.
@@ -49,22 +48,18 @@ impl Spot {
         Self { face: face as u32, corner: corner as u32, ..WHOLE }.by(degrees)
     }
 
-    /// A face.
     pub(crate) fn face(face: usize) -> Self {
         Self { face: face as u32, ..WHOLE }
     }
 
-    /// A vertex.
     pub(crate) fn vertex(vertex: usize) -> Self {
         Self { vertex: vertex as u32, ..WHOLE }
     }
 
-    /// A node that places the mesh.
     pub(crate) fn node(number: usize) -> Self {
         Self { node: number as u32, ..WHOLE }
     }
 
-    /// The mesh as a whole.
     pub(crate) fn mesh() -> Self {
         WHOLE
     }

@@ -3,6 +3,8 @@
 use crate::raster::view::camera::CameraError;
 use crate::shade::{NotFinite, ShadeError};
 
+pub(super) type Result<T, E = RenderError> = std::result::Result<T, E>;
+
 /// Why there is no picture. Objects, vertices, triangles and lines count from 0.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RenderError {

@@ -4,7 +4,7 @@ use crate::mesh::{NormalMatrix, normal_matrix};
 use crate::raster::coverage::setup::TILE;
 use crate::raster::coverage::tile_bins::{TileBox, sort, tiles};
 use crate::raster::coverage::triangles::DrawnObject;
-use crate::raster::error::RenderError;
+use crate::raster::error::{RenderError, Result};
 use crate::raster::frame::job::Job;
 use crate::raster::scene::{LinePath, Object, Scene, Shape};
 use crate::raster::settings::{Cull, LineStyle, Shading};
@@ -17,26 +17,12 @@ use std::borrow::Cow;
 
 /// The ends of many lines, which are in one space.
 pub(crate) struct LineEnds<'a> {
+    path: Cow<'a, LinePath>,
     points: Points<'a>,
     /// From the points' space to the scene's.
     transform: DMat4,
-    course: LineSource<'a>,
-}
-
-enum LineSource<'a> {
-    /// Between points, in their own space.
-    Between(Cow<'a, [[u32; 2]]>),
-    /// From points along normals by their numbers, in the scene.
-    FromVertices(NormalLines<'a>, &'a [[u32; 2]]),
-    /// From the middles of faces along theirs, in the scene.
-    FromFaces(NormalLines<'a>, usize),
-}
-
-/// What leads along the normals of an object.
-struct NormalLines<'a> {
-    shape: &'a Shape<'a>,
-    matrix: NormalMatrix,
-    length: f64,
+    /// Of lines along normals, the shape and what brings its normals to the scene.
+    normals: Option<(&'a Shape<'a>, NormalMatrix)>,
 }
 
 impl<'a> LineEnds<'a> {
@@ -49,101 +35,98 @@ impl<'a> LineEnds<'a> {
                 object.shape.edges_of(|face| is_kept[face])
             }
         };
-        let course = LineSource::Between(Cow::Owned(edges));
-        Self { points: drawn.points, transform: object.transform, course }
+        let path = Cow::Owned(LinePath::Edges { object: drawn.object, edges });
+        Self { path, points: drawn.points, transform: object.transform, normals: None }
     }
 
     /// The ends of the scene's `number`-th set of lines, checked.
-    pub(crate) fn new(scene: &'a Scene<'a>, number: usize, path: &'a LinePath) -> Result<Self, RenderError> {
-        let of_object = |object: usize| {
-            let owner = scene.objects.get(object);
-            let found = owner.and_then(|owner| Some((owner, owner.shape.points()?)));
-            found.ok_or_else(|| {
-                let lines = format!("lines {number} run along object {object}, which has no vertices");
-                RenderError::Invalid(lines)
-            })
-        };
-        Ok(match *path {
-            LinePath::Points { ref points, ref segments } => {
+    pub(crate) fn new(scene: &'a Scene<'a>, number: usize, path: &'a LinePath) -> Result<Self> {
+        let object = match path {
+            LinePath::Points { points, segments } => {
                 check_finite(points)?;
                 check_numbers(segments.as_flattened().iter().copied(), 2, points.len())?;
-                let course = LineSource::Between(Cow::Borrowed(segments));
-                Self { points: Points::F64(points), transform: DMat4::IDENTITY, course }
+                let (path, points) = (Cow::Borrowed(path), Points::F64(points));
+                return Ok(Self { path, points, transform: DMat4::IDENTITY, normals: None });
             }
-            LinePath::Edges { object, ref edges } => {
-                let (owner, points) = of_object(object)?;
+            LinePath::Edges { object, .. }
+            | LinePath::VertexNormals { object, .. }
+            | LinePath::FaceNormals { object, .. } => *object,
+        };
+        let owner = scene.objects.get(object);
+        let found = owner.and_then(|owner| Some((owner, owner.shape.points()?)));
+        let (owner, points) = found.ok_or_else(|| {
+            let lines = format!("lines {number} run along object {object}, which has no vertices");
+            RenderError::Invalid(lines)
+        })?;
+        match path {
+            LinePath::Edges { edges, .. } => {
                 check_numbers(edges.as_flattened().iter().copied(), 2, points.len())?;
-                let course = LineSource::Between(Cow::Borrowed(edges));
-                Self { points, transform: owner.transform, course }
             }
-            LinePath::VertexNormals { object, ref normals, length } => {
-                let (owner, points) = of_object(object)?;
+            LinePath::VertexNormals { normals, .. } => {
                 check_numbers(normals.iter().map(|&[vertex, _]| vertex), 1, points.len())?;
                 check_numbers(normals.iter().map(|&[_, normal]| normal), 1, owner.shape.normals().len())?;
-                let course = LineSource::FromVertices(NormalLines::new(owner, object, length)?, normals);
-                Self { points, transform: owner.transform, course }
             }
-            LinePath::FaceNormals { object, length } => {
-                let (owner, points) = of_object(object)?;
-                let along = NormalLines::new(owner, object, length)?;
-                let course = LineSource::FromFaces(along, owner.shape.face_normals().len());
-                Self { points, transform: owner.transform, course }
+            LinePath::Points { .. } | LinePath::FaceNormals { .. } => {}
+        }
+        let mut normals = None;
+        if let LinePath::VertexNormals { length, .. } | LinePath::FaceNormals { length, .. } = path {
+            let matrix = normal_matrix(DMat3::from_mat4(owner.transform));
+            normals = Some((&owner.shape, matrix.ok_or_else(|| RenderError::singular(object))?));
+            if !length.is_finite() {
+                return Err(self::number("the length of lines", length.to_string()));
             }
-        })
+        }
+        Ok(Self { path: Cow::Borrowed(path), points, transform: owner.transform, normals })
     }
 
     pub(crate) fn len(&self) -> u32 {
-        match &self.course {
-            LineSource::Between(pairs) => pairs.len() as u32,
-            LineSource::FromVertices(_, normals) => normals.len() as u32,
-            LineSource::FromFaces(_, count) => *count as u32,
-        }
+        let count = match &*self.path {
+            LinePath::Points { segments: pairs, .. }
+            | LinePath::Edges { edges: pairs, .. }
+            | LinePath::VertexNormals { normals: pairs, .. } => pairs.len(),
+            LinePath::FaceNormals { .. } => {
+                self.normals.as_ref().map_or(0, |(shape, _)| shape.face_normals().len())
+            }
+        };
+        count as u32
     }
 
     /// From the space of what [`get`](Self::get) gives to the scene's, and a point of that space near the lines.
     pub(crate) fn space(&self) -> (DMat4, DVec3) {
         let first = self.points.iter().next().unwrap_or_default();
-        match self.course {
-            LineSource::Between(_) => (self.transform, first),
-            _ => (DMat4::IDENTITY, self.transform.transform_point3(first)),
+        match self.normals {
+            None => (self.transform, first),
+            Some(_) => (DMat4::IDENTITY, self.transform.transform_point3(first)),
         }
     }
 
     /// Where a line begins and ends; `None` for a normal without direction.
     pub(crate) fn get(&self, line: u32) -> Option<[DVec3; 2]> {
         let place = |vertex: u32| self.transform.transform_point3(self.points.at(vertex));
-        match &self.course {
-            LineSource::Between(pairs) => Some(pairs[line as usize].map(|point| self.points.at(point))),
-            LineSource::FromVertices(along, normals) => {
-                let [vertex, normal] = normals[line as usize];
-                along.line(place(vertex), along.shape.normals().at(normal))
+        let along = |from: DVec3, normal: DVec3, length: f64| {
+            let (_, matrix) = self.normals.as_ref()?;
+            Some([from, from + matrix.apply(normal)? * length])
+        };
+        match &*self.path {
+            LinePath::Points { segments: pairs, .. } | LinePath::Edges { edges: pairs, .. } => {
+                Some(pairs[line as usize].map(|point| self.points.at(point)))
             }
-            LineSource::FromFaces(along, _) => {
-                let face = along.shape.face(line);
+            LinePath::VertexNormals { normals, length, .. } => {
+                let [vertex, normal] = normals[line as usize];
+                along(place(vertex), self.normals.as_ref()?.0.normals().at(normal), *length)
+            }
+            LinePath::FaceNormals { length, .. } => {
+                let (shape, _) = self.normals.as_ref()?;
+                let face = shape.face(line);
                 let share = 1.0 / face.len() as f64;
                 let middle = face.iter().map(|&vertex| place(vertex) * share).sum::<DVec3>();
-                along.line(middle, along.shape.face_normals().at(line))
+                along(middle, shape.face_normals().at(line), *length)
             }
         }
     }
 }
 
-impl<'a> NormalLines<'a> {
-    fn new(owner: &'a Object<'a>, object: usize, length: f64) -> Result<Self, RenderError> {
-        let matrix = normal_matrix(DMat3::from_mat4(owner.transform));
-        let matrix = matrix.ok_or_else(|| RenderError::singular(object))?;
-        match length.is_finite() {
-            true => Ok(Self { shape: &owner.shape, matrix, length }),
-            false => Err(number("the length of lines", length.to_string())),
-        }
-    }
-
-    fn line(&self, from: DVec3, normal: DVec3) -> Option<[DVec3; 2]> {
-        Some([from, from + self.matrix.apply(normal)? * self.length])
-    }
-}
-
-fn check_finite(points: &[DVec3]) -> Result<(), RenderError> {
+fn check_finite(points: &[DVec3]) -> Result<()> {
     let wrong = points.iter().find(|point| !point.is_finite());
     wrong.map_or(Ok(()), |point| Err(number("the end of a line", point.to_string())))
 }
@@ -153,19 +136,17 @@ fn number(what: &'static str, found: String) -> RenderError {
 }
 
 /// Holds numbers, so many for each line, to how many there are of what they name.
-fn check_numbers(numbers: impl Iterator<Item = u32>, each: usize, count: usize) -> Result<(), RenderError> {
+fn check_numbers(numbers: impl Iterator<Item = u32>, each: usize, count: usize) -> Result<()> {
     let wrong = numbers.enumerate().find(|&(_, index)| index as usize >= count);
     wrong.map_or(Ok(()), |(at, index)| Err(RenderError::index("line", at / each, index, count)))
 }
 
-/// All lines of a picture.
 pub(crate) struct LineJob<'a> {
     sets: Vec<LineSet<'a>>,
     /// Where each tile's lines begin, with the total at the end; and the lines, as a set and a number in it.
     parts: Vec<(usize, Vec<u32>, Vec<u32>)>,
 }
 
-/// Lines that look alike.
 pub(crate) struct LineSet<'a> {
     ends: LineEnds<'a>,
     /// From the space of the ends to view space.
@@ -173,7 +154,6 @@ pub(crate) struct LineSet<'a> {
     pub(crate) colour: Vec3,
     pub(crate) radius: f64,
     pub(crate) hide: bool,
-    /// Whether these are the edges of an object under [`Shading::Wireframe`].
     pub(crate) is_wireframe: bool,
 }
 
@@ -186,7 +166,7 @@ pub(crate) struct Segment {
 }
 
 impl<'a> LineJob<'a> {
-    pub(crate) fn new(job: &Job<'a>, scene: &'a Scene<'a>) -> Result<Self, RenderError> {
+    pub(crate) fn new(job: &Job<'a>, scene: &'a Scene<'a>) -> Result<Self> {
         let mut sets = Vec::new();
         if job.settings.shading == Shading::Wireframe {
             check_style(&job.settings.wire)?;
@@ -222,7 +202,7 @@ impl<'a> LineJob<'a> {
     }
 }
 
-fn check_style(style: &LineStyle) -> Result<(), RenderError> {
+fn check_style(style: &LineStyle) -> Result<()> {
     let number = |what, found: String, expected| Err(RenderError::Number { what, found, expected });
     if !(style.width.is_finite() && style.width > 0.0) {
         return number("the width of lines", style.width.to_string(), "above 0 and finite");
@@ -250,7 +230,6 @@ impl<'a> LineSet<'a> {
         })
     }
 
-    /// The tiles that the box around a line touches.
     fn touched(&self, job: &Job, segment: Segment) -> Option<TileBox> {
         let [a, b] = segment.ends;
         let tiles = |axis: usize| {
@@ -455,8 +434,8 @@ mod tests {
                         .collect();
                     expected.sort_unstable();
                     expected.dedup();
-                    let LineSource::Between(found) = &ends.course else { panic!("edges") };
-                    assert_eq!(**found, *expected, "{across} {size} {inside} {projection:?} {cull:?}");
+                    let LinePath::Edges { edges: found, .. } = &*ends.path else { panic!("edges") };
+                    assert_eq!(*found, expected, "{across} {size} {inside} {projection:?} {cull:?}");
                 }
             }
         }

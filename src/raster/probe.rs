@@ -3,7 +3,7 @@
 use crate::num::LinearRgb;
 use crate::raster::coverage::records::{Record, face_corners, takes_mean, triangle_corners};
 use crate::raster::coverage::triangles::{Corner, DrawnObject, PlanePoint, shares};
-use crate::raster::error::RenderError;
+use crate::raster::error::{RenderError, Result};
 use crate::raster::frame::job::{Job, shade_settings};
 use crate::raster::frame::render::bins;
 use crate::raster::frame::tile::Worker;
@@ -78,7 +78,7 @@ pub fn probe(
     settings: &RenderSettings,
     [x, y]: [u32; 2],
     sample: usize,
-) -> Result<Option<ProbePoint>, RenderError> {
+) -> Result<Option<ProbePoint>> {
     let job = Job::new(scene, settings)?;
     let place = settings.samples.places().nth(sample);
     let (Some(place), Some(offset), true) =
@@ -103,7 +103,6 @@ pub fn probe(
     Ok(Some(point))
 }
 
-/// A point whose colour counts for a sample.
 struct ColourSource {
     share: f64,
     position: DVec3,
@@ -111,14 +110,13 @@ struct ColourSource {
     given: Option<LinearRgb>,
 }
 
-/// The terms of the light on the points that count for a sample.
 fn lit_points(
     job: &Job,
     paint: &Paint,
     lights: &[Light],
     point: &ProbePoint,
     sources: &[ColourSource],
-) -> Result<Vec<LitPoint>, RenderError> {
+) -> Result<Vec<LitPoint>> {
     let Paint::Lit(material) = paint else {
         let given = |source: &ColourSource| source.given.map(LinearRgb::to_array);
         let lit = |source: &ColourSource| LitPoint { share: source.share, given: given(source), light: None };
@@ -142,7 +140,6 @@ fn lit_points(
     sources.iter().map(lit).collect()
 }
 
-/// A sample of an analytic surface.
 fn on_surface(job: &Job, object: usize, at: [f64; 2]) -> Option<(ProbePoint, Vec<ColourSource>)> {
     let (hit, distance) = cast(job, object, at)?;
     let turned = job.settings.two_sided && !hit.front;
@@ -162,7 +159,6 @@ fn on_surface(job: &Job, object: usize, at: [f64; 2]) -> Option<(ProbePoint, Vec
     Some((point, vec![ColourSource { share: 1.0, position: hit.position, normal, given: None }]))
 }
 
-/// A sample of a face.
 fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> (ProbePoint, Vec<ColourSource>) {
     let object = &job.objects[drawn.object];
     let triangle = drawn.list.vertices(record.triangle);

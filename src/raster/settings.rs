@@ -5,7 +5,6 @@ use crate::raster::view::fixed_point::{GUARD, HALF, ONE};
 use crate::shade::{DepthCue, Guards, Terminator, ToneRule};
 use serde::Deserialize;
 
-/// The largest side of a picture.
 pub(super) const LARGEST_SIDE: u32 = GUARD as u32;
 
 /// Where a surface's colour is computed.

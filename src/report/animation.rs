@@ -1,12 +1,177 @@
-//! GIF animations, written frame by frame.
+//! GIF animations, written frame by frame with one palette, so that still parts do not flicker.
 
 use super::error::ReportError;
-use super::palette::{ColourCount, Palette};
 use super::picture::Picture;
 use crate::raster::Pixels;
 use image::codecs::gif::{GifEncoder, Repeat};
 use image::{Delay, Frame, RgbaImage};
+use std::collections::BTreeSet;
 use std::io::Write;
+
+/// Most entries that a GIF palette has.
+pub(super) const LARGEST: usize = 256;
+const BITS: u32 = 6;
+const DROPPED: u32 = 8 - BITS;
+
+/// At most 256 colours that represent those of some pictures.
+///
+/// Pictures of at most 256 colours keep them exactly. Else colours are counted in cells of 4 × 4 × 4 codes, and cells
+/// are put together by median cut (Heckbert 1982): the box whose pixels times squared longest side are the most is cut
+/// across that side where half of its pixels lie to each side, until there are 256 boxes; a box becomes the mean of
+/// its pixels. Each cell takes the nearest of these means. Ties go to the first box and the first component, so the
+/// same pictures give the same palette on any machine.
+#[derive(Clone, Debug)]
+pub struct Palette {
+    colours: Vec<[u8; 3]>,
+    /// The entry of each cell; empty if every colour is an entry.
+    entry_of_cell: Vec<u8>,
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Cell {
+    count: u64,
+    sum: [u64; 3],
+}
+
+/// Cells that share an entry, and what decides whether they are cut.
+struct Group {
+    cells: Vec<u32>,
+    count: u64,
+    /// The component that varies most, and by how many cells.
+    axis: usize,
+    extent: u32,
+}
+
+/// The colours of pictures, counted one picture after the other: 8 MiB, however many there are.
+#[derive(Clone, Debug)]
+pub struct ColourCount {
+    /// As long as they fit in a palette.
+    distinct: BTreeSet<[u8; 3]>,
+    cells: Vec<Cell>,
+}
+
+impl Default for ColourCount {
+    fn default() -> Self {
+        Self { distinct: BTreeSet::new(), cells: vec![Cell::default(); 1 << (3 * BITS)] }
+    }
+}
+
+impl ColourCount {
+    /// Counts the colours of a picture.
+    pub fn add(&mut self, picture: &[[u8; 3]]) {
+        for &colour in picture {
+            if self.distinct.len() <= LARGEST {
+                self.distinct.insert(colour);
+            }
+            let cell = &mut self.cells[cell_of(colour)];
+            cell.count += 1;
+            cell.sum.iter_mut().zip(colour).for_each(|(sum, c)| *sum += u64::from(c));
+        }
+    }
+}
+
+impl Palette {
+    /// The palette of the pictures that were counted.
+    pub fn new(count: ColourCount) -> Self {
+        let ColourCount { distinct, cells } = count;
+        if distinct.len() <= LARGEST {
+            return Self { colours: distinct.into_iter().collect(), entry_of_cell: Vec::new() };
+        }
+        let used: Vec<u32> = (0..cells.len() as u32).filter(|&cell| cells[cell as usize].count > 0).collect();
+        let groups = cut(used.clone(), &cells);
+        let colours: Vec<[u8; 3]> = groups.iter().map(|group| mean(group, &cells)).collect();
+        let mut entry_of_cell = vec![0; cells.len()];
+        for cell in used {
+            entry_of_cell[cell as usize] = nearest(&colours, mean_of(&cells[cell as usize]));
+        }
+        Self { colours, entry_of_cell }
+    }
+
+    /// Its entries.
+    pub fn colours(&self) -> &[[u8; 3]] {
+        &self.colours
+    }
+
+    /// The entry that represents a colour of the counted pictures.
+    pub fn entry(&self, colour: [u8; 3]) -> [u8; 3] {
+        if self.entry_of_cell.is_empty() {
+            return colour;
+        }
+        self.colours[usize::from(self.entry_of_cell[cell_of(colour)])]
+    }
+}
+
+fn cell_of(colour: [u8; 3]) -> usize {
+    colour.into_iter().fold(0, |cell, c| cell << BITS | usize::from(c >> DROPPED))
+}
+
+fn component(cell: u32, axis: usize) -> u32 {
+    cell >> (BITS * (2 - axis as u32)) & ((1 << BITS) - 1)
+}
+
+impl Group {
+    fn new(members: Vec<u32>, cells: &[Cell]) -> Self {
+        let extent = |axis: usize| {
+            let values = || members.iter().map(|&cell| component(cell, axis));
+            values().max().unwrap_or(0) - values().min().unwrap_or(0)
+        };
+        // The first of those that vary most.
+        let (extent, axis) =
+            (0..3).map(|axis| (extent(axis), axis)).rev().max_by_key(|&(extent, _)| extent).unwrap_or((0, 0));
+        let count = members.iter().map(|&cell| cells[cell as usize].count).sum();
+        Self { cells: members, count, axis, extent }
+    }
+
+    /// How much the group would gain by being cut.
+    fn spread(&self) -> u64 {
+        self.count * u64::from(self.extent).pow(2)
+    }
+}
+
+fn cut(used: Vec<u32>, cells: &[Cell]) -> Vec<Group> {
+    let mut groups = vec![Group::new(used, cells)];
+    while groups.len() < LARGEST {
+        let widest = (0..groups.len()).rev().max_by_key(|&group| groups[group].spread());
+        let Some(widest) = widest.filter(|&group| groups[group].extent > 0) else { break };
+        let Group { cells: mut members, count, axis, .. } = groups.swap_remove(widest);
+        members.sort_by_key(|&cell| component(cell, axis));
+        let mut before = 0;
+        let half = members.iter().position(|&cell| {
+            before += cells[cell as usize].count;
+            2 * before >= count
+        });
+        // The cut runs between two values of the component, both sides not empty.
+        let value = component(members[half.unwrap_or(0)], axis);
+        let mut at = members.partition_point(|&cell| component(cell, axis) <= value);
+        if at == members.len() {
+            at = members.partition_point(|&cell| component(cell, axis) < value);
+        }
+        let upper = members.split_off(at);
+        groups.push(Group::new(members, cells));
+        groups.push(Group::new(upper, cells));
+    }
+    groups
+}
+
+fn mean(group: &Group, cells: &[Cell]) -> [u8; 3] {
+    let total = group.cells.iter().fold(Cell::default(), |total, &cell| {
+        let cell = cells[cell as usize];
+        Cell { count: total.count + cell.count, sum: [0, 1, 2].map(|axis| total.sum[axis] + cell.sum[axis]) }
+    });
+    mean_of(&total)
+}
+
+fn mean_of(cell: &Cell) -> [u8; 3] {
+    cell.sum.map(|sum| ((sum + cell.count / 2) / cell.count) as u8)
+}
+
+fn nearest(colours: &[[u8; 3]], colour: [u8; 3]) -> u8 {
+    let distance = |entry: &[u8; 3]| -> u32 {
+        entry.iter().zip(colour).map(|(&a, b)| u32::from(a.abs_diff(b)).pow(2)).sum()
+    };
+    let best = (0..colours.len()).min_by_key(|&entry| distance(&colours[entry]));
+    best.unwrap_or(0) as u8
+}
 
 /// Pictures shown one after the other, without end.
 ///
@@ -151,5 +316,49 @@ mod tests {
             _ => Picture::filled([7, 8], true, [0.0; 3]),
         };
         assert!(matches!(gif(2, other), Err(ReportError::Frame { number: 2, .. })));
+    }
+
+    fn palette(pictures: &[&[[u8; 3]]]) -> Palette {
+        let mut count = ColourCount::default();
+        pictures.iter().for_each(|picture| count.add(picture));
+        Palette::new(count)
+    }
+
+    #[test]
+    fn few_colours_stay() {
+        let picture: Vec<[u8; 3]> = (0..=255).map(|i| [i, 7, 255 - i]).collect();
+        let palette = palette(&[&picture, &picture[..40]]);
+        assert_eq!(palette.colours().len(), 256);
+        assert!(picture.iter().all(|&colour| palette.entry(colour) == colour));
+    }
+
+    #[test]
+    fn many_colours_are_near_their_entries() {
+        let picture: Vec<[u8; 3]> = (0..4096_u32)
+            .map(|i| [(i % 64) as u8 * 4, (i / 64) as u8 * 4, (i % 64 + i / 64) as u8 * 2])
+            .collect();
+        let palette = palette(&[&picture]);
+        assert_eq!(palette.colours().len(), 256);
+        let error = |colour: [u8; 3]| {
+            let entry = palette.entry(colour);
+            (0..3).map(|k| entry[k].abs_diff(colour[k])).max().unwrap()
+        };
+        let worst = picture.iter().map(|&colour| error(colour)).max().unwrap();
+        // A plane of 4096 colours on 256 entries: squares of 4 by 4 of them, 16 codes wide. From the middle: 8 or 9.
+        assert!((4..=10).contains(&worst), "{worst}");
+    }
+
+    /// A rare colour far from all others has an entry of its own.
+    #[test]
+    fn rare_colours_are_kept() {
+        let mut picture: Vec<[u8; 3]> =
+            (0..100_000_u32).map(|i| [(i % 256) as u8, (i % 253) as u8, 0]).collect();
+        picture.extend([[0, 0, 255]; 40]);
+        assert_eq!(palette(&[&picture]).entry([0, 0, 255]), [0, 0, 255]);
+    }
+
+    #[test]
+    fn nothing_has_no_colours() {
+        assert!(palette(&[]).colours().is_empty());
     }
 }

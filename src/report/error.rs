@@ -1,5 +1,7 @@
 //! Errors of pictures and pages.
 
+pub(super) type Result<T, E = ReportError> = std::result::Result<T, E>;
+
 /// Why a picture cannot be made into a file.
 #[derive(Debug, thiserror::Error)]
 pub enum ReportError {

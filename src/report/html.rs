@@ -1,8 +1,8 @@
 //! Pages of HTML that open from disk: one file without addresses and scripts.
 
-use super::error::ReportError;
+use super::error::Result;
 use super::picture::Picture;
-use super::png::encode_png;
+use super::picture::encode_png;
 use super::table::Table;
 use crate::num::Transfer;
 use base64::Engine;
@@ -184,9 +184,9 @@ impl Page {
     ///
     /// # Errors
     /// Sizes that do not fit a picture's pixels.
-    pub fn pictures(&mut self, pictures: &[(&Picture, &str)], caption: &str) -> Result<(), ReportError> {
+    pub fn pictures(&mut self, pictures: &[(&Picture, &str)], caption: &str) -> Result<()> {
         let images = pictures.iter().map(|(picture, alternative)| image(picture, alternative));
-        let images: Vec<String> = images.collect::<Result<_, _>>()?;
+        let images: Vec<String> = images.collect::<Result<_>>()?;
         if !images.is_empty() {
             let images = PreEscaped(images.concat());
             self.push(html! { figure { div.row { (images) } figcaption { (caption) } } });
@@ -263,8 +263,7 @@ pub fn svg_file(drawing: &str) -> String {
 
 const STYLE: &str = include_str!("page.css");
 
-/// A picture as an element that contains its bytes.
-pub(super) fn image(picture: &Picture, alternative: &str) -> Result<String, ReportError> {
+pub(super) fn image(picture: &Picture, alternative: &str) -> Result<String> {
     let source = format!("data:image/png;base64,{}", STANDARD.encode(encode_png(picture, Transfer::Srgb)?));
     let [width, height] = picture.size;
     Ok(html! { img src=(source) width=(width) height=(height) alt=(alternative); }.into_string())

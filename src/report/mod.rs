@@ -14,17 +14,11 @@
 
 // What can go wrong.
 mod error;
-// Pictures to combine and to draw on.
+// Pictures to combine and to draw on, as PNG files.
 mod picture;
-// PNG files.
-mod png;
-// Text in pictures.
-mod label;
-// Pictures side by side with captions.
+// Text in pictures, and pictures side by side with captions.
 mod panel;
-// The palette of an animation.
-mod palette;
-// GIF files.
+// GIF files, and the palette of an animation.
 mod animation;
 // Edges, creases and normals as lines over a picture.
 mod overlay;
@@ -43,7 +37,7 @@ mod trade;
 // Pages and heat maps of a diagnosis.
 mod diagnosis;
 
-pub use animation::Animation;
+pub use animation::{Animation, ColourCount, Palette};
 pub use artefact::{
     chart_plot, experiment_page, experiment_sheet, index_page, list_table, mathml, measure_table, misses,
     page_name, picture_name, spoken, verdict_text,
@@ -51,13 +45,10 @@ pub use artefact::{
 pub use diagnosis::{After, Sight, deviation_picture, diagnosis_page};
 pub use error::ReportError;
 pub use html::{Drawing, Page, escape_html, svg_file};
-pub use label::{draw_text, text_width};
 pub use overlay::{Overlay, overlay};
-pub use palette::{ColourCount, Palette};
-pub use panel::{Panel, panels, panels_size};
-pub use picture::Picture;
+pub use panel::{Panel, draw_text, panels, panels_size, text_width};
+pub use picture::{Picture, encode_png};
 pub use plot::{Axis, Mark, Plot, Scale, Series};
-pub use png::encode_png;
 pub use probe::{PixelReport, SampleReport, probe_pixel};
 pub use table::Table;
 pub use trade::{

@@ -77,7 +77,6 @@ fn has_directions(object: &Object) -> bool {
     !matches!(object.shape, Shape::Surface(_)) && normal_matrix(DMat3::from_mat4(object.transform)).is_some()
 }
 
-/// Whether two unit normals are not [`SAME`].
 fn differ(a: DVec3, b: DVec3) -> bool {
     libm::atan2(a.cross(b).length(), a.dot(b)) > Radians::from(SAME).0
 }

@@ -60,7 +60,6 @@ pub fn probe_pixel(
 }
 
 impl PixelReport {
-    /// The sample nearest to the middle of the pixel.
     fn central(&self) -> Option<&SampleReport> {
         let offset = |sample: &&SampleReport| -> f64 {
             let squared = |axis: usize| {
@@ -96,7 +95,6 @@ impl fmt::Display for PixelReport {
     }
 }
 
-/// The visible point of a sample.
 fn write_point(f: &mut fmt::Formatter, point: &ProbePoint) -> fmt::Result {
     let side = if point.front { "front" } else { "back" };
     let object = point.object;

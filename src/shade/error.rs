@@ -4,6 +4,8 @@ use crate::num::{Degrees, LinearRgb, Radians, Real};
 use glam::DVec3;
 use std::fmt;
 
+pub(super) type Result<T, E = ShadeError> = std::result::Result<T, E>;
+
 /// An invalid number of a light, a material or the settings.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{place}: {field} is {found}; it must be {expected}")]
@@ -84,36 +86,36 @@ impl Place {
         field: &'static str,
         found: impl fmt::Display,
         expected: &'static str,
-    ) -> Result<(), ShadeError> {
+    ) -> Result<()> {
         if holds { Ok(()) } else { Err(self.error(field, found.to_string(), expected)) }
     }
 
-    pub(super) fn not_negative(self, field: &'static str, value: f64) -> Result<(), ShadeError> {
+    pub(super) fn not_negative(self, field: &'static str, value: f64) -> Result<()> {
         self.hold(value >= 0.0 && value.is_finite(), field, value, "finite and not negative")
     }
 
-    pub(super) fn positive(self, field: &'static str, value: f64) -> Result<(), ShadeError> {
+    pub(super) fn positive(self, field: &'static str, value: f64) -> Result<()> {
         self.hold(value > 0.0 && value.is_finite(), field, value, "finite and over 0")
     }
 
-    pub(super) fn colour(self, field: &'static str, colour: LinearRgb) -> Result<(), ShadeError> {
+    pub(super) fn colour(self, field: &'static str, colour: LinearRgb) -> Result<()> {
         let LinearRgb { r, g, b } = colour;
         let holds = colour.is_finite() && r >= 0.0 && g >= 0.0 && b >= 0.0;
         self.hold(holds, field, format!("({r}, {g}, {b})"), "of finite components, none of them negative")
     }
 
     /// Whether a finite colour is in the range of `R`. The error writes exponents, not hundreds of digits.
-    pub(super) fn in_range<R: Real>(self, field: &'static str, colour: LinearRgb) -> Result<(), ShadeError> {
+    pub(super) fn in_range<R: Real>(self, field: &'static str, colour: LinearRgb) -> Result<()> {
         let expected = "in the range of numbers: 3.4e38 in single precision";
         let found = || format!("{:?}", colour.to_array());
         if colour.largest() <= R::MAX.to_f64() { Ok(()) } else { Err(self.error(field, found(), expected)) }
     }
 
-    pub(super) fn position(self, field: &'static str, position: DVec3) -> Result<(), ShadeError> {
+    pub(super) fn position(self, field: &'static str, position: DVec3) -> Result<()> {
         self.hold(position.is_finite(), field, position, "of finite coordinates")
     }
 
-    pub(super) fn direction(self, field: &'static str, direction: DVec3) -> Result<(), ShadeError> {
+    pub(super) fn direction(self, field: &'static str, direction: DVec3) -> Result<()> {
         let holds = direction.is_finite() && direction != DVec3::ZERO;
         self.hold(holds, field, direction, "of finite coordinates, and not zero")
     }

@@ -1,6 +1,6 @@
 //! The terms of the colour of one point.
 
-use super::error::{NotFinite, ShadeError};
+use super::error::{NotFinite, Result};
 use super::formula::{self, half_vector};
 use super::light::Light;
 use super::material::Material;
@@ -138,7 +138,7 @@ impl Probe {
     ///
     /// # Errors
     /// The same.
-    pub fn new(lights: &[Light], material: &Material, settings: &ShadeSettings) -> Result<Self, ShadeError> {
+    pub fn new(lights: &[Light], material: &Material, settings: &ShadeSettings) -> Result<Self> {
         let without = ShadeSettings { guards: Guards::literal(), ..*settings };
         Ok(Self {
             guarded: Shader::with(lights, material, settings, |_| true)?,

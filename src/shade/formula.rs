@@ -6,7 +6,6 @@ use glam::DVec3;
 
 pub(super) type Triple<R> = [R; 3];
 
-/// The unit vector of a direction that has been checked.
 pub(super) fn unit(direction: DVec3) -> DVec3 {
     crate::num::direction(direction).0
 }

@@ -1,6 +1,6 @@
 //! Lights and their attenuation.
 
-use super::error::{Place, ShadeError};
+use super::error::{Place, Result};
 use crate::num::{LinearRgb, Radians};
 use glam::{DVec3, DVec4};
 use serde::Deserialize;
@@ -183,7 +183,7 @@ impl Light {
     /// # Errors
     /// The first invalid number: not finite, negative, a direction of length 0, an angle out of range, sides that are not at a
     /// right angle.
-    pub fn check(&self, number: usize) -> Result<(), ShadeError> {
+    pub fn check(&self, number: usize) -> Result<()> {
         let place = Place::Light(number);
         place.colour("colour", self.colour())?;
         match *self {
@@ -204,7 +204,7 @@ impl Light {
 }
 
 impl Attenuation {
-    fn check(self, place: Place) -> Result<(), ShadeError> {
+    fn check(self, place: Place) -> Result<()> {
         match self {
             Attenuation::None | Attenuation::InverseSquare => Ok(()),
             Attenuation::InverseSquareWithin(range) => place.positive("range", range),
@@ -220,7 +220,7 @@ impl Attenuation {
 }
 
 impl Cone {
-    fn check(&self, place: Place) -> Result<(), ShadeError> {
+    fn check(&self, place: Place) -> Result<()> {
         let Radians(cut_off) = self.cut_off;
         place.direction("axis", self.axis)?;
         if !(cut_off > 0.0 && cut_off <= FRAC_PI_2) && cut_off != PI {
@@ -239,7 +239,7 @@ impl Cone {
 }
 
 impl AreaShape {
-    fn check(&self, place: Place) -> Result<(), ShadeError> {
+    fn check(&self, place: Place) -> Result<()> {
         match *self {
             AreaShape::Rectangle { centre, u, v } => {
                 place.position("centre", centre)?;

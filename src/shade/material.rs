@@ -1,6 +1,6 @@
 //! Materials: what a surface does with light.
 
-use super::error::{Place, ShadeError};
+use super::error::{Place, Result};
 use crate::num::{LinearRgb, Real};
 
 /// The share of light that a surface returns by one kind of reflection (F15).
@@ -34,8 +34,7 @@ impl Reflectance {
         }
     }
 
-    /// Whether the numbers are valid, and K in the range of `R`.
-    fn check<R: Real>(self, field: &'static str) -> Result<(), ShadeError> {
+    fn check<R: Real>(self, field: &'static str) -> Result<()> {
         if let Reflectance::Split { k, .. } = self {
             Place::Material.not_negative(field, k)?;
         }
@@ -108,8 +107,7 @@ impl Material {
         (sum.largest() > 1.0 + 4.0 * f64::EPSILON).then_some(EnergyGain { sum })
     }
 
-    /// Whether the numbers are valid and colours are in the range of `R`.
-    pub(crate) fn check<R: Real>(&self) -> Result<(), ShadeError> {
+    pub(crate) fn check<R: Real>(&self) -> Result<()> {
         for (field, reflectance) in [
             ("ambient reflection", self.ambient),
             ("diffuse reflection", self.diffuse),

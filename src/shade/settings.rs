@@ -1,6 +1,6 @@
 //! The settings of lighting: viewer, guards, depth cue, terminator, tone rule.
 
-use super::error::{Place, ShadeError};
+use super::error::{Place, Result};
 use crate::num::Real;
 use glam::DVec3;
 use serde::Deserialize;
@@ -146,8 +146,7 @@ impl Guards {
 }
 
 impl ShadeSettings {
-    /// Whether every number is valid.
-    pub(super) fn check(&self) -> Result<(), ShadeError> {
+    pub(super) fn check(&self) -> Result<()> {
         let place = Place::Settings;
         place.position("origin", self.frame.origin)?;
         place.positive("unit", self.frame.unit)?;

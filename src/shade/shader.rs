@@ -1,6 +1,6 @@
 //! Lights and a material resolved to the terms that they need, and the light on a point.
 
-use super::error::{NotFinite, Place, ShadeError};
+use super::error::{NotFinite, Place, Result};
 use super::formula::{self, Triple, rounded, unit};
 use super::light::Light;
 use super::material::Material;
@@ -34,7 +34,6 @@ pub struct Shader<R> {
     pub(super) lights: Vec<LightTerm<R>>,
     /// The viewer, if a term depends on the view direction.
     pub(super) view: Option<View<R>>,
-    /// cosⁿ of highlights.
     pub(super) power: Power<R>,
     pub(super) depth_cue: Option<R>,
     pub(super) two_sided: bool,
@@ -55,7 +54,6 @@ pub struct SurfacePoint<R> {
     pub normal: [R; 3],
 }
 
-/// The direction to the viewer.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum View<R> {
     /// V, the same at every point.
@@ -91,7 +89,7 @@ impl<R: Real> Shader<R> {
     /// # Errors
     /// Invalid numbers: not finite, negative, a direction of length 0, an angle out of range, depth cueing without a viewer at a
     /// finite distance, lights or viewers too far from the scene, and colours beyond the range of `R`.
-    pub fn new(lights: &[Light], material: &Material, settings: &ShadeSettings) -> Result<Self, ShadeError> {
+    pub fn new(lights: &[Light], material: &Material, settings: &ShadeSettings) -> Result<Self> {
         Self::with(lights, material, settings, |term| !term.is_dark())
     }
 
@@ -101,7 +99,7 @@ impl<R: Real> Shader<R> {
         material: &Material,
         settings: &ShadeSettings,
         wanted: fn(&LightTerm<R>) -> bool,
-    ) -> Result<Self, ShadeError> {
+    ) -> Result<Self> {
         material.check::<R>()?;
         settings.check()?;
         let viewer = match settings.viewer {
@@ -313,7 +311,6 @@ impl<R: Real> Shader<R> {
 }
 
 impl<R: Real> View<R> {
-    /// V and the distance to the viewer; 0 at infinity.
     #[inline(always)]
     pub(super) fn at(&self, position: Triple<R>) -> (Triple<R>, R) {
         match *self {

@@ -1,7 +1,7 @@
 //! Lights in the frame and the precision of a shader, and the terms of one light on one material.
 
 use super::area::AreaSource;
-use super::error::{Place, ShadeError};
+use super::error::{Place, Result};
 use super::formula::{self, Triple, half_vector, rounded, unit};
 use super::light::{Attenuation, Cone, Light};
 use super::material::{Material, Reflection};
@@ -36,7 +36,6 @@ pub(super) struct SpotSource<R> {
     edge: Option<(R, R)>,
     /// The exponent of the cosine, unless it is 0.
     pub(super) concentration: Option<Power<R>>,
-    /// Whether the cosine is not let below 0.
     guarded: bool,
 }
 
@@ -46,12 +45,7 @@ impl<R: Real> Source<R> {
     }
 
     /// `None` for ambient light.
-    pub(super) fn new(
-        light: &Light,
-        number: usize,
-        frame: &Frame,
-        guards: Guards,
-    ) -> Result<Option<Self>, ShadeError> {
+    pub(super) fn new(light: &Light, number: usize, frame: &Frame, guards: Guards) -> Result<Option<Self>> {
         let place = |position: DVec3, attenuation| PointSource::new(position, attenuation, number, frame);
         Ok(Some(match *light {
             Light::Ambient { .. } => return Ok(None),
@@ -66,12 +60,7 @@ impl<R: Real> Source<R> {
 }
 
 impl<R: Real> PointSource<R> {
-    fn new(
-        position: DVec3,
-        attenuation: Attenuation,
-        number: usize,
-        frame: &Frame,
-    ) -> Result<Self, ShadeError> {
+    fn new(position: DVec3, attenuation: Attenuation, number: usize, frame: &Frame) -> Result<Self> {
         let [constant, linear, quadratic] = attenuation.coefficients();
         let range = attenuation.range() / frame.unit;
         Ok(Self {
@@ -156,7 +145,7 @@ pub(super) fn in_frame<R: Real>(
     frame: &Frame,
     place: Place,
     field: &'static str,
-) -> Result<Triple<R>, ShadeError> {
+) -> Result<Triple<R>> {
     let local = frame.to_local(position);
     // A quarter of the exponents: squares of distances take half of them.
     let farthest = libm::exp2(R::EXPONENTS.1 / 4.0);

@@ -3,6 +3,8 @@
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 
+pub(super) type Result<T, E = SurfaceError> = std::result::Result<T, E>;
+
 /// Lengths of surfaces, in any unit. Their fourth powers, which the torus needs, stay in range.
 pub(super) const LENGTHS: RangeInclusive<f64> = 1e-60..=1e60;
 
@@ -33,12 +35,7 @@ impl SurfaceError {
     }
 }
 
-/// Checks a number of cells or the like.
-pub(super) fn check_count(
-    what: &str,
-    found: impl Into<u64>,
-    limits: RangeInclusive<u64>,
-) -> Result<(), SurfaceError> {
+pub(super) fn check_count(what: &str, found: impl Into<u64>, limits: RangeInclusive<u64>) -> Result<()> {
     let found = found.into();
     let limit = found.clamp(*limits.start(), *limits.end());
     let bound = if found < limit { "at least" } else { "at most" };
@@ -46,8 +43,7 @@ pub(super) fn check_count(
     if found == limit { Ok(()) } else { Err(error()) }
 }
 
-/// A length, if it is valid.
-pub(super) fn length(what: &str, found: f64) -> Result<f64, SurfaceError> {
+pub(super) fn length(what: &str, found: f64) -> Result<f64> {
     let error =
         || out_of_range(what, format!("{found:?}").trim_end_matches(".0"), "a length from 1e-60 to 1e60");
     if LENGTHS.contains(&found) { Ok(found) } else { Err(error()) }

@@ -93,8 +93,8 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     (
         "thiserror",
         &[
-            "num", "mesh", "surface", "io", "normals", "shade", "raster", "pipeline", "metric", "artefact",
-            "report",
+            "num", "mesh", "surface", "io", "normals", "shade", "quality", "raster", "pipeline", "metric",
+            "artefact", "report",
         ],
     ),
     ("tobj", &["io"]),

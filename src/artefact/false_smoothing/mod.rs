@@ -7,8 +7,6 @@ mod meshes;
 // What averaging does to sharp edges.
 #[cfg(test)]
 mod tests;
-// A user's mesh, averaged over all edges and split at creases.
-mod user_mesh;
 
 use super::prelude::*;
 use lit_mesh::{FULL_ANGLE, LitMesh, Rendering};
@@ -41,7 +39,7 @@ fn run(setup: &Setup) -> Result<Outcome> {
     let mut out =
         Recorder::new(&TEXTS, &[("crease", Value::number(crease)), ("full-angle", FULL_ANGLE.into())]);
     if let Some(own) = &setup.mesh {
-        return user_mesh::run(own, &setup.parameters, out);
+        return lit_mesh::run(own, &setup.parameters, out);
     }
     let effect = shapes(&setup.parameters, &mut out)?;
     Ok(out.finish(Verdict::Holds(out.text("holds")), effect))

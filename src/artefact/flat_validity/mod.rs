@@ -69,7 +69,6 @@ impl Errors {
         Ok(errors)
     }
 
-    /// The largest error over its bound.
     fn measure_share_of_bounds(&self, &Parameters { light, exponent, .. }: &Parameters, out: &mut Recorder) {
         let share = self.diffuse.iter().map(|&[ratio, error]| error / bound(ratio)).fold(0.0, f64::max);
         // Below an exponent of 1 the slope of cosⁿ has no bound; light along the plate is on or off.
@@ -95,12 +94,10 @@ impl Errors {
     }
 }
 
-/// The bound of the error of diffuse light.
 fn bound(ratio: f64) -> f64 {
     2.0 * libm::sin(0.5 * libm::asin(1.0 / ratio))
 }
 
-/// The closed form of the error of a highlight.
 fn of_highlight(viewer: &Viewer, size: u32) -> Check {
     let (law, steepest) = viewer.law(size);
     // Cosines are rounded by up to 2·10⁻⁷ in each picture; below an exponent of 1 their power may be as steep as can be.
@@ -185,7 +182,6 @@ fn centres(size: u32) -> impl Iterator<Item = DVec3> {
     (0..size * size).map(move |k| DVec3::new(place(k % size), -place(k / size), 0.0))
 }
 
-/// A lamp over the plate's middle, and chalk.
 struct Lamp {
     angle: Degrees,
     distance: f64,

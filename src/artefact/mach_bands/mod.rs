@@ -73,7 +73,6 @@ fn run(setup: &Setup) -> Result<Outcome> {
     Ok(out.finish(verdict, effect))
 }
 
-/// The largest jumps at the edges.
 struct Edges {
     /// Of flat shading.
     step: Found,
@@ -256,7 +255,7 @@ mod tests {
     /// From 70.53° on there may be edges where Phong is the worse one; at 80° there are. The pictures are labelled by that.
     #[test]
     fn in_grazing_light_the_claim_fails() {
-        use super::super::shot::Role;
+        use super::super::effect::Role;
         for (light, is_gouraud_worse) in [(60.0, true), (-60.0, true), (80.0, false), (-80.0, false)] {
             let outcome = run(light, 16);
             let [gouraud, phong] = [1, 2].map(|k| outcome.measures[k].value.abs());

@@ -76,7 +76,6 @@ fn jump_map(drawn: &Image, tube: &Tube, light: Degrees, jumps: &[[f64; 2]], full
     map(drawn.size, &values, full.max(f64::MIN_POSITIVE))
 }
 
-/// Luminance across the picture under each shading.
 pub(super) struct Lines {
     pub(super) flat: Profile,
     pub(super) gouraud: Profile,
@@ -102,7 +101,6 @@ impl Lines {
     }
 }
 
-/// Luminance, its slope and its curvature.
 pub(super) fn record_charts(lines: &Lines, effect: &Effect, out: &mut Recorder) {
     out.set("bad", effect.bad);
     out.set("cured", effect.cured);

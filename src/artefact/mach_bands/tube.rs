@@ -61,7 +61,6 @@ impl Tube {
         draw(vec![object], &[light_at(light)], camera, settings(size, shading))
     }
 
-    /// One scanline across.
     pub(super) fn profile(&self, light: Degrees, shading: Shading) -> Result<Profile> {
         let image = self.draw([LINE, 1], light, shading)?;
         Ok(Profile { values: luminance(&image) })
@@ -108,7 +107,6 @@ impl Tube {
         Ok(self.edges(light).map(jump).collect())
     }
 
-    /// The edge with the largest jump, as measured.
     pub(super) fn largest(&self, light: Degrees, jump: impl Fn(f64) -> (f64, f64)) -> Found {
         let found = self.edges(light).map(|theta| {
             let (measured, law) = jump(theta);
@@ -126,7 +124,6 @@ pub(super) fn is_drawn(x: f64) -> bool {
 /// A jump as measured and by its closed form.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Found {
-    /// Where, in radians from the viewer to the right.
     pub(super) theta: f64,
     pub(super) measured: f64,
     pub(super) law: f64,

@@ -48,7 +48,6 @@ fn run(setup: &Setup) -> Result<Outcome> {
     Ok(out.finish(Verdict::Holds(out.text("holds")), effect))
 }
 
-/// The colours at the centre of the polygon over a whole turn.
 struct CentreColours {
     scanline: Vec<DVec3>,
     laws: Vec<DVec3>,

@@ -11,7 +11,6 @@ pub(super) struct Pictures {
     half: Image,
     turned: Image,
     back: Image,
-    /// In triangles, turned by 90° and turned back.
     triangles_back: Image,
     /// In triangles cut one way and the other; the same where the polygon has one cut only.
     pub(super) cuts: [Image; 2],

@@ -160,7 +160,6 @@ impl Spheres {
         out.measure("far-faces", "°", self.own.face_angles(&self.far), check);
     }
 
-    /// The mean errors of the pixels' normals.
     fn measure_pixels(&self, size: u32, exponent: f64, out: &mut Recorder) -> Result<()> {
         let exact = Object::new(Shape::Surface(Primitive::from(Sphere::default())), material(exponent));
         let truth = draw_close_up(&exact, Shading::Exact, Show::Normals, size)?;

@@ -71,7 +71,6 @@ const LENGTH: u32 = 1333;
 /// How far away the light is, in sides of the window: its highlight is a fifth of the window to each side.
 const LIGHT: f64 = 4.0;
 
-/// The normals of slivers as arithmetic has them, turned so that the true one is +z.
 struct Normals {
     /// By products and differences in single precision.
     plain: Vec<DVec3>,

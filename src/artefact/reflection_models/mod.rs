@@ -86,7 +86,6 @@ fn largest_difference(exponent: f64, of_blinn: f64) -> f64 {
     (0..=10_000).map(difference).fold(0.0, f64::max)
 }
 
-/// Grazing light, in which Phong's highlight is stretched.
 fn grazing_light(size: u32, exponent: f64, out: &mut Recorder) -> Result<()> {
     let four = blinn_exponent(exponent);
     let ball = |reflection, exponent| ball(reflection, exponent, GRAZING, Guards::default(), size);

@@ -100,7 +100,6 @@ pub(super) fn enough(radius: f64) -> u32 {
     for_error(0.5, radius)
 }
 
-/// The smallest n for which it is below an error.
 fn for_error(error: f64, radius: f64) -> u32 {
     let least = PI / (2.0 * libm::asin((0.5 * error / radius).sqrt()));
     least.floor() as u32 + 1

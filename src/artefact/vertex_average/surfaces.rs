@@ -42,7 +42,6 @@ pub(super) fn measure_ball(ball: &LitSurface, out: &mut Recorder) {
     }
 }
 
-/// The effect of some weights on a surface, compared with Max's.
 fn effect(name: &str, surface: &LitSurface, weight: Weight, factor: f64, out: &Recorder) -> Effect {
     let errors = [weight, ROUND].map(|weight| surface.at_vertices(weight).rms);
     out.effect(name, "°", errors, Threshold::half_step_of_tilt(), factor)

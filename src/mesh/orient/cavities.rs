@@ -68,7 +68,6 @@ pub(crate) fn cavities(parts: &[Placed<'_>], weld: Weld) -> Vec<Vec<usize>> {
     cavities
 }
 
-/// The closed components of a mesh.
 struct Solid {
     orientations: Orientations,
     shells: Vec<Shell>,
@@ -91,12 +90,10 @@ impl Solid {
     }
 }
 
-/// The decisions about the shells of a mesh so far.
 struct State<'a> {
     shells: &'a [Shell],
     /// Whether it contains air, although it lies in an even number of other shells of its mesh that do not.
     is_air: Vec<bool>,
-    /// Whether it is inside out.
     is_reversed: Vec<bool>,
 }
 

@@ -67,7 +67,6 @@ impl Components {
         Self { faces, starts, against, orientable }
     }
 
-    /// The number of components.
     pub(super) fn len(&self) -> usize {
         self.orientable.len()
     }

@@ -22,7 +22,6 @@ const BOX_BUDGET: usize = 512;
 /// triangles of well-shaped shells costs some hundreds.
 const RAY_BUDGET: (usize, usize) = (1 << 26, 256);
 
-/// The shells that a shell lies in.
 #[derive(Clone, Default)]
 pub(super) struct Nest {
     /// How many there are in its mesh.
@@ -82,13 +81,11 @@ pub(super) fn nests(
     (0..shells.len()).into_par_iter().map(nest).collect()
 }
 
-/// The box of some faces.
 pub(super) fn face_bounds(mesh: &Mesh, faces: &[u32]) -> Bounds {
     let corners = faces.iter().flat_map(|&face| mesh.faces().face(face as usize));
     Bounds::of(corners.map(|&vertex| mesh.position(vertex)))
 }
 
-/// The triangles of some shells, in a tree.
 pub(super) struct Walls<'a> {
     mesh: &'a Mesh,
     /// The shell and the vertices of each; all of a shell agree.

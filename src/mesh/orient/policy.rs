@@ -211,7 +211,6 @@ impl Orientations {
             .collect()
     }
 
-    /// The counts of components, and no face reversed.
     fn counts(&self) -> Orientation {
         Orientation {
             components: self.components.len(),

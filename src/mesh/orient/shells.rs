@@ -24,7 +24,6 @@ pub(super) struct Shell {
     pub(super) component: usize,
     /// Whether the faces that run with its lowest one face outwards.
     pub(super) outward: bool,
-    /// Whether most of its faces face inwards.
     pub(super) is_inward: bool,
     /// The shells around it in its mesh; those that face inwards are marked. `None` if undetermined.
     pub(super) nest: Option<Nest>,
@@ -32,7 +31,6 @@ pub(super) struct Shell {
     pub(super) seems_room: bool,
 }
 
-/// The role of a shell in its mesh.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Role {
     /// It should face outwards.
@@ -83,7 +81,6 @@ pub(super) fn shells(mesh: &Mesh, components: &Components, closed: &[usize]) -> 
     shells
 }
 
-/// The shells that seem to be rooms.
 fn rooms(mesh: &Mesh, components: &Components, shells: &[Shell]) -> Vec<u32> {
     if mesh.columns().normals.is_none() {
         return Vec::new();

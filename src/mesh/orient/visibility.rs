@@ -34,7 +34,6 @@ const MOST_POINTS: usize = 1 << 12;
 /// Boxes and faces that all rays together may visit, shared evenly; but at least so many for each.
 const STEPS: (usize, usize) = (1 << 28, 1024);
 
-/// The vote of a component's points.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Vote {
     /// Whether the outer side is where the normal of its lowest face points.
@@ -43,7 +42,6 @@ pub(super) struct Vote {
     pub(super) confidence: f64,
 }
 
-/// The votes of some components, in their order.
 pub(super) fn votes(mesh: &Mesh, components: &Components, open: &[usize]) -> Vec<Vote> {
     let undecided = Vote { outward: true, confidence: 0.5 };
     let mut votes = vec![undecided; open.len()];
@@ -65,7 +63,6 @@ pub(super) fn votes(mesh: &Mesh, components: &Components, open: &[usize]) -> Vec
     votes
 }
 
-/// The means to take votes.
 struct Poll<'a> {
     obstacles: Obstacles<'a>,
     /// Directions about +z, by the cosine.

@@ -8,7 +8,7 @@ use crate::quality::catalogue::{Kind, entries};
 use crate::quality::comparison::matching::Matching;
 use crate::quality::comparison::side::Side;
 use crate::quality::diagnosis::Diagnosis;
-use crate::quality::effect::lost_light::key_light_steps;
+use crate::quality::effect::key_light_steps;
 use crate::quality::finding::Site;
 use crate::quality::sites::{locate, site};
 use crate::quality::spot::Spot;
@@ -59,27 +59,17 @@ pub struct Comparison {
 }
 
 /// Why two files cannot be compared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Incomparable {
     /// No face of the one is at the position of a face of the other.
+    #[error(
+        "the files have no face in common; compare versions of one mesh, with the transforms of nodes applied to both or to neither"
+    )]
     NothingInCommon,
     /// Corners are numbered in 32 bits.
+    #[error("the files have more than 2³² corners")]
     TooLarge,
 }
-
-impl std::fmt::Display for Incomparable {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::NothingInCommon => {
-                "the files have no face in common; compare versions of one mesh, with the transforms of nodes applied to both or \
-                 to neither"
-            }
-            Self::TooLarge => "the files have more than 2³² corners",
-        })
-    }
-}
-
-impl std::error::Error for Incomparable {}
 
 impl Comparison {
     /// The mean and the largest change of the grey value under a key light, in steps of 8 bits.

@@ -6,7 +6,7 @@
 //! triangles.
 
 use crate::mesh::Faces;
-use crate::quality::comparison::cut::cuts;
+use crate::quality::comparison::side::cuts;
 use crate::quality::comparison::side::{MOST_CORNERS, Side};
 use rayon::prelude::*;
 

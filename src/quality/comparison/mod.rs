@@ -2,8 +2,6 @@
 
 // The corners of a file.
 mod side;
-// Polygons that are triangles in the other file.
-mod cut;
 // Corners that two files share.
 mod matching;
 // What changed at these.

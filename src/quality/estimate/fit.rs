@@ -4,8 +4,8 @@ use crate::normals::{Crease, Weight};
 use crate::num::Degrees;
 use crate::quality::angles::{SAME, degrees_between};
 use crate::quality::estimate::crease_angle::{EdgeSample, exact_separating_angle, separating_angle};
+use crate::quality::estimate::means::PoleCache;
 use crate::quality::estimate::means::{MEANS, Smoothness, Sums, equal_creases, sums};
-use crate::quality::estimate::pole_cache::PoleCache;
 use crate::quality::estimate::quadrics::Patch;
 use crate::quality::estimate::recipe::{EXACT, Estimate, LEFT, NEARLY_ALL, REPRODUCED, SAMPLE};
 use crate::quality::estimate::rotation::{are_spread, robust_rotation, rotation_angle};
@@ -27,7 +27,6 @@ const LONE: usize = 16;
 pub(crate) struct Sample<'a> {
     part: &'a Part<'a>,
     corners: Vec<u32>,
-    /// The stored normals, as unit vectors.
     normals: Vec<DVec3>,
     edges: Vec<EdgeSample>,
 }
@@ -35,7 +34,6 @@ pub(crate) struct Sample<'a> {
 /// The fit of a rule about edges to a sample, with the best weighting for it.
 pub(crate) struct Fit {
     pub(crate) estimate: Estimate,
-    /// The [`cost`] of the errors.
     cost: f64,
     /// The error at each corner in degrees, ascending.
     errors: Vec<f64>,
@@ -79,7 +77,6 @@ fn median(ascending: &[f64]) -> f64 {
 }
 
 impl<'a> Sample<'a> {
-    /// `None` if no corner has a usable normal.
     pub(crate) fn of(part: &'a Part<'a>) -> Option<Self> {
         part.stored?;
         let corners = corners(part);
@@ -89,7 +86,6 @@ impl<'a> Sample<'a> {
         (!corners.is_empty()).then_some(Self { part, corners, normals, edges })
     }
 
-    /// The best fit.
     pub(crate) fn best(&self) -> Fit {
         let by_means = self.best_mean(false);
         self.by_quadrics(&by_means).unwrap_or(by_means)
@@ -168,7 +164,6 @@ impl<'a> Sample<'a> {
         fit
     }
 
-    /// The fit with these errors in degrees at the corners.
     fn fit(
         &self,
         weight: Weight,
@@ -310,7 +305,6 @@ fn corners(part: &Part<'_>) -> Vec<u32> {
     (0..SAMPLE).into_par_iter().map(pick).filter(is_usable).collect()
 }
 
-/// The output function of splitmix64.
 fn mixed(seed: u64) -> u64 {
     let z = seed.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

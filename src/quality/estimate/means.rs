@@ -4,9 +4,10 @@ use crate::normals::{CreaseTest, Weight};
 use crate::num::{Degrees, angle_between};
 use crate::quality::angles::degrees_between;
 use crate::quality::estimate::crease_angle::equal_angles;
-use crate::quality::estimate::pole_cache::{PoleCache, SHORT};
 use crate::quality::input::part::Part;
 use glam::DVec3;
+use rustc_hash::FxHashMap;
+use std::sync::{Mutex, PoisonError};
 
 /// All weightings but the quadric, which is a fit.
 pub(crate) const MEANS: [Weight; 6] =
@@ -141,7 +142,6 @@ fn other_half(part: &Part<'_>, face: usize) -> Option<usize> {
     face.checked_sub(1).filter(|&before| is_cut(before))
 }
 
-/// What weightings need of a corner of a face.
 struct CornerTerm {
     normal: DVec3,
     ahead: DVec3,
@@ -218,4 +218,37 @@ pub(crate) fn walk(
         (corner, steps) = (next, steps + 1);
     }
     true
+}
+
+/// The longest run that is walked from each of its corners.
+pub(crate) const SHORT: usize = 32;
+
+/// The values of long runs by corner, so that the cost of a pole is linear in its corners.
+pub(crate) struct PoleCache<T> {
+    long: Mutex<FxHashMap<u32, T>>,
+}
+
+impl<T> Default for PoleCache<T> {
+    fn default() -> Self {
+        Self { long: Mutex::default() }
+    }
+}
+
+impl<T: Copy> PoleCache<T> {
+    /// The value for a corner: from a walk of no more than [`SHORT`] corners, or from one over all corners that share the value.
+    /// The second has to give the same bits from whichever corner it starts: threads may come in any order.
+    pub(crate) fn of(
+        &self,
+        corner: u32,
+        short: impl FnOnce() -> Option<T>,
+        whole: impl FnOnce() -> (T, Vec<u32>),
+    ) -> T {
+        let long = || self.long.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = short().or_else(|| long().get(&corner).copied());
+        known.unwrap_or_else(|| {
+            let (value, corners) = whole();
+            long().extend(corners.into_iter().map(|corner| (corner, value)));
+            value
+        })
+    }
 }

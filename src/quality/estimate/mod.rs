@@ -2,8 +2,6 @@
 
 // The rotation closest to a set of direction pairs.
 pub(crate) mod rotation;
-// Sums that are shared by all corners of a pole.
-pub(crate) mod pole_cache;
 // Averages by every weighting.
 pub(crate) mod means;
 // The crease angle that separates smooth edges from sharp ones.

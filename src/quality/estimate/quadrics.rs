@@ -43,7 +43,6 @@ impl Patch {
         self.corners.iter().map(|&(index, _)| index)
     }
 
-    /// Their normals as `crease normals --weight quadric` would compute them.
     pub(crate) fn normals(&self, crease: Degrees, groups: bool) -> Vec<DVec3> {
         let recipe = NormalRecipe {
             weight: Weight::Quadric,

@@ -1,5 +1,7 @@
 //! All findings, one file for each or for a close family: limits and search.
 
+// The names that most findings use.
+pub(crate) mod prelude;
 // Geometry: faces, edges and vertices that spoil normals.
 pub(crate) mod geometry;
 // Winding: faces and components that face the wrong way.

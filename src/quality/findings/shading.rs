@@ -1,13 +1,9 @@
 //! What interpolation shows of the faces, even with correct normals: broken shadows, lost highlights, Mach bands, outlines.
 
 use crate::num::{angle_between, three_digits};
-use crate::quality::angles::Limit;
-use crate::quality::catalogue::Kind;
-use crate::quality::counts::{Found, Remark};
-use crate::quality::effect::highlight::Highlights;
-use crate::quality::effect::lost_light::slope_jump;
-use crate::quality::facts::Facts;
-use crate::quality::spot::{Measure, Spot};
+use crate::quality::effect::Highlights;
+use crate::quality::effect::slope_jump;
+use crate::quality::findings::prelude::*;
 use glam::DVec3;
 
 /// The tangents of the turns of normals up to which the two bounds below hold.

@@ -1,12 +1,8 @@
 //! Winding: faces with opposite winding to their neighbours, surfaces on which all faces cannot agree, and components that face inwards.
 
 use crate::mesh::Link;
-use crate::quality::catalogue::Kind;
-use crate::quality::counts::Found;
-use crate::quality::element::Severity;
-use crate::quality::facts::Facts;
-use crate::quality::input::winding::InsideOut;
-use crate::quality::spot::Spot;
+use crate::quality::findings::prelude::*;
+use crate::quality::input::part::InsideOut;
 
 /// Finds faces with opposite winding to their neighbours. A duplicate face and one without a direction are findings of their own.
 pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {

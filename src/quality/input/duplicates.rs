@@ -4,7 +4,6 @@ use crate::mesh::{Mesh, place_key};
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
-/// Faces at the positions of others.
 #[derive(Debug, Default)]
 pub(crate) struct DuplicateFaces {
     /// Those that run the same way as an earlier one.
@@ -45,7 +44,6 @@ impl DuplicateFaces {
         self.back_to_back.binary_search(&face).is_ok()
     }
 
-    /// Whether a face has a duplicate that runs the same way.
     pub(crate) fn is_doubled(&self, face: u32) -> bool {
         self.all_same_way.binary_search(&face).is_ok()
     }
@@ -76,7 +74,6 @@ fn candidates(mesh: &Mesh, area: &[f64]) -> Vec<usize> {
     faces
 }
 
-/// The bits of the position of a corner.
 fn key(mesh: &Mesh, corner: usize) -> [u64; 3] {
     place_key(mesh.positions().at(mesh.faces().corners()[corner]))
 }

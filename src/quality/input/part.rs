@@ -1,11 +1,13 @@
-//! A part of a file before its normals are judged: mesh, topology, faces and stored normals.
+//! A part of a file before its normals are judged: mesh, topology, faces, their winding, and stored normals.
 
-use crate::mesh::{Column, Link, Mesh, Topology, place_key, stored_unit, vector_area};
+use crate::mesh::{
+    Column, Link, Mesh, Orientation, Orientations, Topology, normals_oppose, place_key, stored_unit,
+    vector_area,
+};
 use crate::normals::{FaceField, FaultReason};
 use crate::num::{UnitVec3, unit_scale};
 use crate::quality::input::duplicates::DuplicateFaces;
 use crate::quality::input::file::FileContext;
-use crate::quality::input::winding::Winding;
 use crate::quality::thresholds::Thresholds;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -27,7 +29,6 @@ pub(crate) enum Direction {
 pub(crate) struct Part<'a> {
     pub(crate) file: &'a FileContext<'a>,
     pub(crate) thresholds: &'a Thresholds,
-    /// The number of the part in its file.
     pub(crate) number: usize,
     pub(crate) mesh: &'a Mesh,
     pub(crate) topology: Topology,
@@ -37,18 +38,15 @@ pub(crate) struct Part<'a> {
     pub(crate) scale: f64,
     /// The largest extent of the mesh, scaled.
     pub(crate) size: f64,
-    /// The scaled area of each face.
     pub(crate) area: Vec<f64>,
     pub(crate) total_area: f64,
     pub(crate) winding: Winding,
     pub(crate) duplicates: DuplicateFaces,
-    /// The stored normals, if there are any.
     pub(crate) stored: Option<&'a Column<DVec3>>,
     /// The directions of the stored values, zero where there is none; empty if few corners share a value.
     stored_units: Vec<DVec3>,
     /// The normals of the faces until the corner normals are computed from them; then empty.
     pub(crate) face_field: FaceField,
-    /// The unit normals of the faces from then on.
     pub(crate) face_normals: Vec<DVec3>,
     directions: Vec<Direction>,
     /// Whether a reversed face is at a vertex, so that the mean of its faces has no meaning; empty if there are none.
@@ -93,22 +91,18 @@ impl<'a> Part<'a> {
         }
     }
 
-    /// How far the direction of a face can be relied on.
     pub(crate) fn direction(&self, face: usize) -> Direction {
         self.directions[face]
     }
 
-    /// Whether a face has a direction that its neighbours agree with.
     pub(crate) fn is_sound(&self, face: usize) -> bool {
         self.directions[face] == Direction::Sound
     }
 
-    /// Whether a face has a direction, right or reversed.
     pub(crate) fn has_direction(&self, face: usize) -> bool {
         self.directions[face] != Direction::Undefined
     }
 
-    /// The face's own unit normal.
     pub(crate) fn face_normal(&self, face: usize) -> DVec3 {
         match self.face_normals.is_empty() {
             true => self.face_field.units()[face],
@@ -116,17 +110,14 @@ impl<'a> Part<'a> {
         }
     }
 
-    /// The face of a corner.
     pub(crate) fn face_of(&self, corner: usize) -> usize {
         self.topology.face_of(corner as u32) as usize
     }
 
-    /// The corners of a face.
     pub(crate) fn corners_of(&self, face: usize) -> Range<usize> {
         self.mesh.faces().range(face)
     }
 
-    /// The vertex of a corner.
     pub(crate) fn vertex(&self, corner: usize) -> u32 {
         self.mesh.faces().corners()[corner]
     }
@@ -156,7 +147,6 @@ impl<'a> Part<'a> {
         Some(self.stored_units[slot as usize]).filter(|&unit| unit != DVec3::ZERO)
     }
 
-    /// Whether a reversed face is at the vertex of a corner.
     pub(crate) fn is_near_reversed(&self, corner: usize) -> bool {
         !self.near_reversed.is_empty() && self.near_reversed[self.vertex(corner) as usize]
     }
@@ -240,4 +230,54 @@ fn units(mesh: &Mesh, stored: &Column<DVec3>) -> Vec<DVec3> {
     }
     let unit = |&normal: &DVec3| UnitVec3::new(normal).map_or(DVec3::ZERO, UnitVec3::get);
     stored.values.par_iter().map(unit).collect()
+}
+
+/// The winding of the faces of a part, as `crease normals --orient` would change it.
+pub(crate) struct Winding {
+    pub(crate) components: Orientations,
+    /// What `--orient outward` would find.
+    pub(crate) outward: Orientation,
+    /// The components that it would reverse.
+    pub(crate) inside_out: Vec<InsideOut>,
+    /// The faces that `--orient consistent` would reverse, ascending.
+    pub(crate) minority: Vec<u32>,
+}
+
+/// A component that faces the wrong way as a whole.
+pub(crate) struct InsideOut {
+    /// Its faces without those that run against the others, ascending.
+    pub(crate) faces: Vec<u32>,
+    /// Whether it has a rim.
+    pub(crate) is_open: bool,
+    /// Whether most of its stored normals point against these faces; `None` if they leave it open.
+    pub(crate) is_opposed: Option<bool>,
+}
+
+impl Winding {
+    pub(crate) fn new(file: &FileContext<'_>, part: usize, mesh: &Mesh, topology: &Topology) -> Self {
+        let components = Orientations::new(mesh, topology);
+        let outward = |cavities: &[usize]| components.outward(mesh, file.thresholds.confidence, cavities);
+        let mut outwards = outward(&[]);
+        if outwards.inside_out + outwards.rooms > 0 && !file.cavities(part).is_empty() {
+            outwards = outward(file.cavities(part));
+        }
+        let inside_out = components.inside_out(&outwards.reversed).into_iter().map(|faces| InsideOut {
+            is_open: faces.first().is_some_and(|face| outwards.reversed_open.binary_search(face).is_ok()),
+            is_opposed: normals_oppose(mesh, faces.iter().map(|&face| (face, false))),
+            faces,
+        });
+        Self {
+            inside_out: inside_out.collect(),
+            minority: components.consistent(mesh).reversed,
+            outward: outwards,
+            components,
+        }
+    }
+
+    /// The faces that are taken to point the other way. Normals of rooms, skies and bowls, which are seen from within, agree
+    /// with their faces; without normals, the inside of a component with a rim is uncertain.
+    pub(crate) fn reversed(&self) -> impl Iterator<Item = u32> {
+        let wholes = self.inside_out.iter().filter(|it| it.is_opposed.unwrap_or(!it.is_open));
+        wholes.flat_map(|component| &component.faces).chain(&self.minority).copied()
+    }
 }

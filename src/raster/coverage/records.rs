@@ -23,7 +23,6 @@ pub(crate) struct Record {
     /// What is interpolated, at each corner: a normal or a colour.
     pub(crate) values: [Vec3; 3],
     pub(crate) vertices: [u32; 3],
-    /// The triangle, among those of its object.
     pub(crate) triangle: u32,
     pub(crate) face: u32,
     pub(crate) object: u32,
@@ -149,7 +148,6 @@ pub(crate) fn triangle_corners(drawn: &DrawnObject, record: &Record) -> [Corner;
     [0, 1, 2].map(|k| Corner { number: numbers[k], vertex: vertices[k], turned })
 }
 
-/// The mean of the given colours of a face's corners.
 pub(crate) fn mean_colour(colours: &[LinearRgb], corners: impl ExactSizeIterator<Item = Corner>) -> Vec3 {
     let count = corners.len() as f64;
     let sum = corners.fold(LinearRgb::BLACK, |sum, corner| sum + colours[corner.vertex as usize]);

@@ -3,7 +3,6 @@
 use crate::raster::view::fixed_point::{ONE, first_pixel, last_pixel, whole};
 use crate::raster::view::project::ScreenVertex;
 
-/// Pixels along the side of a tile.
 pub(crate) const TILE: usize = 64;
 /// Pixels along the side of a block, and of the window in which small triangles are drawn.
 pub(crate) const SIDE: usize = 4;

@@ -53,7 +53,6 @@ const PART: usize = 1 << 16;
 /// Parts that even a small scene is divided into, so that there is work for all threads.
 const PARTS: usize = 16;
 
-/// The number of tiles in x and in y.
 pub(crate) fn tiles(size: [u32; 2]) -> [usize; 2] {
     size.map(|pixels| (pixels as usize).div_ceil(TILE))
 }

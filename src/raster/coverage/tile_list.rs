@@ -20,7 +20,6 @@ pub(crate) struct TileList {
     clipper: Clipper,
 }
 
-/// The triangle or object of a number in a [`TileList`].
 pub(crate) enum Owner {
     /// A triangle of one of [`Job::drawn`], or a piece of it, and its corners on the picture.
     Triangle { object: usize, triangle: u32, corners: [ScreenVertex; 3] },

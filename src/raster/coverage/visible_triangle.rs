@@ -8,7 +8,6 @@ pub(crate) const BLOCKS: usize = TILE / SIDE;
 pub(crate) const PIXELS: usize = TILE * TILE;
 /// Colours of the pixels of a tile, a row for each component.
 pub(crate) type Colours = [Box<[f32; PIXELS]>; 3];
-/// Marks a pixel that nothing covers.
 pub(crate) const NOTHING: u32 = u32::MAX;
 
 /// Where in a tile the pixel stored under this number lies.
@@ -27,7 +26,6 @@ pub(crate) fn number([x, y]: [usize; 2]) -> usize {
 pub(crate) struct Visible {
     /// Larger is nearer; −∞ where there is nothing.
     pub(crate) depth: Box<[f32; PIXELS]>,
-    /// Number of the triangle, [`NOTHING`] where there is none.
     pub(crate) owner: Box<[u32; PIXELS]>,
 }
 

@@ -3,7 +3,7 @@
 use crate::mesh::{ColumnIndex, NONE, NormalMatrix, normal_matrix};
 use crate::num::unit_scale;
 use crate::raster::coverage::triangles::{Corner, DrawnObject};
-use crate::raster::error::RenderError;
+use crate::raster::error::{RenderError, Result};
 use crate::raster::scene::{Object, Paint, Scene, Shape};
 use crate::raster::settings::{LARGEST_SIDE, RenderSettings, Shading, Show};
 use crate::raster::shading::surface_colour::{ObjectColour, Shaders};
@@ -17,7 +17,6 @@ use rayon::prelude::*;
 pub(crate) struct Job<'a> {
     pub(crate) settings: &'a RenderSettings,
     pub(crate) view: View,
-    /// Rays in units of the frame.
     pub(crate) rays: Rays,
     pub(crate) frame: Frame,
     pub(crate) background: [f32; 3],
@@ -39,7 +38,7 @@ pub(crate) struct Prepared<'a> {
 }
 
 impl<'a> Job<'a> {
-    pub(crate) fn new(scene: &'a Scene<'a>, settings: &'a RenderSettings) -> Result<Self, RenderError> {
+    pub(crate) fn new(scene: &'a Scene<'a>, settings: &'a RenderSettings) -> Result<Self> {
         let [width, height] = settings.size;
         if !settings.size.iter().all(|side| (1..=LARGEST_SIDE).contains(side)) {
             let found = format!("the picture is {width} by {height} pixels; each side must be 1 to 16384");
@@ -143,7 +142,7 @@ impl<'a> Prepared<'a> {
         settings: &RenderSettings,
         view: &View,
         frame: Frame,
-    ) -> Result<Self, RenderError> {
+    ) -> Result<Self> {
         check_lists(number, object, settings)?;
         let linear = DMat3::from_mat4(object.transform);
         let singular = RenderError::singular(number);
@@ -210,7 +209,6 @@ impl<'a> Prepared<'a> {
         }
     }
 
-    /// [`corner_normal`](Self::corner_normal) in doubles.
     pub(crate) fn exact_corner_normal(&self, Corner { number, vertex, turned }: Corner) -> DVec3 {
         let normal = match self.shape {
             Shape::Mesh { normals, .. } => normals.normals.get(number as usize, vertex).copied(),
@@ -219,7 +217,6 @@ impl<'a> Prepared<'a> {
         side(self.in_scene(normal.unwrap_or(DVec3::ZERO)), turned)
     }
 
-    /// [`face_normal`](Self::face_normal) in doubles.
     pub(crate) fn exact_face_normal(&self, face: u32, turned: bool) -> DVec3 {
         side(self.in_scene(self.shape.face_normals().at(face)), turned)
     }
@@ -243,7 +240,7 @@ fn side<T: std::ops::Neg<Output = T>>(normal: T, turned: bool) -> T {
     if turned { -normal } else { normal }
 }
 
-fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Result<(), RenderError> {
+fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Result<()> {
     let count = |what, found, per, expected| match found == expected {
         true => Ok(()),
         false => Err(RenderError::Invalid(format!("object {number}: {found} {what}, but {expected} {per}"))),
@@ -281,8 +278,7 @@ fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Res
     }
 }
 
-/// Whether all triangles name vertices that exist.
-fn check_indices(triangles: &[[u32; 3]], count: usize) -> Result<(), RenderError> {
+fn check_indices(triangles: &[[u32; 3]], count: usize) -> Result<()> {
     // The largest index first: a search that stops early is slower.
     let parts = triangles.as_flattened().par_chunks(1 << 16);
     let largest = parts.map(|part| part.iter().fold(0, |largest, &index| index.max(largest))).max();
@@ -295,7 +291,7 @@ fn check_indices(triangles: &[[u32; 3]], count: usize) -> Result<(), RenderError
 }
 
 /// Whether all vertices have a finite place on the picture.
-fn check_range(object: &DrawnObject) -> Result<(), RenderError> {
+fn check_range(object: &DrawnObject) -> Result<()> {
     if object.outside & NOT_FINITE == 0 {
         return Ok(());
     }

@@ -4,7 +4,7 @@ use crate::num::{self, Kernel, Lanes, Transfer};
 use crate::raster::coverage::setup::{SIDE, TILE};
 use crate::raster::coverage::tile_bins::{Binning, Bins, tiles};
 use crate::raster::coverage::visible_triangle::{BLOCKS, LANES, PIXELS};
-use crate::raster::error::RenderError;
+use crate::raster::error::Result;
 use crate::raster::frame::job::Job;
 use crate::raster::frame::tile::{Finished, Worker};
 use crate::raster::lines::LineJob;
@@ -55,7 +55,7 @@ use std::time::Instant;
 ///
 /// # Errors
 /// Invalid cameras, sizes, transforms, lists and numbers; colours that are not finite.
-pub fn render(scene: &Scene, settings: &RenderSettings) -> Result<Image, RenderError> {
+pub fn render(scene: &Scene, settings: &RenderSettings) -> Result<Image> {
     let start = Instant::now();
     let job = Job::new(scene, settings)?;
     let lines = LineJob::new(&job, scene)?;
@@ -97,8 +97,7 @@ fn blank(settings: &RenderSettings) -> Image {
     }
 }
 
-/// Draws all tiles and returns how many pixels are covered.
-fn draw_tiles(job: &Job, bins: &Bins, lines: &LineJob, image: &mut Image) -> Result<u64, RenderError> {
+fn draw_tiles(job: &Job, bins: &Bins, lines: &LineJob, image: &mut Image) -> Result<u64> {
     let workers = Mutex::new(Vec::new());
     let spare =
         || workers.lock().ok().and_then(|mut workers: std::sync::MutexGuard<Vec<Worker>>| workers.pop());
@@ -111,8 +110,7 @@ fn draw_tiles(job: &Job, bins: &Bins, lines: &LineJob, image: &mut Image) -> Res
         covered
     };
     // The first error in order of tiles, whichever thread comes to one first.
-    let results: Vec<Result<u64, RenderError>> =
-        targets(image).into_par_iter().with_max_len(1).map(draw).collect();
+    let results: Vec<Result<u64>> = targets(image).into_par_iter().with_max_len(1).map(draw).collect();
     results.into_iter().sum()
 }
 
@@ -159,7 +157,6 @@ fn rows_of_tiles<T>(list: &mut [T], size: [u32; 2]) -> Vec<Vec<&mut [T]>> {
 }
 
 impl Target<'_> {
-    /// Writes a tile, or background, and returns how many of its pixels are covered.
     pub(crate) fn write(&mut self, job: &Job, tile: Option<&Finished>) -> u64 {
         match tile {
             Some(tile) => num::dispatch(WriteTile { target: self, settings: job.settings, tile }),

@@ -6,7 +6,7 @@ use crate::raster::coverage::setup::{TILE, depth_plane, double_area};
 use crate::raster::coverage::tile_bins::{Bins, tile_origin, tiles};
 use crate::raster::coverage::tile_list::{DrawTriangles, Owner, Run, TileList};
 use crate::raster::coverage::visible_triangle::{Colours, NOTHING, PIXELS, Visible, number, place};
-use crate::raster::error::RenderError;
+use crate::raster::error::Result;
 use crate::raster::frame::job::Job;
 use crate::raster::lines::{LineJob, LineSet, Segment};
 use crate::raster::settings::{Shading, Show};
@@ -35,7 +35,6 @@ pub(crate) struct Worker {
     /// Sums over the samples done.
     sum: Colours,
     covered: Box<[u8; PIXELS]>,
-    /// The pixels that edges of a wireframe are drawn in.
     edged: Box<[bool; PIXELS]>,
 }
 
@@ -49,9 +48,7 @@ fn colours() -> Colours {
 }
 
 pub(crate) struct Finished<'a> {
-    /// Linear colours, the mean of the samples.
     pub(crate) colours: &'a Colours,
-    /// How many samples of each pixel are covered.
     pub(crate) covered: &'a [u8; PIXELS],
     /// The pixels that show a wireframe's edge; `None` where faces are shown.
     pub(crate) edged: Option<&'a [bool; PIXELS]>,
@@ -84,7 +81,7 @@ impl Worker {
         bins: &Bins,
         lines: &LineJob,
         tile: [usize; 2],
-    ) -> Result<Option<Finished<'_>>, RenderError> {
+    ) -> Result<Option<Finished<'_>>> {
         let number = tile[1] * tiles(job.view.size)[0] + tile[0];
         if bins.is_empty(number) && lines.is_empty(number) && job.cast_objects().next().is_none() {
             return Ok(None);
@@ -194,7 +191,7 @@ impl Worker {
         }
     }
 
-    fn paint(&mut self, job: &Job, origin: [i32; 2]) -> Result<(), RenderError> {
+    fn paint(&mut self, job: &Job, origin: [i32; 2]) -> Result<()> {
         for (row, background) in self.colour.iter_mut().zip(job.background) {
             row.fill(background);
         }

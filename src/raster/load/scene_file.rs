@@ -30,7 +30,6 @@ pub struct LoadOptions {
 /// Most corners of faces, counting each instance: drawing takes some gigabytes for them.
 pub(super) const MOST_PLACED_CORNERS: u64 = 1 << 28;
 
-/// Most objects.
 pub(super) const MOST_OBJECTS: usize = 1 << 17;
 
 /// A scene as it was read, to be changed at will before [`scene`](Self::scene) shows it.

@@ -66,7 +66,6 @@ pub(crate) fn colour(job: &Job, object: &Prepared, sample: &Sample) -> Vec3 {
     }
 }
 
-/// The angle between a sample's normal and the true one.
 fn deviation(job: &Job, object: &Prepared, sample: &Sample) -> Radians {
     let turned = if sample.turned(job) { -1.0 } else { 1.0 };
     let truth = match &object.truth {

@@ -144,7 +144,6 @@ pub(crate) struct ScanPolygon {
     corners: Vec<([f64; 2], DVec3)>,
 }
 
-/// Where an edge crosses the scanline.
 #[derive(Clone, Copy)]
 struct Crossing {
     x: f64,

@@ -3,7 +3,7 @@
 use crate::mesh::NONE;
 use crate::num::{self, Kernel, Lanes};
 use crate::raster::coverage::triangles::{Corner, DrawnObject};
-use crate::raster::error::RenderError;
+use crate::raster::error::{RenderError, Result};
 use crate::raster::frame::job::{Job, Prepared};
 use crate::raster::shading::surface_colour::Shaders;
 use crate::raster::view::project::Points;
@@ -20,6 +20,7 @@ pub(crate) struct Lit<'a> {
 }
 
 /// Lights points and keeps its memory.
+#[derive(Default)]
 pub(crate) struct PointLight {
     vertices: Vec<u32>,
     /// Where the vertices of each point end, if points are means of several.
@@ -29,7 +30,7 @@ pub(crate) struct PointLight {
     colours: [Vec<f32>; 3],
     /// Which point each corner asked for is.
     point_of: Vec<u32>,
-    memo: Box<[Known; MEMO]>,
+    memo: Vec<Known>,
 }
 
 #[derive(Clone, Copy)]
@@ -45,26 +46,11 @@ const MEMO: usize = 4096;
 const UNKNOWN: Known = Known { entry: 0, vertex: NONE, turned: false, point: 0 };
 
 impl PointLight {
-    pub(crate) fn new() -> Self {
-        Self {
-            vertices: Vec::new(),
-            ends: Vec::new(),
-            positions: Default::default(),
-            normals: Default::default(),
-            colours: Default::default(),
-            point_of: Vec::new(),
-            memo: Box::new([UNKNOWN; MEMO]),
-        }
-    }
-
     /// Lights corners of faces with their normals; [`colour`](Self::colour) then has the light on each.
-    pub(crate) fn corners(
-        &mut self,
-        lit: &Lit,
-        corners: impl Iterator<Item = Corner>,
-    ) -> Result<(), RenderError> {
+    pub(crate) fn corners(&mut self, lit: &Lit, corners: impl Iterator<Item = Corner>) -> Result<()> {
         self.clear();
-        self.memo.fill(UNKNOWN);
+        self.memo.clear();
+        self.memo.resize(MEMO, UNKNOWN);
         for corner @ Corner { number, vertex, turned } in corners {
             let entry = lit.object.entry(number, vertex);
             let known = &mut self.memo[entry as usize % MEMO];
@@ -85,7 +71,7 @@ impl PointLight {
         &mut self,
         lit: &Lit,
         faces: impl Iterator<Item = (C, Vec3)>,
-    ) -> Result<(), RenderError> {
+    ) -> Result<()> {
         self.clear();
         for (corners, normal) in faces {
             self.vertices.extend(corners.map(|corner| corner.vertex));
@@ -151,7 +137,7 @@ impl PointLight {
         }
     }
 
-    fn light(&mut self, lit: &Lit) -> Result<(), RenderError> {
+    fn light(&mut self, lit: &Lit) -> Result<()> {
         self.bring_into_reach();
         let count = self.normals[0].len();
         self.colours.iter_mut().for_each(|row| row.resize(count, 0.0));

@@ -7,7 +7,7 @@ use crate::raster::coverage::records::{
 use crate::raster::coverage::tile_list::{Run, TileList};
 use crate::raster::coverage::triangles::{Corner, DrawnObject};
 use crate::raster::coverage::visible_triangle::{Colours, PIXELS, place};
-use crate::raster::error::RenderError;
+use crate::raster::error::{RenderError, Result};
 use crate::raster::frame::job::{Job, Prepared};
 use crate::raster::settings::{Interpolation, Show};
 use crate::raster::shading::false_colour;
@@ -48,7 +48,7 @@ impl Painter {
             positions: rows(),
             colours: rows(),
             faces: rows(),
-            light: PointLight::new(),
+            light: PointLight::default(),
             polygons: Vec::new(),
         }
     }
@@ -61,7 +61,7 @@ impl Painter {
         list: &TileList,
         owners: &[u32],
         records: &mut [Record],
-    ) -> Result<(), RenderError> {
+    ) -> Result<()> {
         self.polygons.clear();
         let (object, Some(drawn)) = (&job.objects[run.object], run.drawn) else { return Ok(()) };
         let drawn = &job.drawn[drawn];
@@ -116,7 +116,7 @@ impl Painter {
         }
     }
 
-    fn light_faces(&mut self, lit: &Lit, records: &mut [Record]) -> Result<(), RenderError> {
+    fn light_faces(&mut self, lit: &Lit, records: &mut [Record]) -> Result<()> {
         let corners = |record: &Record| face_corners(lit.object, lit.drawn, record);
         if !takes_mean(lit.job, lit.object) {
             let normal = |record: &Record| lit.object.face_normal(record.face, record.turned);
@@ -144,7 +144,7 @@ impl Painter {
         object: &Prepared,
         drawn: &DrawnObject,
         records: &[Record],
-    ) -> Result<(), RenderError> {
+    ) -> Result<()> {
         let mut faces: Vec<&Record> = records.iter().collect();
         faces.retain(|record| face_corners(object, drawn, record).len() > 3);
         faces.sort_by_key(|record| record.face);
@@ -170,13 +170,7 @@ impl Painter {
         Ok(())
     }
 
-    pub(crate) fn paint(
-        &mut self,
-        job: &Job,
-        object: usize,
-        tile: &Tile,
-        out: &mut Colours,
-    ) -> Result<(), RenderError> {
+    pub(crate) fn paint(&mut self, job: &Job, object: usize, tile: &Tile, out: &mut Colours) -> Result<()> {
         let prepared = &job.objects[object];
         let wanted = ValueKind::new(job, prepared);
         let shaders = match (&prepared.colour, job.settings.show) {
@@ -216,7 +210,6 @@ impl Painter {
         Ok(())
     }
 
-    /// Lights samples at their positions, with their values as normals.
     fn shade(
         &mut self,
         job: &Job,
@@ -224,7 +217,7 @@ impl Painter {
         shaders: &Shaders,
         seen: &[VisibleSample],
         tile: &Tile,
-    ) -> Result<(), RenderError> {
+    ) -> Result<()> {
         let prepared = &job.objects[object];
         let by_faces = job.settings.asks_faces() && !prepared.is_cast;
         if by_faces {
@@ -307,7 +300,6 @@ impl Painter {
 }
 
 impl Tile<'_> {
-    /// Where a sample is, in 256ths of a pixel of the picture.
     fn place(&self, seen: VisibleSample) -> [i32; 2] {
         let [column, row] = place(usize::from(seen.pixel)).map(|n| n as i32);
         [self.origin[0] + (column << BITS), self.origin[1] + (row << BITS)]

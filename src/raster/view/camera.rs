@@ -53,7 +53,6 @@ pub enum CameraError {
     Near(f64),
 }
 
-/// The vertical angle of [`Camera::framing`].
 const FRAMING_ANGLE: Degrees = Degrees(30.0);
 /// How much wider than the mesh the picture of [`Camera::framing`] is.
 pub(crate) const MARGIN: f64 = 1.1;

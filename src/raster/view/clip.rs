@@ -7,7 +7,6 @@ use crate::raster::view::fixed_point::{GUARD, ONE, snap};
 use crate::raster::view::project::ScreenVertex;
 use crate::raster::view::screen_transform::{View, ViewPoint};
 
-/// What a corner carries along.
 pub(crate) trait Mix: Copy {
     /// The value on the way to another, by the shares of the two in the scene and on the picture.
     fn mix(self, other: Self, scene: [f64; 2], picture: [f64; 2]) -> Self;
@@ -16,7 +15,6 @@ pub(crate) trait Mix: Copy {
 /// Shares of a triangle's three corners in a point of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shares {
-    /// Barycentric coordinates in the scene.
     pub(crate) scene: [f64; 3],
     /// Barycentric coordinates on the picture, of the triangle or of its part beyond the near plane.
     pub(crate) picture: [f64; 3],
@@ -47,7 +45,6 @@ pub(crate) struct ClipVertex<A> {
     pub(crate) attribute: A,
 }
 
-/// The near plane among [`View::inside`].
 pub(crate) const NEAR: usize = 0;
 
 /// Clips a polygon by the planes whose bits are set; `spare` is room to work in.

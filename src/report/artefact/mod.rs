@@ -5,8 +5,6 @@
 mod notation;
 // The texts of the pages: tables and sentences.
 mod tables;
-// Pictures of experiments: panels, thumbnails, plots.
-mod pictures;
 // Pages of experiments: for a browser, paper and a projector.
 mod page;
 // The gallery's structure, in both languages.
@@ -14,6 +12,5 @@ mod page;
 mod tests;
 
 pub use notation::{mathml, spoken};
-pub use page::{experiment_page, index_page, page_name};
-pub use pictures::{chart_plot, experiment_sheet, picture_name};
+pub use page::{chart_plot, experiment_page, experiment_sheet, index_page, page_name, picture_name};
 pub use tables::{list_table, measure_table, misses, verdict_text};

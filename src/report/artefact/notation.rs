@@ -65,7 +65,6 @@ fn is_in_number(before: Option<char>, after: &str) -> bool {
     }
 }
 
-/// Whether a letter stands by itself.
 fn is_letter([before, last]: [Option<char>; 2]) -> bool {
     last.is_some_and(char::is_alphabetic) && !before.is_some_and(|c| c.is_alphanumeric() || "_.-".contains(c))
 }

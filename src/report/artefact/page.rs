@@ -1,13 +1,14 @@
-//! Pages of experiments: for a browser, paper and a projector.
+//! Pages of experiments: for a browser, paper and a projector, and their pictures.
 
-use super::notation::mathml;
-use super::notation::running;
-use super::pictures::{chart_plot, picture_name, thumbnail};
+use super::notation::{mathml, running};
 use super::tables;
 use super::tables::{measure_table, verdict_in_short, verdict_text};
-use crate::artefact::{Experiment, Language, Outcome, Role, Setup, Shot};
+use crate::artefact::{Chart, Drawn, Experiment, Language, Outcome, Role, Scale, Setup, Shot};
+use crate::num::Transfer;
+use crate::raster::{Image, Pixels};
+use crate::report::error::Result;
 use crate::report::html::image;
-use crate::report::{Page, Picture, ReportError};
+use crate::report::{Axis, Mark, Page, Panel, Picture, Plot, Series, panels};
 use maud::{Markup, PreEscaped, html};
 
 /// The name of an experiment's page in the gallery.
@@ -26,7 +27,7 @@ pub fn experiment_page(
     outcome: &Outcome,
     language: Language,
     in_gallery: bool,
-) -> Result<String, ReportError> {
+) -> Result<String> {
     let text = |key| tables::text(key, language);
     let mut page = page(experiment.title().get(language), experiment.claim().get(language), language);
     if in_gallery {
@@ -77,10 +78,10 @@ fn thumbnails(series: &[Shot]) -> impl Iterator<Item = &Shot> {
 ///
 /// # Errors
 /// Pictures that cannot be made into files.
-pub fn index_page(found: &[(&Experiment, &Outcome)], language: Language) -> Result<String, ReportError> {
+pub fn index_page(found: &[(&Experiment, &Outcome)], language: Language) -> Result<String> {
     let text = |key| tables::text(key, language);
     let mut page = page(&text("laboratory"), &text("lead"), language);
-    let card = |experiment: &Experiment, outcome: &Outcome| -> Result<Markup, ReportError> {
+    let card = |experiment: &Experiment, outcome: &Outcome| -> Result<Markup> {
         let thumbnails = thumbnails(outcome.series().next().unwrap_or_default());
         let images = thumbnails
             .map(|shot| image(&thumbnail(&shot.image), shot.caption.get(language)).map(PreEscaped))
@@ -104,12 +105,10 @@ fn page(title: &str, lead: &str, language: Language) -> Page {
     Page::new(title, lead).in_language(language.tag(), &tables::text("contents", language)).set_by(running)
 }
 
-/// Running text as markup.
 fn set(text: &str) -> Markup {
     PreEscaped(running(text))
 }
 
-/// Who claims it, and the closed forms.
 fn claim(experiment: &Experiment, setup: &Setup, language: Language, page: &mut Page) {
     page.heading(&tables::text("claim", language));
     page.paragraph(experiment.claim().get(language));
@@ -125,8 +124,8 @@ fn claim(experiment: &Experiment, setup: &Setup, language: Language, page: &mut 
 }
 
 /// An artefact and its cures, in one row.
-fn figures(experiment: &Experiment, series: &[Shot], language: Language) -> Result<Markup, ReportError> {
-    let figure = |shot: &Shot| -> Result<Markup, ReportError> {
+fn figures(experiment: &Experiment, series: &[Shot], language: Language) -> Result<Markup> {
+    let figure = |shot: &Shot| -> Result<Markup> {
         let picture = image(&Picture::from(shot.image.clone()), shot.caption.get(language))?;
         let role = tables::text(tables::role(shot.role), language);
         let file = picture_name(experiment, shot.name);
@@ -142,4 +141,70 @@ fn figures(experiment: &Experiment, series: &[Shot], language: Language) -> Resu
     };
     let figures = series.iter().map(figure).collect::<Result<Vec<_>, _>>()?;
     Ok(html! { div.shots { @for figure in figures { (figure) } } "\n" })
+}
+
+/// The name of the file that a picture or plot of an experiment is written to, without its ending.
+pub fn picture_name(experiment: &Experiment, name: &str) -> String {
+    format!("{}-{name}", experiment.id)
+}
+
+/// All pictures of an experiment on one sheet, with their labels.
+///
+/// # Errors
+/// If there is no picture.
+pub fn experiment_sheet(outcome: &Outcome, language: Language) -> Result<Picture> {
+    let panel = |shot: &Shot| Panel {
+        caption: shot.label.get(language).to_owned(),
+        picture: shot.image.clone().into(),
+    };
+    panels(&outcome.shots.iter().map(panel).collect::<Vec<_>>())
+}
+
+/// A chart as a plot.
+pub fn chart_plot(chart: &Chart, language: Language) -> Plot {
+    let axis = |scale: &Scale| match scale.logarithmic {
+        true => Axis::log(scale.label.get(language)),
+        false => Axis::linear(scale.label.get(language)),
+    };
+    let series = chart.curves.iter().map(|curve| {
+        let mark = match curve.drawn {
+            Drawn::Curve => Mark::Curve,
+            Drawn::Points => Mark::Points,
+            Drawn::Line => Mark::Line,
+            Drawn::Guide => Mark::Guide,
+        };
+        Series::new(curve.name.get(language), curve.points.clone(), mark)
+    });
+    Plot {
+        title: chart.title.get(language).to_owned(),
+        description: chart.caption.get(language).to_owned(),
+        x: axis(&chart.x),
+        y: axis(&chart.y),
+        series: series.collect(),
+        decimal_mark: language.decimal_mark(),
+        ..Plot::default()
+    }
+}
+
+/// The side of a thumbnail, at the most.
+const THUMBNAIL: u32 = 160;
+
+/// A picture made small by means over squares of pixels, in linear light.
+pub(super) fn thumbnail(image: &Image) -> Picture {
+    let factor = image.size[0].max(image.size[1]).div_ceil(THUMBNAIL).max(1);
+    let size = image.size.map(|side| (side / factor).max(1));
+    let linear = image.linear.as_deref().unwrap_or_default();
+    let mean = |x: u32, y: u32| {
+        let mut sum = [0.0; 3];
+        for (row, column) in (0..factor).flat_map(|row| (0..factor).map(move |column| (row, column))) {
+            let index = image.index(x * factor + column, y * factor + row);
+            let colour = index.and_then(|index| linear.get(index)).copied().unwrap_or_default();
+            sum.iter_mut()
+                .zip(colour)
+                .for_each(|(sum, component)| *sum += f64::from(component.clamp(0.0, 1.0)));
+        }
+        sum.map(|sum| Transfer::Srgb.to_u8(sum / f64::from(factor * factor)))
+    };
+    let pixels = (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| (x, y))).map(|(x, y)| mean(x, y));
+    Picture { size, pixels: Pixels::Eight(pixels.collect()) }
 }

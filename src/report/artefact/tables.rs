@@ -8,12 +8,10 @@ use crate::text::{Catalogue, Value, catalogue};
 
 static TEXTS: Catalogue = catalogue!("texts");
 
-/// The text of a key in a language.
 pub(super) fn text(key: &str, language: Language) -> String {
     TEXTS.get(key).get(language).to_owned()
 }
 
-/// The key of what a picture shows.
 pub(super) fn role(role: Role) -> &'static str {
     match role {
         Role::Bad => "role-bad",
@@ -74,7 +72,6 @@ fn values(effect: &Effect) -> Vec<(&'static str, Value)> {
     ]
 }
 
-/// The range of an expected number.
 pub(super) fn wanted(range: Range, unit: &'static str) -> Text {
     match range {
         Range::Near { value, tolerance } => {
@@ -86,7 +83,6 @@ pub(super) fn wanted(range: Range, unit: &'static str) -> Text {
     }
 }
 
-/// That a number is not as expected.
 pub(super) fn miss(values: &[(&'static str, Value)]) -> Text {
     TEXTS.with("miss", values)
 }

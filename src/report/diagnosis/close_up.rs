@@ -6,7 +6,7 @@ use super::view_choice::{camera_on, clearance};
 use crate::mesh::{Mesh, Obstacles, normal_matrix};
 use crate::quality::Site;
 use crate::raster::{Camera, Projection, Show};
-use crate::report::error::ReportError;
+use crate::report::error::Result;
 use crate::report::overlay::{Overlay, overlay};
 use crate::report::picture::Picture;
 use glam::{DMat3, DMat4, DVec3};
@@ -24,7 +24,7 @@ impl Model {
         site: &Site,
         obstacles: &[Obstacles<'_>],
         side: u32,
-    ) -> Result<Option<Picture>, ReportError> {
+    ) -> Result<Option<Picture>> {
         let (Some((object, position, normal)), Some((low, high))) = (self.locate(site), self.bounds()) else {
             return Ok(None);
         };
@@ -65,7 +65,7 @@ impl Model {
         site: &Site,
         obstacles: &[Obstacles<'_>],
         side: u32,
-    ) -> Result<Option<(Picture, bool)>, ReportError> {
+    ) -> Result<Option<(Picture, bool)>> {
         let (Some((_, position, _)), Some((camera, is_seen))) =
             (self.locate(site), camera_on(self, obstacles, site))
         else {
@@ -79,12 +79,7 @@ impl Model {
     }
 
     /// The whole model lit, with a ring around the middle of a node's mesh; `None` if the site is not about a node.
-    pub(super) fn node(
-        &self,
-        site: &Site,
-        camera: Option<Camera>,
-        side: u32,
-    ) -> Result<Option<Picture>, ReportError> {
+    pub(super) fn node(&self, site: &Site, camera: Option<Camera>, side: u32) -> Result<Option<Picture>> {
         let Some((middle, camera)) = self.middle_of_node(site).zip(camera) else { return Ok(None) };
         let mut picture = self.lit(camera, side)?;
         if let Ok(Some(at)) = camera.on_picture([side; 2], middle) {
@@ -139,7 +134,6 @@ impl Around {
     }
 }
 
-/// The positions of the corners of a face.
 fn points(mesh: &Mesh, face: usize) -> impl Iterator<Item = DVec3> {
     mesh.faces().face(face).iter().map(|&vertex| mesh.positions().at(vertex))
 }

@@ -1,13 +1,13 @@
 //! The comparison of two files: pictures side by side, and the numbers. Its texts are in comparison.en.ftl.
 
-use super::heat_scale::HeatScale;
+use super::markers::HeatScale;
 use super::model::{Model, OVERVIEW};
 use super::view_choice::hidden;
 use crate::io::Loaded;
 use crate::num::three_digits;
 use crate::quality::{Comparison, Site, Survey};
 use crate::raster::Camera;
-use crate::report::error::ReportError;
+use crate::report::error::Result;
 use crate::report::html::Page;
 use crate::report::table::Table;
 use crate::text::{Catalogue, Language, Value, catalogue};
@@ -32,7 +32,7 @@ pub(super) fn section(
     after: After<'_>,
     surveys: &[Survey],
     camera: Camera,
-) -> Result<(), ReportError> {
+) -> Result<()> {
     let comparison = after.comparison;
     page.heading("Before and after");
     page.paragraph(&numbers(after.name, comparison));
@@ -72,7 +72,6 @@ pub(super) fn section(
     Ok(())
 }
 
-/// The numbers of a comparison.
 fn numbers(name: &str, comparison: &Comparison) -> String {
     let [mean, largest] = [comparison.mean, comparison.largest].map(|angle| three_digits(angle.0));
     let [mean_steps, largest_steps] = comparison.steps().map(three_digits);

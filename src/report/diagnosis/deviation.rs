@@ -4,8 +4,8 @@
 //! the colour of the mean deviation of its samples, or that of corners without a deviation if they are the majority. Colours
 //! are mixed only at the borders of the mesh, of lines and of dots.
 
-use super::heat_scale::HeatScale;
 use super::legend::{Marks, with_legend};
+use super::markers::HeatScale;
 use super::markers::{Corner, crease_lines, dots, longest_edge, ring};
 use super::model::{Model, PartModel, render_at};
 use super::view_choice::{Sight, camera, hidden};
@@ -14,7 +14,7 @@ use crate::mesh::{Mesh, place_key};
 use crate::num::{LinearRgb, Srgb8};
 use crate::quality::{Diagnosis, Severity, Site, survey};
 use crate::raster::{Camera, Lines, Paint, Pixels, RenderSettings, Scene};
-use crate::report::error::ReportError;
+use crate::report::error::{ReportError, Result};
 use crate::report::picture::Picture;
 use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
@@ -33,12 +33,7 @@ pub(super) fn worst_places(diagnosis: &Diagnosis) -> Vec<&Site> {
 ///
 /// # Errors
 /// If there is nothing to draw, or it cannot be drawn.
-pub fn deviation_picture(
-    loaded: &Loaded,
-    diagnosis: &Diagnosis,
-    sight: Sight,
-    side: u32,
-) -> Result<Picture, ReportError> {
+pub fn deviation_picture(loaded: &Loaded, diagnosis: &Diagnosis, sight: Sight, side: u32) -> Result<Picture> {
     let surveys = survey(loaded);
     let model = Model::new(loaded, &surveys, HeatScale::of(surveys.iter()))?;
     let camera = camera(&model, diagnosis, None, sight).ok_or(ReportError::Empty)?;
@@ -47,12 +42,7 @@ pub fn deviation_picture(
 
 impl Model {
     /// A heat map with rings around the visible ones of some sites and a legend below, and the marks of the legend.
-    pub(super) fn deviation(
-        &self,
-        camera: Camera,
-        side: u32,
-        sites: &[&Site],
-    ) -> Result<(Picture, Marks), ReportError> {
+    pub(super) fn deviation(&self, camera: Camera, side: u32, sites: &[&Site]) -> Result<(Picture, Marks)> {
         let scene = self.encoded(camera);
         // Colours alone do not show the form.
         let mut lines = crease_lines(&scene, side);
@@ -105,7 +95,6 @@ impl Model {
     }
 }
 
-/// The smallest deviation at each position.
 fn least_at_places(mesh: &Mesh, deviations: &[Option<f64>]) -> HashMap<[u64; 3], f64> {
     let mut least = HashMap::new();
     for (position, degrees) in mesh.positions().iter().zip(deviations) {
@@ -117,19 +106,14 @@ fn least_at_places(mesh: &Mesh, deviations: &[Option<f64>]) -> HashMap<[u64; 3],
     least
 }
 
-/// A scene of [encoded](super::heat_scale::encode) deviations in colours of a scale, with lines.
-fn coloured(
-    scene: Scene<'_>,
-    lines: Vec<Lines>,
-    scale: HeatScale,
-    side: u32,
-) -> Result<Picture, ReportError> {
+/// A scene of [encoded](super::markers::encode) deviations in colours of a scale, with lines.
+fn coloured(scene: Scene<'_>, lines: Vec<Lines>, scale: HeatScale, side: u32) -> Result<Picture> {
     let vertices = scene.objects.iter().map(|object| count(&object.paint)).max();
     // Shared: a file may have many nodes with one mesh.
     let black = vec![LinearRgb::BLACK; vertices.unwrap_or(0)];
     let mut scene: Scene<'_> = scene;
     let background = scene.background;
-    let linear = |scene: &Scene<'_>| -> Result<Vec<[f32; 3]>, ReportError> {
+    let linear = |scene: &Scene<'_>| -> Result<Vec<[f32; 3]>> {
         let image =
             render_at(scene, side, RenderSettings { keep_linear: true, ..RenderSettings::default() })?;
         Ok(image.linear.unwrap_or_default())
@@ -157,7 +141,6 @@ fn coloured(
     Ok(Picture { size: [side; 2], pixels: Pixels::Eight(pixels) })
 }
 
-/// The number of given colours.
 fn count(paint: &Paint<'_>) -> usize {
     if let Paint::Given(colours) = paint { colours.len() } else { 0 }
 }
@@ -204,7 +187,7 @@ mod tests {
             near: 0.0,
         };
         let measures: Vec<LinearRgb> =
-            corners.iter().map(|&(_, deviation)| super::super::heat_scale::encode(deviation)).collect();
+            corners.iter().map(|&(_, deviation)| super::super::markers::encode(deviation)).collect();
         let object = Object {
             paint: Paint::Given(Cow::Owned(measures)),
             ..Object::new(Shape::Mesh { mesh: &mesh, normals: &normals }, Material::default())

@@ -6,7 +6,6 @@ use crate::text::{Catalogue, Language, catalogue};
 
 static TEXTS: Catalogue = catalogue!("histograms", en);
 
-/// Bins of a histogram.
 const BINS: usize = 60;
 
 /// The histograms of some parts together, each with a name and a caption.
@@ -31,7 +30,6 @@ pub(super) fn histograms(surveys: &[Survey]) -> Vec<(&'static str, String, Plot)
     plots.into()
 }
 
-/// The title, unit or caption of a histogram.
 fn text(name: &str, part: &str) -> String {
     TEXTS.get(&format!("{name}-{part}")).get(Language::English).to_owned()
 }

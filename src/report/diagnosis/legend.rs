@@ -1,12 +1,11 @@
 //! The legend of a heat map.
 
-use super::heat_scale::{ABSENT, HeatScale};
+use super::markers::{ABSENT, HeatScale};
 use super::markers::{LINE, ring};
 use crate::num::{LinearRgb, Srgb8, viridis};
-use crate::report::label::{draw_text, text_width};
+use crate::report::panel::{draw_text, text_width};
 use crate::report::picture::Picture;
 
-/// The entries of the legend.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Key {
     Absent,
@@ -29,7 +28,6 @@ pub(super) struct Marks {
 }
 
 impl Marks {
-    /// The text about rings.
     fn of_rings(self) -> &'static str {
         match (self.rings, self.hidden) {
             (_, false) => "worst position",
@@ -77,10 +75,8 @@ pub(super) fn with_legend(picture: &Picture, scale: HeatScale, marks: Marks) -> 
     sheet
 }
 
-/// The colour of words.
 const INK: [f32; 3] = [0.1; 3];
 
-/// A bar of the colours with angles above it.
 fn draw_scale(picture: &mut Picture, scale: HeatScale, [left, top]: [i64; 2], (bar, text): (i64, f32)) {
     let width = i64::from(picture.size[0]);
     let (right, below) = (width - left, top + text as i64 + 2);
@@ -104,7 +100,6 @@ fn draw_scale(picture: &mut Picture, scale: HeatScale, [left, top]: [i64; 2], (b
     }
 }
 
-/// The sample of an entry, in a square.
 fn swatch(picture: &mut Picture, key: Key, [x, y]: [i64; 2], side: i64) {
     let middle = y + side / 2;
     let rows = match key {

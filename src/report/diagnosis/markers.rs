@@ -1,11 +1,77 @@
-//! Markers over a heat map: lines along creases, dots on single corners, rings around worst positions.
+//! The colours of deviations, and markers over a heat map: lines along creases, dots on single corners, rings around worst positions.
 
-use super::heat_scale::{ABSENT, HeatScale};
-use crate::num::{LinearRgb, viridis};
+use crate::num::{Degrees, LinearRgb, Srgb8, three_digits, viridis};
+use crate::quality::Survey;
 use crate::raster::{Camera, LinePath, LineStyle, Lines, Projection, Scene};
 use crate::report::overlay::{Overlay, overlay};
 use crate::report::picture::Picture;
 use glam::{DMat4, DVec3};
+
+/// The colour of corners without a valid stored normal; not on the scale.
+pub(super) const ABSENT: Srgb8 = Srgb8([240, 80, 200]);
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct HeatScale {
+    /// The deviation at the light end.
+    pub(super) full: Degrees,
+    /// The largest deviation, if it is above that.
+    beyond: Option<Degrees>,
+    /// Some corners have a deviation.
+    pub(super) is_used: bool,
+    /// Some corners have none.
+    pub(super) is_absent: bool,
+}
+
+impl HeatScale {
+    /// Round angles that scales end at. Deviations below the first are not visible in a picture.
+    const ENDS: [f64; 11] = [1.0, 2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0, 180.0];
+
+    /// The first round angle that at most one deviation in two hundred exceeds, so that single faults do not compress the
+    /// colours of all others.
+    pub(super) fn of<'a>(surveys: impl Iterator<Item = &'a Survey>) -> Self {
+        let corners: Vec<Option<f64>> = surveys.flat_map(|survey| &survey.deviations).copied().collect();
+        let mut all: Vec<f64> = corners.iter().copied().flatten().collect();
+        all.sort_unstable_by(f64::total_cmp);
+        let nearly_all = all.iter().rev().nth(all.len() / 200).copied().unwrap_or_default();
+        let full = Self::ENDS.into_iter().find(|&end| end >= nearly_all).unwrap_or(180.0);
+        // Labels have three digits: 90.0004° is not beyond 90°.
+        let is_beyond = |largest: &&f64| **largest > full && three_digits(**largest) != three_digits(full);
+        Self {
+            full: Degrees(full),
+            beyond: all.last().filter(is_beyond).map(|&largest| Degrees(largest)),
+            is_used: !all.is_empty(),
+            is_absent: all.len() < corners.len(),
+        }
+    }
+
+    pub(super) fn colour(self, deviation: Option<f64>) -> LinearRgb {
+        deviation.map_or(LinearRgb::from(ABSENT), |degrees| viridis(degrees / self.full.0))
+    }
+
+    /// The labels at the light end and in the middle.
+    pub(super) fn labels(self) -> [String; 2] {
+        let more = |it: Degrees| format!(" and more, up to {}°", three_digits(it.0));
+        [
+            format!("{}°{}", self.full.0, self.beyond.map_or(String::new(), more)),
+            format!("{}°", self.full.0 / 2.0),
+        ]
+    }
+
+    /// The same in words, for those who cannot see it.
+    pub(super) fn words(self) -> String {
+        let scale = format!("from violet, 0°, to yellow, {}", self.labels()[0]);
+        match (self.is_used, self.is_absent) {
+            (true, true) => format!("{scale}; pink where no normal is stored that has a direction"),
+            (false, true) => "pink all over: no normal is stored that has a direction".into(),
+            _ => scale,
+        }
+    }
+}
+
+/// The deviation of a corner as a colour to be interpolated: degrees, and 1 in green for a deviation or in blue for none.
+pub(super) fn encode(deviation: Option<f64>) -> LinearRgb {
+    deviation.map_or(LinearRgb::new(0.0, 0.0, 1.0), |degrees| LinearRgb::new(degrees, 1.0, 0.0))
+}
 
 /// The brightness of lines along edges: darker than all colours except those of correct normals, lighter than these.
 pub(super) const LINE: f64 = 0.3;
@@ -79,7 +145,6 @@ fn is_empty(lines: &Lines) -> bool {
 }
 
 impl HeatScale {
-    /// The colours of dots, each with the deviations that it marks.
     fn marks(self) -> Vec<(LinearRgb, impl Fn(Option<f64>) -> bool)> {
         let absent = (LinearRgb::from(ABSENT), None, None);
         let share = |at: f64| MARKED + (1.0 - MARKED) * at / SHADES as f64;
@@ -107,7 +172,6 @@ impl HeatScale {
     }
 }
 
-/// A corner that may be marked.
 pub(super) struct Corner {
     /// Where it is in the world.
     pub(super) position: DVec3,
@@ -228,5 +292,35 @@ mod tests {
             let lines = dots([corner].into_iter(), scale, &camera, 480);
             assert_eq!(lines.len(), usize::from(is_marked), "{deviation:?} beside {around:?}");
         }
+    }
+
+    #[test]
+    fn scales_end_where_the_data_does() {
+        let scale = |deviations: Vec<f64>| {
+            let deviations = deviations.into_iter().map(Some).collect();
+            HeatScale::of([Survey { deviations, ..Survey::default() }].iter())
+        };
+        assert_eq!(scale(vec![]).labels(), ["1°", "0.5°"]);
+        assert_eq!(scale(vec![0.0, 3.0]).labels(), ["5°", "2.5°"]);
+        assert_eq!(scale(vec![30.0; 7]).labels(), ["30°", "15°"]);
+        // One in two hundred is left out, two are not.
+        let with = |count: usize| [vec![0.0; 200 - count], vec![180.0; count]].concat();
+        assert_eq!(scale(with(1)).words(), "from violet, 0°, to yellow, 1° and more, up to 180°");
+        let rounded = [vec![90.0; 400], vec![90.0 + 1e-9]].concat();
+        assert_eq!(scale(rounded).words(), "from violet, 0°, to yellow, 90°");
+        assert_eq!(scale(with(2)).words(), "from violet, 0°, to yellow, 180°");
+    }
+
+    #[test]
+    fn what_has_no_deviation_has_a_colour_of_its_own() {
+        let of =
+            |deviations: Vec<Option<f64>>| HeatScale::of([Survey { deviations, ..Survey::default() }].iter());
+        let scale = of(vec![Some(3.0), None]);
+        assert_eq!(scale.colour(None), LinearRgb::from(ABSENT));
+        assert_eq!(
+            scale.words(),
+            "from violet, 0°, to yellow, 5°; pink where no normal is stored that has a direction"
+        );
+        assert_eq!(of(vec![None]).words(), "pink all over: no normal is stored that has a direction");
     }
 }

@@ -1,7 +1,5 @@
 //! The diagnosis of a file as a page and as a heat map.
 
-// The colours of deviations.
-mod heat_scale;
 // Lines, dots and rings over a heat map.
 mod markers;
 // The legend of a heat map.

@@ -1,6 +1,6 @@
 //! A file as a model whose corners have separate colours and normals, and its pictures.
 
-use super::heat_scale::{HeatScale, encode};
+use super::markers::{HeatScale, encode};
 use crate::io::Loaded;
 use crate::mesh::{Column, Faces, Mesh, MeshBuilder, Obstacles, normal_matrix};
 use crate::normals::{NormalField, Summary};
@@ -10,27 +10,24 @@ use crate::raster::{
     Camera, Image, Object, Paint, Recentring, RenderSettings, Samples, Scene, Shape, Show, default_lights,
     render,
 };
-use crate::report::error::ReportError;
+use crate::report::error::{ReportError, Result};
 use crate::report::overlay::{Overlay, overlay};
 use crate::report::picture::Picture;
 use crate::shade::Material;
 use glam::{DMat3, DMat4, DVec3};
 use std::borrow::Cow;
 
-/// Pixels along the sides of overviews.
 pub(super) const OVERVIEW: u32 = 320;
 
 /// A file whose corners have separate colours and normals.
 pub(super) struct Model {
     pub(super) parts: Vec<PartModel>,
-    /// The part and the transform of each object.
     pub(super) objects: Vec<(usize, DMat4)>,
     /// The number of each object among the nodes with the same part.
     numbers: Vec<u32>,
     pub(super) scale: HeatScale,
 }
 
-/// A part of a file.
 pub(super) struct PartModel {
     /// Every corner is a separate vertex.
     pub(super) mesh: Mesh,
@@ -45,10 +42,10 @@ pub(super) struct PartModel {
 
 impl Model {
     /// The file with the survey of each part, in colours of a scale.
-    pub(super) fn new(loaded: &Loaded, surveys: &[Survey], scale: HeatScale) -> Result<Self, ReportError> {
+    pub(super) fn new(loaded: &Loaded, surveys: &[Survey], scale: HeatScale) -> Result<Self> {
         let parts = loaded.parts.iter().zip(surveys);
         let parts: Vec<PartModel> =
-            parts.map(|(part, survey)| PartModel::new(&part.mesh, survey)).collect::<Result<_, _>>()?;
+            parts.map(|(part, survey)| PartModel::new(&part.mesh, survey)).collect::<Result<_>>()?;
         let has_faces = |part: usize| parts[part].mesh.face_count() > 0;
         let mut objects: Vec<(usize, DMat4)> =
             loaded.nodes.iter().map(|node| (node.part, node.world_from_part)).collect();
@@ -67,7 +64,7 @@ impl Model {
     }
 
     /// Moves huge, tiny or distant models into the range of a camera.
-    fn recentre(&mut self) -> Result<(), ReportError> {
+    fn recentre(&mut self) -> Result<()> {
         let Some((low, high)) = self.bounds() else { return Ok(()) };
         if !(low.is_finite() && high.is_finite()) {
             return Err(ReportError::Range);
@@ -111,7 +108,6 @@ impl Model {
         self.objects.iter().flat_map(of)
     }
 
-    /// The lit scene from a camera.
     pub(super) fn scene(&self, camera: Camera) -> Scene<'_> {
         let paint = |_: &PartModel| Paint::Lit(Material::default());
         self.painted(camera, |part| &part.field, paint)
@@ -148,18 +144,17 @@ impl Model {
         self.scene(any).bounds()
     }
 
-    /// A picture, lit with its own normals.
-    pub(super) fn lit(&self, camera: Camera, side: u32) -> Result<Picture, ReportError> {
+    pub(super) fn lit(&self, camera: Camera, side: u32) -> Result<Picture> {
         draw(&self.scene(camera), side, Show::Shaded)
     }
 
     /// Front faces light blue, back faces dark red.
-    pub(super) fn facing(&self, camera: Camera, side: u32) -> Result<Picture, ReportError> {
+    pub(super) fn facing(&self, camera: Camera, side: u32) -> Result<Picture> {
         draw(&self.scene(camera), side, Show::Facing)
     }
 
     /// Lit, with the edges whose two sides have different normals as lines.
-    pub(super) fn creases(&self, camera: Camera, side: u32) -> Result<Picture, ReportError> {
+    pub(super) fn creases(&self, camera: Camera, side: u32) -> Result<Picture> {
         let mut scene = self.scene(camera);
         scene.lines = overlay(&scene, [side; 2], Overlay::Creases);
         draw(&scene, side, Show::Shaded)
@@ -167,7 +162,7 @@ impl Model {
 }
 
 impl PartModel {
-    fn new(mesh: &Mesh, survey: &Survey) -> Result<Self, ReportError> {
+    fn new(mesh: &Mesh, survey: &Survey) -> Result<Self> {
         let corners = mesh.faces().corners();
         let mut faces = Faces::with_capacity(corners.len());
         for range in mesh.faces().ranges() {
@@ -195,16 +190,12 @@ impl PartModel {
     }
 }
 
-pub(super) fn draw(scene: &Scene<'_>, side: u32, show: Show) -> Result<Picture, ReportError> {
+pub(super) fn draw(scene: &Scene<'_>, side: u32, show: Show) -> Result<Picture> {
     Ok(render_at(scene, side, RenderSettings { show, ..RenderSettings::default() })?.into())
 }
 
 /// Renders with the settings of all pictures of a report, and the given other ones.
-pub(super) fn render_at(
-    scene: &Scene<'_>,
-    side: u32,
-    settings: RenderSettings,
-) -> Result<Image, ReportError> {
+pub(super) fn render_at(scene: &Scene<'_>, side: u32, settings: RenderSettings) -> Result<Image> {
     let settings = RenderSettings { size: [side; 2], samples: Samples::Four, two_sided: true, ..settings };
     render(scene, &settings).map_err(|error| ReportError::Encoder(error.to_string()))
 }

@@ -2,9 +2,9 @@
 
 use super::comparison::{self, After};
 use super::deviation::worst_places;
-use super::heat_scale::HeatScale;
 use super::histograms::histograms;
 use super::legend::Marks;
+use super::markers::HeatScale;
 use super::model::{Model, OVERVIEW};
 use super::view_choice::{Sight, camera};
 use crate::io::Loaded;
@@ -13,7 +13,7 @@ use crate::num::{powers_of_ten, three_digits};
 use crate::quality::catalogue::Kind;
 use crate::quality::{Diagnosis, Finding, Severity, Site, survey};
 use crate::raster::Camera;
-use crate::report::error::ReportError;
+use crate::report::error::Result;
 use crate::report::html::{Page, with_code};
 use crate::report::picture::Picture;
 use crate::report::table::Table;
@@ -29,7 +29,6 @@ fn text(key: &str, values: &[(&'static str, Value)]) -> String {
     TEXTS.with(key, values).get(Language::English).to_owned()
 }
 
-/// The number of findings with close-ups.
 const CLOSE_UPS: usize = 12;
 
 /// The diagnosis of a file as a page of HTML that opens from disk with nothing else: pictures of the worst positions, each
@@ -45,7 +44,7 @@ pub fn diagnosis_page(
     name: &str,
     fix: Option<&str>,
     sight: Sight,
-) -> Result<String, ReportError> {
+) -> Result<String> {
     let surveys = survey(loaded);
     // The same colours before and after.
     let later = after.map(|after| survey(after.loaded)).unwrap_or_default();
@@ -92,12 +91,7 @@ fn verdict(diagnosis: &Diagnosis) -> String {
     format!("{errors}, {warnings}, {notes} in {faces} faces.")
 }
 
-fn overview(
-    page: &mut Page,
-    model: &Model,
-    diagnosis: &Diagnosis,
-    camera: Option<Camera>,
-) -> Result<(), ReportError> {
+fn overview(page: &mut Page, model: &Model, diagnosis: &Diagnosis, camera: Option<Camera>) -> Result<()> {
     page.heading("Overview");
     let Some(camera) = camera else {
         page.paragraph("There are no faces to show.");
@@ -120,7 +114,6 @@ fn overview(
     Ok(())
 }
 
-/// The caption of the pictures of the overview.
 fn caption(marks: Marks, diagnosis: &Diagnosis) -> String {
     let of_edges = [Kind::AveragedCrease, Kind::SplitSeam, Kind::GroupMismatch];
     let marks = [
@@ -135,7 +128,6 @@ fn caption(marks: Marks, diagnosis: &Diagnosis) -> String {
     text("overview-caption", &[("marks", shown.into())])
 }
 
-/// The estimated recipe of each part.
 fn weightings(page: &mut Page, diagnosis: &Diagnosis) {
     let columns = ["part", "faces", "recipe", "median"];
     let mut table = Table::new("Recipes that reproduce the stored normals best", &columns);
@@ -159,7 +151,6 @@ fn digits(x: f64) -> String {
     powers_of_ten(&three_digits(x))
 }
 
-/// The heading and the words of a finding.
 fn describe(page: &mut Page, finding: &Finding) {
     let entry = finding.kind.entry();
     page.heading(entry.id);
@@ -194,7 +185,7 @@ fn close_ups(
     (model, obstacles, camera): (&Model, &[Obstacles<'_>], Option<Camera>),
     site: &Site,
     id: &str,
-) -> Result<bool, ReportError> {
+) -> Result<bool> {
     let picture = model.close_up(site, obstacles, CLOSE_UP)?;
     if let Some(picture) = &picture {
         let alternative = text("close-up-alternative", &[("finding", id.into())]);
@@ -219,7 +210,6 @@ fn close_ups(
     Ok(picture.is_some() || node.is_some())
 }
 
-/// The worst positions of a finding.
 fn places(finding: &Finding) -> Table {
     let columns = ["location", "face", "corner", "vertex", "position", "degrees"];
     let mut table = Table::new("Worst locations", &columns);

@@ -32,7 +32,6 @@ const ASIDE: f64 = 0.02;
 /// The size of a picture relative to the model in it.
 const MARGIN: f64 = 1.2;
 
-/// A site that should be visible.
 struct Wanted {
     position: DVec3,
     normal: DVec3,
@@ -132,7 +131,6 @@ fn best(model: &Model, obstacles: &[Obstacles<'_>], wanted: &[Wanted], usual: DV
     sides.find(|(place, side)| shown(place, *side)).map_or(best.0, |(_, side)| side)
 }
 
-/// Whether each of some sites is hidden from an eye.
 pub(super) fn hidden(model: &Model, sites: &[&Site], eye: DVec3) -> Vec<bool> {
     if sites.is_empty() {
         return Vec::new();

@@ -39,7 +39,6 @@ impl Axis {
         x.is_finite() && (self.scale == Scale::Linear || x > 0.0)
     }
 
-    /// The axis fitted to numbers that it takes.
     pub(super) fn fit(&self, numbers: impl Iterator<Item = f64>) -> Fitted {
         let found = numbers.fold(None, |ends: Option<[f64; 2]>, x| {
             Some(ends.map_or([x, x], |[low, high]| [low.min(x), high.max(x)]))
@@ -72,7 +71,6 @@ impl Scale {
     }
 }
 
-/// An axis with its ends.
 pub(super) struct Fitted {
     scale: Scale,
     low: f64,
@@ -85,7 +83,6 @@ impl Fitted {
         (self.scale.place(x) - self.low) / (self.high - self.low)
     }
 
-    /// The ticks, with a label or an empty one.
     pub(super) fn ticks(&self) -> Vec<(f64, String)> {
         match self.scale {
             Scale::Linear => self.even_ticks(),

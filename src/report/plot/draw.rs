@@ -4,7 +4,7 @@ use super::axis::Fitted;
 use super::series::{Mark, Plot, Series};
 use super::series::{SIGN, SeriesStyle, series_styles};
 use crate::report::html::escape_html;
-use crate::report::label::text_width;
+use crate::report::panel::text_width;
 use std::fmt::Write;
 
 /// Margins of the field for numbers and labels, in pixels; the left one may be wider.
@@ -23,7 +23,6 @@ const LINE: f32 = 12.0 * 1.164;
 const LEGEND_LINE: f64 = 18.0;
 const SAMPLE: f64 = 34.0;
 
-/// The field of a plot and its axes.
 struct Field {
     left: f64,
     top: f64,
@@ -43,7 +42,6 @@ impl Field {
     }
 }
 
-/// The width of words.
 pub(super) fn width_of(words: &str) -> f64 {
     f64::from(text_width(words, LINE))
 }
@@ -125,7 +123,6 @@ pub(super) fn text(out: &mut String, [x, y]: [f64; 2], anchor: &str, more: &str,
     let _ = writeln!(out, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\" {more}>{words}</text>");
 }
 
-/// The line of a series.
 fn line(out: &mut String, path: &str, style: &SeriesStyle) {
     let SeriesStyle { colour, dash, .. } = style;
     let _ = writeln!(
@@ -134,7 +131,6 @@ fn line(out: &mut String, path: &str, style: &SeriesStyle) {
     );
 }
 
-/// The legend and its width; empty if no series has a name.
 fn legend(plot: &Plot, styles: &[SeriesStyle]) -> (String, f64) {
     let named = || plot.series.iter().zip(styles).filter(|(series, _)| !series.name.is_empty());
     let widest = named().map(|(series, _)| width_of(&series.name)).fold(0.0, f64::max);

@@ -104,13 +104,11 @@ const FRONTIER: &str = "6 4";
 /// Of guides: others than those of curves.
 const GUIDES: [&str; 3] = ["2 4", "12 6", "12 4 2 4"];
 
-/// Half the height of a sign.
 pub(super) const SIGN: f64 = 4.0;
 const SIGNS: usize = 6;
 /// How many signs a curve has.
 const FEW: usize = 4;
 
-/// The style of a series.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SeriesStyle {
     pub(super) colour: &'static str,
@@ -118,7 +116,6 @@ pub(super) struct SeriesStyle {
     pub(super) dash: &'static str,
     /// The number of its sign, if it has one.
     sign: Option<usize>,
-    /// The fill of the sign.
     filling: &'static str,
     /// Its number, which shifts the signs of a curve against those of its neighbours.
     number: usize,

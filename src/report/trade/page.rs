@@ -12,7 +12,7 @@ use crate::mesh::Mesh;
 use crate::normals::{NormalField, NormalRecipe, Weight};
 use crate::num::{Degrees, LinearRgb, Radians, three_digits, unit_scale, viridis};
 use crate::raster::{Camera, Object, Paint, RenderSettings, Samples, Scene, Shape, render};
-use crate::report::error::ReportError;
+use crate::report::error::{ReportError, Result};
 use crate::report::html::{Drawing, Page};
 use crate::report::panel::{Panel, panels};
 use crate::report::picture::Picture;
@@ -30,10 +30,8 @@ static TEXTS: Catalogue = catalogue!("page", en);
 /// Pixels along the sides of pictures.
 const SIDE: u32 = 230;
 
-/// Weights with pictures.
 const SHOWN: [Weight; 3] = [Weight::Angle, Weight::Max, Weight::Quadric];
 
-/// Surfaces and tilings with plots of convergence.
 const CONVERGENCE: [(&str, Tiling); 5] = [
     ("torus", Tiling::Jittered),
     ("torus", Tiling::Regular),
@@ -63,7 +61,7 @@ fn drawing(page: &mut Page, name: &str, caption: &str, plot: &Plot) {
 ///
 /// # Errors
 /// Pictures that cannot be drawn or made into files.
-pub fn trade_page(trade: &Trade) -> Result<(String, Vec<Drawing>), ReportError> {
+pub fn trade_page(trade: &Trade) -> Result<(String, Vec<Drawing>)> {
     let mut page = Page::new(&text("title", &[]), &text("lead", &[]));
     weights(trade, &mut page);
     surfaces(trade, &mut page)?;
@@ -97,7 +95,7 @@ fn weights(trade: &Trade, page: &mut Page) {
     }
 }
 
-fn surfaces(trade: &Trade, page: &mut Page) -> Result<(), ReportError> {
+fn surfaces(trade: &Trade, page: &mut Page) -> Result<()> {
     section(page, "surfaces");
     for surface in NamedSurface::all(trade.effort) {
         let is_shown = |case: &&VertexCase| case.surface == surface.name && case.tiling == Tiling::Jittered;
@@ -148,7 +146,7 @@ fn error_sheet<'a>(
     page: &mut Page,
     pictures: impl Iterator<Item = (Weight, AngleErrors, ErrorPicture<'a>)>,
     mesh: &str,
-) -> Result<(), ReportError> {
+) -> Result<()> {
     let mut sheet = Vec::new();
     for (weight, errors, picture) in pictures {
         let [rms, max] = [errors.rms, errors.max].map(three_digits);
@@ -173,7 +171,7 @@ pub fn own_page(
     parts: &[&Mesh],
     recipe: &NormalRecipe,
     name: &str,
-) -> Result<(String, Vec<Drawing>), ReportError> {
+) -> Result<(String, Vec<Drawing>)> {
     let mut page = Page::new(&text("own-title", &[("name", name.into())]), &text("own-lead", &[]));
     section(&mut page, "own-weights");
     let counts = [
@@ -198,12 +196,7 @@ pub fn own_page(
 }
 
 /// The estimated errors on the largest part: of the recommended weight and the usual ones.
-fn own_pictures(
-    own: &OwnMesh,
-    parts: &[&Mesh],
-    recipe: &NormalRecipe,
-    page: &mut Page,
-) -> Result<(), ReportError> {
+fn own_pictures(own: &OwnMesh, parts: &[&Mesh], recipe: &NormalRecipe, page: &mut Page) -> Result<()> {
     let Some(&largest) = parts.iter().max_by_key(|mesh| mesh.face_count()) else { return Ok(()) };
     let shown = [own.recommended, Weight::Uniform, Weight::Area, Weight::Angle];
     let shown = own.methods.iter().filter(|method| shown.contains(&method.weight));
@@ -238,7 +231,7 @@ impl<'a> ErrorPicture<'a> {
     }
 
     /// The mesh with each vertex in the colour of its error; `None` for an empty mesh.
-    pub(super) fn draw(&self, size: u32) -> Result<Option<Picture>, ReportError> {
+    pub(super) fn draw(&self, size: u32) -> Result<Option<Picture>> {
         let Some((low, high)) = self.mesh.bounds() else { return Ok(None) };
         // Scaled to about unit size around the origin.
         let (centre, half) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);

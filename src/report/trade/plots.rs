@@ -11,10 +11,8 @@ use crate::trade::{
 /// Errors below this, in degrees, count as exact and are not on a logarithmic axis.
 const EXACT: f64 = 1e-9;
 
-/// The size of plots with a legend.
 const SIZE: [u32; 2] = [680, 320];
 
-/// A series of a weight, in its colour.
 fn weight_series(weight: Weight, name: String, points: Vec<[f64; 2]>, mark: Mark) -> Series {
     Series { colour: Some(weight as usize), ..Series::new(&name, points, mark) }
 }
@@ -88,7 +86,6 @@ pub(super) fn convergence_plot(case: &VertexCase) -> Plot {
     }
 }
 
-/// The distribution of the errors of normals.
 pub(super) fn histogram_plot(case: &VertexCase) -> Plot {
     let spread = case
         .methods
@@ -101,7 +98,6 @@ pub(super) fn histogram_plot(case: &VertexCase) -> Plot {
     }
 }
 
-/// Outlines of the histograms of some weights.
 fn spread_plot(spread: &[(Weight, &AngleErrors, &Histogram)]) -> Plot {
     let edges: Vec<f64> = Histogram::edges().collect();
     let shown = spread.iter().filter(|(_, errors, _)| errors.rms > EXACT);
@@ -127,7 +123,6 @@ fn spread_plot(spread: &[(Weight, &AngleErrors, &Histogram)]) -> Plot {
     }
 }
 
-/// The worst angle of encodings over their bits.
 pub(super) fn encoding_plot(rows: &[EncodingRow]) -> Plot {
     let kind = |name: &str, takes: &dyn Fn(&EncodingRow) -> bool| {
         let points = rows.iter().filter(|row| takes(row)).map(|row| [row.bytes as f64, row.max]);

@@ -1,7 +1,7 @@
 //! Grids of parameters, and joining the grids of neighbouring patches.
 
 use crate::mesh::DisjointSets;
-use crate::surface::error::{MOST_CELLS, SurfaceError, check_count};
+use crate::surface::error::{MOST_CELLS, Result, check_count};
 use crate::surface::meshing::net::{Net, sample};
 use crate::surface::meshing::pattern::{GridHash, Pattern, Tessellation};
 use crate::surface::shapes::bezier::BezierPatch;
@@ -10,14 +10,14 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 /// Grids on charts, one after the other, not joined.
-pub(crate) fn net(charts: &[&dyn Parametric], tessellation: &Tessellation) -> Result<Net, SurfaceError> {
+pub(crate) fn net(charts: &[&dyn Parametric], tessellation: &Tessellation) -> Result<Net> {
     let mut net = Net::default();
     for (part, chart) in charts.iter().enumerate() {
         let grid = Grid::new(chart.chart(), tessellation, part as u32);
         grid.check(charts.len() as u64)?;
         let base = net.samples.len() as u32;
         let places = grid.places();
-        let samples: Result<Vec<Sample>, SurfaceError> =
+        let samples: Result<Vec<Sample>> =
             places.par_iter().map(|&(i, j)| sample(*chart, grid.parameters(i, j))).collect();
         net.samples.extend(samples?);
         net.first_faces.push(net.faces.len());
@@ -61,7 +61,7 @@ impl Grid {
         Self { chart, segments, jitter, pattern, hash: GridHash { seed }.of_part(part) }
     }
 
-    fn check(&self, charts: u64) -> Result<(), SurfaceError> {
+    fn check(&self, charts: u64) -> Result<()> {
         let [u, v] = self.segments.map(u64::from);
         let Chart { wraps_u, wraps_v, pole_low, pole_high } = self.chart;
         let least = |wraps, poles| if wraps { 3 } else { 1 + u64::from(poles) };

@@ -1,7 +1,7 @@
 //! Marching tetrahedra: meshes that are independent of the parameters of the surface.
 
 use crate::mesh::Faces;
-use crate::surface::error::{MOST_CELLS, SurfaceError, check_count};
+use crate::surface::error::{MOST_CELLS, Result, SurfaceError, check_count};
 use crate::surface::meshing::net::Net;
 use crate::surface::meshing::pattern::GridHash;
 use crate::surface::shapes::chart::Sample;
@@ -17,12 +17,7 @@ const TETRAHEDRA: [[usize; 4]; 6] =
 
 /// The surface within its box, cut by a cubic lattice with so many cells along the longest side. If the surface closes
 /// within the box, the lattice is shifted by a random part of a cell, so that its points lie on no plane of symmetry.
-pub(crate) fn net(
-    surface: &dyn Implicit,
-    room: Room,
-    cells: u32,
-    hash: GridHash,
-) -> Result<Net, SurfaceError> {
+pub(crate) fn net(surface: &dyn Implicit, room: Room, cells: u32, hash: GridHash) -> Result<Net> {
     let lattice = Lattice::new(room, cells, hash)?;
     let counts = lattice.cells + UVec3::ONE;
     let total = counts.x as usize * counts.y as usize * counts.z as usize;
@@ -70,7 +65,7 @@ struct Lattice {
 }
 
 impl Lattice {
-    fn new(room: Room, cells: u32, hash: GridHash) -> Result<Self, SurfaceError> {
+    fn new(room: Room, cells: u32, hash: GridHash) -> Result<Self> {
         const CHANNEL: u32 = 5;
         check_count("cells along a side of the box", cells, 1..=u64::MAX)?;
         let size = room.high - room.low;

@@ -6,11 +6,9 @@ pub(super) mod pattern;
 pub(super) mod net;
 // Grids of parameters, and their joints.
 pub(super) mod grid;
-// Subdivided icosahedra.
-pub(super) mod icosphere;
 // Marching tetrahedra.
 pub(super) mod marching;
-// Delaunay triangulations of scattered points.
-pub(super) mod scattered;
+// Subdivided icosahedra, and Delaunay triangulations of scattered points.
+pub(super) mod gridless;
 // Surfaces as meshes, by any pattern.
 pub(super) mod tessellation;

@@ -1,7 +1,7 @@
 //! Faces over samples of a surface: the result of each pattern, from which meshes are made; and their dual.
 
 use crate::mesh::{Faces, Topology};
-use crate::surface::error::SurfaceError;
+use crate::surface::error::{Result, SurfaceError};
 use crate::surface::shapes::chart::{Parametric, Sample};
 use glam::DVec2;
 use rayon::prelude::*;
@@ -47,22 +47,19 @@ impl Net {
     }
 }
 
-pub(crate) fn sample(chart: &dyn Parametric, at: DVec2) -> Result<Sample, SurfaceError> {
+pub(crate) fn sample(chart: &dyn Parametric, at: DVec2) -> Result<Sample> {
     sample_at(at, chart.at(at.x, at.y))
 }
 
 /// The sample at these parameters, or an error if the surface has no normal there.
-pub(crate) fn sample_at(at: DVec2, sample: Option<Sample>) -> Result<Sample, SurfaceError> {
+pub(crate) fn sample_at(at: DVec2, sample: Option<Sample>) -> Result<Sample> {
     sample.ok_or_else(|| {
         SurfaceError::Invalid(format!("the surface has no normal at u = {}, v = {}", at.x, at.y))
     })
 }
 
 /// The dual of a net of triangles: a polygon around each vertex that is not on an open side, with corners above their middles.
-pub(crate) fn dual(
-    triangles: &Net,
-    sample: impl Fn(usize, DVec2) -> Result<Sample, SurfaceError> + Sync,
-) -> Result<Net, SurfaceError> {
+pub(crate) fn dual(triangles: &Net, sample: impl Fn(usize, DVec2) -> Result<Sample> + Sync) -> Result<Net> {
     let topology = Topology::by_index(&triangles.faces, triangles.samples.len());
     let mut faces = Faces::with_capacity(triangles.faces.corner_count());
     let mut ring = Vec::new();
@@ -83,7 +80,7 @@ pub(crate) fn dual(
         faces.push(&ring);
     }
     let middle = |&face: &usize| (face, triangles.middle(face));
-    let samples: Result<Vec<Sample>, SurfaceError> =
+    let samples: Result<Vec<Sample>> =
         used.par_iter().map(middle).map(|(face, at)| sample(face, at)).collect();
     let samples = samples?;
     let parameters = faces.corners().iter().map(|&corner| triangles.middle(used[corner as usize])).collect();

@@ -1,6 +1,6 @@
 //! How a surface is cut into faces: the pattern, its settings and its random numbers.
 
-use crate::surface::error::{SurfaceError, out_of_range};
+use crate::surface::error::{Result, SurfaceError, out_of_range};
 
 /// The arrangement of vertices and faces on a surface. All vertices lie on it unless there is [`Tessellation::noise`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Deserialize)]
@@ -85,8 +85,7 @@ impl Default for Tessellation {
 }
 
 impl Tessellation {
-    /// Checks the numbers, and that the pattern takes them.
-    pub(super) fn check(&self) -> Result<(), SurfaceError> {
+    pub(super) fn check(&self) -> Result<()> {
         let Self { pattern, jitter, noise, .. } = *self;
         for (what, found) in [("the jitter", jitter), ("the noise", noise)] {
             if !(0.0..=1.0).contains(&found) {

@@ -2,10 +2,10 @@
 
 use crate::mesh::{Column, Columns, Mesh, MeshBuilder};
 use crate::surface::catalogue::Surface;
-use crate::surface::error::SurfaceError;
+use crate::surface::error::{Result, SurfaceError};
 use crate::surface::meshing::net::{Net, dual, sample};
 use crate::surface::meshing::pattern::{GridHash, Pattern, Tessellation};
-use crate::surface::meshing::{grid, icosphere, marching, scattered};
+use crate::surface::meshing::{grid, gridless, marching};
 use crate::surface::shapes::chart::Sample;
 
 impl Surface {
@@ -14,7 +14,7 @@ impl Surface {
     ///
     /// # Errors
     /// For settings out of range, an impossible pattern, and too few or too many segments (2²⁴ cells).
-    pub fn tessellate(&self, tessellation: &Tessellation) -> Result<Mesh, SurfaceError> {
+    pub fn tessellate(&self, tessellation: &Tessellation) -> Result<Mesh> {
         tessellation.check()?;
         let Tessellation { pattern, segments, seed, .. } = *tessellation;
         let hash = GridHash { seed };
@@ -24,7 +24,7 @@ impl Surface {
                 let star = self
                     .star_shaped()
                     .ok_or_else(|| missing("the pattern needs a sphere, an ellipsoid or a superquadric"))?;
-                icosphere::net(star, level)?
+                gridless::icosphere(star, level)?
             }
             Pattern::Marching => {
                 let zero_set = self.zero_set().zip(self.room());
@@ -37,15 +37,14 @@ impl Surface {
                 let height = self
                     .heights()
                     .ok_or_else(|| missing("the pattern needs a plane, a wave or a monkey saddle"))?;
-                scattered::net(height, segments, hash)?
+                gridless::scattered(height, segments, hash)?
             }
             _ => self.grid(tessellation)?,
         };
         Ok(into_mesh(net, tessellation))
     }
 
-    /// Patterns that are made of a grid.
-    fn grid(&self, tessellation: &Tessellation) -> Result<Net, SurfaceError> {
+    fn grid(&self, tessellation: &Tessellation) -> Result<Net> {
         let charts = self.charts();
         let mut net = grid::net(&charts, tessellation)?;
         grid::join(&mut net, self.patches(), tessellation);

@@ -2,7 +2,7 @@
 
 use crate::mesh::{NormalMatrix, normal_matrix};
 use crate::num::UnitVec3;
-use crate::surface::error::SurfaceError;
+use crate::surface::error::{Result, SurfaceError};
 use crate::surface::rays::ray::{Hit, Ray};
 use crate::surface::shapes::height::Plane;
 use crate::surface::shapes::implicit::{Cast, Implicit, Shape};
@@ -120,7 +120,7 @@ impl Placed {
     ///
     /// # Errors
     /// A singular map, or one that is not finite.
-    pub fn new(primitive: Primitive, world_from_object: DMat4) -> Result<Self, SurfaceError> {
+    pub fn new(primitive: Primitive, world_from_object: DMat4) -> Result<Self> {
         let (linear, origin) = (DMat3::from_mat4(world_from_object), world_from_object.w_axis.truncate());
         let normals = normal_matrix(linear);
         let object_from_world = linear.inverse();

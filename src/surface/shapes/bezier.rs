@@ -1,7 +1,7 @@
 //! Bicubic Bézier patches, and the teapot that is made of 32 of them.
 
 use crate::num::UnitVec3;
-use crate::surface::error::{LENGTHS, SurfaceError};
+use crate::surface::error::{LENGTHS, Result, SurfaceError};
 use crate::surface::shapes::chart::{Chart, Parametric, Sample};
 use glam::DVec3;
 use std::sync::OnceLock;
@@ -34,7 +34,7 @@ impl BezierPatch {
     ///
     /// # Errors
     /// [`SurfaceError::Invalid`] if a coordinate is not finite or beyond 1e60.
-    pub fn new(points: [[DVec3; 4]; 4]) -> Result<Self, SurfaceError> {
+    pub fn new(points: [[DVec3; 4]; 4]) -> Result<Self> {
         let wrong = |p: &DVec3| !(p.is_finite() && p.abs().max_element() <= *LENGTHS.end());
         match points.as_flattened().iter().position(wrong) {
             Some(index) => {

@@ -1,7 +1,7 @@
 //! Heights over a rectangle of the x-y plane: plane, wave, monkey saddle.
 
 use crate::num::UnitVec3;
-use crate::surface::error::{SurfaceError, length, surface_of_lengths};
+use crate::surface::error::{Result, SurfaceError, length, surface_of_lengths};
 use crate::surface::rays::ray::Line;
 use crate::surface::shapes::chart::{Chart, Parametric, Sample};
 use crate::surface::shapes::implicit::{Cast, Implicit};
@@ -41,7 +41,7 @@ impl Plane {
     ///
     /// # Errors
     /// [`SurfaceError::OutOfRange`].
-    pub fn new(width: f64, height: f64) -> Result<Self, SurfaceError> {
+    pub fn new(width: f64, height: f64) -> Result<Self> {
         Ok(Self { size: DVec2::new(length("the width", width)?, length("the height", height)?) })
     }
 

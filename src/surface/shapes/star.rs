@@ -1,7 +1,7 @@
 //! Closed surfaces that every ray from the origin meets once: sphere, ellipsoid, superellipsoid.
 
 use crate::num::UnitVec3;
-use crate::surface::error::{SurfaceError, length, out_of_range, surface_of_lengths};
+use crate::surface::error::{Result, SurfaceError, length, out_of_range, surface_of_lengths};
 use crate::surface::rays::ray::{Hit, Line, Ray};
 use crate::surface::shapes::chart::{Chart, Parametric, Sample, on_sphere};
 use crate::surface::shapes::implicit::{Cast, Implicit};
@@ -70,7 +70,7 @@ impl Ellipsoid {
     ///
     /// # Errors
     /// [`SurfaceError::OutOfRange`].
-    pub fn new(semi_axes: DVec3) -> Result<Self, SurfaceError> {
+    pub fn new(semi_axes: DVec3) -> Result<Self> {
         Ok(Self { semi_axes: checked(semi_axes)? })
     }
 
@@ -134,7 +134,7 @@ impl Superquadric {
     ///
     /// # Errors
     /// [`SurfaceError::OutOfRange`].
-    pub fn new(semi_axes: DVec3, north: f64, east: f64) -> Result<Self, SurfaceError> {
+    pub fn new(semi_axes: DVec3, north: f64, east: f64) -> Result<Self> {
         let semi_axes = checked(semi_axes)?;
         match [north, east].into_iter().find(|exponent| !(0.1..=1.9).contains(exponent)) {
             Some(found) => Err(out_of_range("the roundness", found, "a number from 0.1 to 1.9")),
@@ -192,7 +192,7 @@ impl StarShaped for Superquadric {
     }
 }
 
-fn checked(semi_axes: DVec3) -> Result<DVec3, SurfaceError> {
+fn checked(semi_axes: DVec3) -> Result<DVec3> {
     semi_axes.to_array().into_iter().try_for_each(|axis| length("a semi-axis", axis).map(drop))?;
     Ok(semi_axes)
 }

@@ -132,7 +132,6 @@ fn true_angle(e1: DVec3, e2: DVec3) -> f64 {
     small(&exact::angle(&e1, &e2))
 }
 
-/// Exactly 0 and exactly π.
 fn measure_straight() -> Measured {
     let mut numbers = Numbers::new(11);
     let (mut wrong, mut plain_wrong, mut undefined) = (0, 0, 0);

@@ -1,7 +1,45 @@
-//! A case of the catalogue, and its result.
+//! The groups of the catalogue, a case, and its result.
 
-use super::group::Group;
 use crate::text::{Catalogue, Language, catalogue};
+use crate::trade::described::described;
+
+described! {
+    /// What is extreme about a case.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+    Group {
+        Magnitude = "magnitude": "coordinates from 1e-45 to 3e38, and mixed in one triangle",
+        Offset = "offset": "triangles of size 1 far from the origin: arithmetic and storage separately",
+        Needle = "needle": "faces much longer than high, and the sliver threshold",
+        Degenerate = "degenerate": "exactly collinear and duplicate points",
+        NonFinite = "non-finite": "positions that are infinite or not a number",
+        Valence = "valence": "vertices of 3 to a million faces, and fans that nearly cancel",
+        Fan = "fan": "opposite faces, folds, edges of three faces, tips of cones",
+        Angle = "angle": "corners near 0 and 180 degrees",
+        Crease = "crease": "dihedral angles exactly at the crease angle",
+        Unit = "unit": "unit vectors of subnormal and of huge ones",
+        Product = "product": "differences of nearly equal products",
+        Highlight = "highlight": "powers of cosines up to a million, opposite and grazing light",
+        Attenuation = "attenuation": "light very close to its source",
+        Raster = "raster": "triangles far outside the picture, behind the camera, very large, or thinner than a pixel",
+        Encoding = "encoding": "normals in few bits, at the poles and on the edges of the octahedron",
+    }
+}
+
+impl Group {
+    /// The reason why cases of the group have no `fast`.
+    pub const fn without_fast(self) -> &'static str {
+        match self {
+            Group::NonFinite => "reading and checking positions is the same for both",
+            Group::Angle | Group::Product => "fast uses the same function",
+            Group::Unit => "normalised in f64 only",
+            Group::Crease => "counted for the report from the same face normals",
+            Group::Raster => "drawing has no fast variant",
+            Group::Encoding => "encoding has no fast variant",
+            Group::Fan => "quadrics are fitted in f64, whatever the precision of the mean",
+            _ => "there is no fast variant",
+        }
+    }
+}
 
 static TEXTS: Catalogue = catalogue!("texts", en);
 
@@ -56,7 +94,6 @@ pub struct Bound {
     /// Its unit.
     #[serde(skip)]
     pub unit: Unit,
-    /// The key of the text about its source.
     #[serde(serialize_with = "as_text")]
     source: &'static str,
 }
@@ -66,12 +103,10 @@ fn as_text<S: serde::Serializer>(key: &str, serializer: S) -> Result<S::Ok, S::E
 }
 
 impl Bound {
-    /// A bound with the key of its source.
     pub(super) const fn new(most: f64, unit: Unit, source: &'static str) -> Self {
         Self { most, unit, source }
     }
 
-    /// No wrong answer at all.
     pub(super) const fn none_wrong(source: &'static str) -> Self {
         Self::new(0.0, Unit::Wrong, source)
     }
@@ -97,7 +132,6 @@ pub struct Worst {
 }
 
 impl Worst {
-    /// This number of wrong answers.
     pub(super) fn wrong(count: usize) -> Self {
         Self { error: count as f64, undefined: 0 }
     }
@@ -136,7 +170,6 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Pairs of errors: of `faithful` and of the plain formula.
     pub(super) fn pairs(errors: impl IntoIterator<Item = [f64; 2]>) -> Self {
         let errors = errors.into_iter().map(|[faithful, plain]| [faithful, 0.0, plain]);
         Self { fast: None, ..Self::triples(errors) }
@@ -153,7 +186,6 @@ impl Measured {
         Self { samples, faithful, fast: Some(fast), declined: 0, plain: Some(plain) }
     }
 
-    /// Numbers of wrong answers of `faithful` and of the plain formula.
     pub(super) fn wrong(samples: usize, faithful: usize, plain: usize) -> Self {
         let [faithful, plain] = [faithful, plain].map(Worst::wrong);
         Self { samples, faithful, plain: Some(plain), ..Self::default() }

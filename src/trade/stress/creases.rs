@@ -14,7 +14,6 @@ const SLACK: f64 = 0.01;
 /// How near the crease angle an edge is counted, whatever the digits.
 const NEAR: f64 = 0.1;
 
-/// How positions are stored.
 #[derive(Clone, Copy, Debug)]
 enum Stored {
     Single,
@@ -75,7 +74,6 @@ fn measure_counts(decimals: usize) -> Measured {
     Measured::wrong(samples, wrong, plain)
 }
 
-/// A prism whose sides meet at the crease angle.
 struct Prism {
     sides: usize,
     mesh: Mesh,
@@ -132,7 +130,6 @@ impl Prism {
         })
     }
 
-    /// Whether an edge is between two sides.
     fn is_side(&self, edge: [u32; 2]) -> bool {
         self.faces_at(edge).into_iter().all(|face| face < self.sides)
     }
@@ -147,17 +144,14 @@ impl Prism {
         slot(half_edge) != slot(next(across)) || slot(next(half_edge)) != slot(across)
     }
 
-    /// The two faces at an edge.
     fn faces_at(&self, edge: [u32; 2]) -> [usize; 2] {
         edge.map(|half_edge| self.topology.face_of(half_edge) as usize)
     }
 
-    /// The positions of the corners of a face.
     fn corners(&self, face: usize) -> Vec<DVec3> {
         self.mesh.faces().face(face).iter().map(|&vertex| self.mesh.positions().at(vertex)).collect()
     }
 
-    /// The angle between the stored faces at an edge.
     fn true_angle(&self, edge: [u32; 2]) -> Big {
         let [a, b] = self.faces_at(edge).map(|face| self.corners(face));
         exact::dihedral(&a, &b).expect("faces with an area")

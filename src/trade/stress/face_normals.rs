@@ -3,15 +3,12 @@
 use super::prelude::*;
 use crate::trade::exact;
 
-/// Three corners of `f32` coordinates.
 pub(super) type Triangle = [Vec3; 3];
 
-/// The bound of `faithful`.
 const FAITHFUL: Bound = Bound::new(1.0, Unit::Ulps, "face-bound");
 /// The bound of `fast`, at its thinnest face.
 pub(super) const FAST: Bound = Bound::new(0.0172, Unit::Degrees, "face-fast");
 
-/// A case about the face normals of these triangles.
 pub(super) fn case(
     group: Group,
     texts: &'static str,
@@ -47,13 +44,10 @@ pub(super) fn plain_direction(triangle: &Triangle) -> DVec3 {
 /// The result of [`Precision::Fast`] for a triangle.
 pub(super) struct FastNormal {
     pub(super) normal: DVec3,
-    /// The reported fault.
     pub(super) fault: Option<FaultReason>,
-    /// Whether it was left to `faithful`.
     pub(super) declined: bool,
 }
 
-/// The normal of one triangle by [`Precision::Fast`].
 pub(super) fn fast(triangle: &Triangle) -> FastNormal {
     let recipe = NormalRecipe { precision: Precision::Fast, ..NormalRecipe::default() };
     let field = compute(&indexed(triangle, &[[0, 1, 2]]), &recipe);

@@ -9,10 +9,8 @@ use crate::trade::exact;
 pub(super) const WEIGHTS: [Weight; 6] =
     [Weight::Uniform, Weight::Area, Weight::Angle, Weight::AngleArea, Weight::Max, Weight::Edge];
 
-/// Triangles around a vertex.
 #[derive(Clone, Debug)]
 pub(super) struct Fan {
-    /// The vertex.
     pub(super) centre: Vec3,
     /// The two other corners of each triangle.
     pub(super) triangles: Vec<[Vec3; 2]>,
@@ -49,7 +47,6 @@ impl Fan {
         std::iter::once(self.centre).chain(self.triangles.iter().flatten().copied()).collect()
     }
 
-    /// Triangles as indices of [`positions`](Self::positions).
     pub(super) fn indices(&self) -> Vec<[u32; 3]> {
         (0..self.triangles.len() as u32).map(|i| [0, 2 * i + 1, 2 * i + 2]).collect()
     }
@@ -109,12 +106,10 @@ pub(super) fn measure(fans: &[Fan], weights: &[Weight]) -> Measured {
     Measured { declined, ..Measured::triples(errors) }
 }
 
-/// Vertex normals by [`Precision::Fast`].
 pub(super) fn fast(mesh: &Mesh, weight: Weight, slivers: Slivers) -> NormalField {
     compute(mesh, &NormalRecipe { slivers, ..recipe(weight, Precision::Fast) })
 }
 
-/// The recipe for vertex normals without creases.
 pub(super) fn recipe(weight: Weight, precision: Precision) -> NormalRecipe {
     NormalRecipe { weight, crease: Crease::OFF, precision, scope: Scope::Vertex, ..NormalRecipe::default() }
 }

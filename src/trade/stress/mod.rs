@@ -21,8 +21,6 @@
 //! [`Precision::Faithful`]: crate::normals::Precision::Faithful
 //! [`Precision::Fast`]: crate::normals::Precision::Fast
 
-// The groups of cases.
-mod group;
 // A case and its result; texts.en.ftl has the words of all cases.
 mod case;
 // Reproducible random vectors and rotations.
@@ -41,8 +39,6 @@ mod fans;
 mod magnitude;
 // Slivers and faces of zero area.
 mod degenerate;
-// Infinite and undefined positions.
-mod non_finite;
 // Many faces at one vertex, faces that meet as in no smooth surface, and quadrics through rounded points.
 mod fan_shapes;
 // Dihedral angles equal to the crease angle.
@@ -50,14 +46,11 @@ mod creases;
 // Normals in few bits.
 mod encodings;
 // Highlights: large exponents, light from behind, half-vectors of nearly no length.
-mod highlights;
-// Light close to its source.
-mod attenuation;
+mod light;
 // Triangles that are hard to draw, and the pixels that they cover.
 mod triangles;
 
-pub use case::{Bound, Measured, StressCase, StressResult, Unit, Worst};
-pub use group::Group;
+pub use case::{Bound, Group, Measured, StressCase, StressResult, Unit, Worst};
 
 /// All cases, group by group in the order of [`Group::ALL`].
 pub fn catalogue() -> Vec<StressCase> {
@@ -71,15 +64,15 @@ pub fn cases_of(group: Group) -> Vec<StressCase> {
         Group::Offset => magnitude::offset_cases(),
         Group::Needle => degenerate::sliver_cases(),
         Group::Degenerate => degenerate::zero_area_cases(),
-        Group::NonFinite => non_finite::cases(),
+        Group::NonFinite => degenerate::non_finite_cases(),
         Group::Valence => fan_shapes::valence_cases(),
         Group::Fan => fan_shapes::fan_cases().into_iter().chain(fan_shapes::quadric_cases()).collect(),
         Group::Angle => arithmetic::angle_cases(),
         Group::Crease => creases::cases(),
         Group::Unit => arithmetic::unit_vector_cases(),
         Group::Product => arithmetic::product_cases(),
-        Group::Highlight => highlights::cases(),
-        Group::Attenuation => attenuation::cases(),
+        Group::Highlight => light::highlight_cases(),
+        Group::Attenuation => light::attenuation_cases(),
         Group::Raster => triangles::cases(),
         Group::Encoding => encodings::cases(),
     }

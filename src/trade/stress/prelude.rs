@@ -1,7 +1,7 @@
 //! The names that the cases of every group use.
 
+pub(super) use super::case::Group;
 pub(super) use super::case::{Bound, Measured, StressCase, Unit, Worst};
-pub(super) use super::group::Group;
 pub(super) use super::plain;
 pub(super) use super::random::{rotation, signed, vector};
 pub(super) use crate::mesh::{Faces, Mesh, MeshBuilder, Storage};

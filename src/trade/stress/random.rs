@@ -13,7 +13,6 @@ pub(super) fn vector(numbers: &mut Numbers) -> DVec3 {
     DVec3::from_array([0; 3].map(|_| signed(numbers)))
 }
 
-/// A rotation about any axis.
 pub(super) fn rotation(numbers: &mut Numbers) -> DQuat {
     let [x, y, z, w] = [0; 4].map(|_| signed(numbers));
     DQuat::from_xyzw(x, y, z, w).normalize()

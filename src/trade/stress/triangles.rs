@@ -5,14 +5,12 @@ use super::prelude::*;
 use crate::raster::{Camera, Object, Projection, RenderSettings, Scene, Shading, Shape, Triangles, render};
 use crate::trade::exact::Target;
 
-/// A camera and the size of its picture.
 struct View {
     size: [u32; 2],
     camera: Camera,
 }
 
 impl View {
-    /// The distance of the near plane.
     const NEAR: f64 = 0.01;
 
     /// The eye at the origin, looking along −z, 90° wide: a pixel's ray has whole multiples of 1/64 as coordinates.
@@ -46,7 +44,6 @@ impl View {
         Vec3::new(point.x, self.size[1] as f32 - point.y, point.z)
     }
 
-    /// The number of covered samples of each pixel, of one.
     fn draw(&self, positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<u8> {
         let positions: Vec<[f32; 3]> = positions.iter().map(Vec3::to_array).collect();
         let normals = vec![[0.0, 0.0, 1.0]; positions.len()];
@@ -130,7 +127,6 @@ fn plain_coverage(corners: &[Vec3; 3], [width, height]: [u32; 2]) -> Vec<u8> {
 const TRIANGLES: usize = 12;
 /// Slivers in a disc of radius 30: each is 1/100 of a pixel wide at the rim.
 const SLIVERS: usize = 20_000;
-/// The picture of the large triangle.
 const LARGE: [u32; 2] = [2048, 1024];
 
 pub(super) fn cases() -> Vec<StressCase> {

@@ -2,18 +2,13 @@
 
 use crate::mesh::{ColumnIndex, FaceLabels, place_key};
 use crate::normals::Weight;
-use crate::quality::angles::degrees_between;
-use crate::quality::catalogue::Kind;
-use crate::quality::counts::Found;
 use crate::quality::estimate::means::term;
-use crate::quality::facts::Facts;
 use crate::quality::findings::geometry::vertices::{index_mean, index_mean_error};
-use crate::quality::spot::Spot;
+use crate::quality::findings::prelude::*;
 use glam::DVec3;
 use rayon::prelude::*;
 use rustc_hash::FxHashSet;
 
-/// Finds duplicate faces.
 pub(crate) fn search_faces(facts: &Facts<'_>, found: &mut Found) {
     for face in facts.duplicates.same_way.iter().map(|&face| face as usize) {
         found.add(Kind::DuplicateFaces, Spot::face(face).by(counted_twice(facts, face)), facts.area[face]);

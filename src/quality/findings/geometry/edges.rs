@@ -1,15 +1,10 @@
 //! Edges of more than two faces, and edges where the surface folds back.
 
 use crate::mesh::{Link, place_key};
-use crate::quality::angles::{Limit, degrees_between};
-use crate::quality::catalogue::Kind;
-use crate::quality::counts::Found;
-use crate::quality::facts::Facts;
-use crate::quality::spot::{Measure, Spot};
+use crate::quality::findings::prelude::*;
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// Checks whether the surface folds back at the edges of a face.
 pub(crate) fn check_folds(facts: &Facts<'_>, face: usize, folded: Limit, found: &mut Found) {
     for half_edge in facts.corners_of(face) {
         if let Some(across) = facts.across_once(half_edge as u32)

@@ -2,16 +2,11 @@
 
 use crate::mesh::Link;
 use crate::normals::{FaultReason, Weight};
-use crate::quality::angles::degrees_between;
-use crate::quality::catalogue::Kind;
-use crate::quality::counts::{Found, scan};
-use crate::quality::effect::lost_light::key_light_lost;
+use crate::quality::effect::key_light_lost;
 use crate::quality::estimate::means::term;
-use crate::quality::facts::Facts;
-use crate::quality::spot::{Measure, Spot};
+use crate::quality::findings::prelude::*;
 use glam::DVec3;
 
-/// Finds pinched vertices and poles.
 pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
     found.merge(scan(facts.mesh.vertex_count(), facts.thresholds.places, |vertices, found| {
         for vertex in vertices {
@@ -27,7 +22,6 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
     }));
 }
 
-/// Finds corners whose faces cancel.
 pub(crate) fn search_cancelling(facts: &Facts<'_>, found: &mut Found) {
     let faults = facts.field.faults.corners.iter();
     for fault in faults.filter(|fault| fault.reason == FaultReason::CancellingFan) {

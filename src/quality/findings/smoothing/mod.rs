@@ -1,12 +1,8 @@
 //! Smoothing: the edges across which stored normals are smooth.
 
-// An edge with the stored normals on both sides.
+// Edges with the stored normals on both sides, and corners around a vertex that share one.
 pub(crate) mod edge;
 // Averaged creases, seams, and edges against smoothing groups.
 pub(crate) mod seams;
-// Corners around a vertex that share a normal.
-pub(crate) mod runs;
-// Flat normals on a smooth shape.
-pub(crate) mod facets;
-// Smooth normals on a shape with sharp edges.
-pub(crate) mod soft;
+// Flat normals on a smooth shape, smooth ones on a sharp shape.
+pub(crate) mod sharpness;

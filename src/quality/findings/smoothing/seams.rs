@@ -2,13 +2,8 @@
 
 use crate::mesh::DisjointSets;
 use crate::normals::Crease;
-use crate::quality::angles::{SAME, degrees_between};
-use crate::quality::catalogue::Kind;
-use crate::quality::counts::Found;
-use crate::quality::element::Severity;
-use crate::quality::facts::Facts;
+use crate::quality::findings::prelude::*;
 use crate::quality::findings::smoothing::edge::Edge;
-use crate::quality::spot::Spot;
 use rayon::prelude::*;
 
 /// The share of edges that the crease angle has to put on the right side before the others are faults.
@@ -22,7 +17,6 @@ pub(crate) const FEWEST_SHARP: usize = 8;
 /// 1.6 at least.
 const CUT: f64 = 1.25;
 
-/// Checks all edges.
 pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
     if facts.stored.is_none() {
         return search_cracks(facts, found);

@@ -26,14 +26,12 @@ pub(crate) struct Grid {
     layout: Layout,
     scale: f64,
     offset: f64,
-    /// The grid in words.
     pub(crate) name: String,
 }
 
 /// What is rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Layout {
-    /// Each component.
     Components,
     /// Each component, before the vector is normalised.
     MadeUnit,

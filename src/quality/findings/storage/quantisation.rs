@@ -1,12 +1,9 @@
 //! The precision of stored normals: the grid that all of them are on, and the highlights that it is good for.
 
 use crate::num::{Degrees, largest_exponent, three_digits};
-use crate::quality::catalogue::Kind;
-use crate::quality::counts::{Found, Remark, scan};
-use crate::quality::effect::highlight::Highlights;
-use crate::quality::facts::Facts;
+use crate::quality::effect::Highlights;
+use crate::quality::findings::prelude::*;
 use crate::quality::findings::storage::grid::Grid;
-use crate::quality::spot::Spot;
 use glam::DVec3;
 
 /// The largest share of corners that may deviate by more than rounding explains.

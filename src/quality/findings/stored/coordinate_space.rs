@@ -3,22 +3,17 @@
 use crate::io::{FileNode, NodeTree};
 use crate::mesh::{Mesh, normal_matrix};
 use crate::num::UnitVec3;
-use crate::quality::angles::degrees_between;
-use crate::quality::catalogue::Kind;
-use crate::quality::counts::{Found, Remark};
 use crate::quality::estimate::recipe::Estimate;
-use crate::quality::facts::Facts;
+use crate::quality::findings::prelude::*;
 use crate::quality::findings::stored::rotated::{ALIKE, explains, least, worst};
 use glam::{DMat3, DVec3};
 use std::ops::Range;
 
-/// The most nodes that are tried for one mesh.
 const NODES: usize = 32;
 
 /// The angle in degrees up to which a matrix changes normals only by rounding.
 const ROUNDING: f64 = 1e-6;
 
-/// About how many faces are sampled to compare mistakes.
 const SAMPLE: usize = 1 << 11;
 
 /// The most likely mistake with the matrices of the nodes that place a mesh, if there may be one. The node tree is read only if it is
@@ -152,7 +147,6 @@ enum How {
     WithinInverse,
 }
 
-/// A possible mistake.
 struct Candidate {
     /// The map of points whose normal matrix was applied to the normals.
     map: DMat3,
@@ -164,7 +158,6 @@ struct Candidate {
 }
 
 impl Candidate {
-    /// In words; `None` if the nodes have no names.
     fn describe(&self, name: impl Fn(usize) -> Option<String>) -> Option<String> {
         let [first, last] = self.ends;
         let ([matrices, is, applies], nodes) = if first == last {

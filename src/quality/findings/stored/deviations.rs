@@ -1,18 +1,13 @@
 //! Normals that deviate from the recipe of the mesh: negated, against their face, outliers, or authored.
 
-use crate::quality::angles::{Limit, SAME, degrees_between};
-use crate::quality::catalogue::Kind;
-use crate::quality::counts::{Found, Tallies, Tally};
-use crate::quality::element::Severity;
 use crate::quality::estimate::recipe::{EXACT, REPRODUCED};
-use crate::quality::facts::Facts;
+use crate::quality::findings::prelude::*;
 use crate::quality::findings::smoothing::edge::is_at_averaged;
-use crate::quality::findings::smoothing::runs::{Run, Runs};
+use crate::quality::findings::smoothing::edge::{Run, Runs};
 use crate::quality::findings::stored::origin::Origin;
 use crate::quality::findings::stored::regions::Regions;
 use crate::quality::findings::stored::rotated;
 use crate::quality::input::part::Direction;
-use crate::quality::spot::Spot;
 use glam::DVec3;
 
 /// From this angle, in degrees, a normal counts as the opposite of the expected one, and an edge as a fold.
@@ -25,7 +20,6 @@ const ALL: f64 = 0.9;
 /// thousand is, and one in ten where the recipe is off by 3°.
 const NEGATED: f64 = 0.05;
 
-/// What one corner shows.
 #[derive(Clone, Copy, PartialEq)]
 enum Verdict {
     /// A finding, whatever the rest of the mesh is like.
@@ -43,7 +37,6 @@ enum Area {
     Region,
 }
 
-/// The kinds of open verdicts.
 #[derive(Clone, Copy, PartialEq)]
 enum Class {
     /// Deviates, and other corners of the vertex share it.
@@ -60,7 +53,6 @@ enum Class {
 
 use Class::{Against, Flipped, Opposite, Run as OfRun, Shared};
 
-/// Finds normals that deviate from the recipe.
 pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
     let (runs, regions) = (Runs::new(facts), Regions::new(facts));
     let corner =
@@ -96,12 +88,10 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
     }
 }
 
-/// How many open verdicts are about normals against their face.
 fn open_against(verdicts: &Tallies<Verdict>, area: Area) -> u64 {
     [Flipped, Against, Opposite].map(|class| verdicts.count(Verdict::Open(area, class))).iter().sum()
 }
 
-/// What corners are checked with.
 struct Corner<'a> {
     facts: &'a Facts<'a>,
     runs: Option<Runs<'a>>,
@@ -186,7 +176,6 @@ fn is_in_front(facts: &Facts<'_>, face: usize, corner: usize) -> bool {
     facts.stored_unit(corner).is_some_and(|normal| normal.dot(facts.face_normal(face)) > 0.0)
 }
 
-/// Whether most other normals of a face are on its front.
 fn is_alone(facts: &Facts<'_>, face: usize, corner: usize) -> bool {
     are_most_others(facts, face, corner, |other| is_in_front(facts, face, other))
 }

@@ -1,6 +1,6 @@
 //! Stored: the normals of the file, corner by corner.
 
-// Normals that are missing, without a direction or not of unit length.
+// Normals that are missing, without a direction or not of unit length; tangents, and morph targets.
 pub(crate) mod values;
 // Where a normal that deviates may come from.
 pub(crate) mod origin;
@@ -12,5 +12,3 @@ pub(crate) mod rotated;
 pub(crate) mod coordinate_space;
 // Normals that deviate from the recipe.
 pub(crate) mod deviations;
-// Tangents, and normals of morph targets.
-pub(crate) mod attributes;

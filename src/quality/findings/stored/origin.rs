@@ -2,10 +2,9 @@
 
 use crate::mesh::Link;
 use crate::normals::Weight;
-use crate::quality::angles::{SAME, degrees_between};
 use crate::quality::estimate::means::{term, term_of_quadrilateral};
 use crate::quality::estimate::recipe::REPRODUCED;
-use crate::quality::facts::Facts;
+use crate::quality::findings::prelude::*;
 use glam::DVec3;
 
 /// The most corners on either side that belong to a fan: around poles of more faces only those close by count.
@@ -91,7 +90,6 @@ fn degrees(a: DVec3, b: DVec3) -> f64 {
     if a == DVec3::ZERO { 90.0 } else { degrees_between(a, b) }
 }
 
-/// A corner of a fan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct FanCorner {
     corner: u32,
@@ -150,7 +148,6 @@ impl Fan {
         Self { first, ahead, behind, is_closed }
     }
 
-    /// The other corners.
     fn others(&self) -> impl Iterator<Item = usize> {
         // In a closed fan, those behind are the same as those ahead.
         let behind = if self.is_closed { &[] } else { &self.behind[..] };

@@ -1,9 +1,8 @@
 //! Regions of a surface whose normals were made in another way than those of the rest.
 
-use crate::quality::angles::{SAME, degrees_between};
 use crate::quality::estimate::recipe::REPRODUCED;
 use crate::quality::estimate::rotation::{are_spread, robust_rotation};
-use crate::quality::facts::Facts;
+use crate::quality::findings::prelude::*;
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -27,7 +26,6 @@ const ALIKE: f64 = 0.5;
 pub(crate) struct Regions {
     /// A mark for each face; empty if there are none.
     faces: Vec<bool>,
-    /// The number of their corners that can be judged.
     pub(crate) corners: usize,
 }
 
@@ -108,7 +106,6 @@ impl Regions {
         self.corners += corners;
     }
 
-    /// Whether a face is in such a region.
     pub(crate) fn has(&self, face: usize) -> bool {
         self.faces.get(face).is_some_and(|&is| is)
     }

@@ -2,11 +2,8 @@
 
 use crate::mesh::are_same;
 use crate::num::Radians;
-use crate::quality::catalogue::Kind;
-use crate::quality::counts::{Found, Remark};
 use crate::quality::estimate::rotation::{are_spread, closest_rotation, outer, rotation_angle};
-use crate::quality::facts::Facts;
-use crate::quality::spot::Spot;
+use crate::quality::findings::prelude::*;
 use crate::quality::thresholds::Thresholds;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
@@ -70,7 +67,6 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) -> bool {
     is_rotated
 }
 
-/// The corners with the largest deviations.
 pub(crate) fn worst(facts: &Facts<'_>) -> Vec<Spot> {
     let mut found = facts.scan_corners(|face, corner, found| {
         if !facts.is_sound(face) {

@@ -18,7 +18,6 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use toml::Spanned;
 
-/// The tables of a scene file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Document {
@@ -73,7 +72,6 @@ impl SceneFile {
     }
 }
 
-/// `[settings]`
 #[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields, default, rename_all = "kebab-case")]
 pub(super) struct SettingsTable {
@@ -113,7 +111,6 @@ struct WireTable {
 const NEAR_SHARE: f64 = 1e-3;
 
 impl SettingsTable {
-    /// Changes the settings and the background of a scene.
     pub(super) fn apply(&self, source: Source, scene: &mut SceneFile) -> Result<(), ReadError> {
         let default = RenderSettings::default();
         let size = |List(size): &List<u32, 2>| {
@@ -199,7 +196,6 @@ impl WireTable {
     }
 }
 
-/// `[camera]`
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct CameraTable {
@@ -214,7 +210,6 @@ pub(super) struct CameraTable {
 }
 
 impl CameraTable {
-    /// The camera, checked.
     pub(super) fn camera(source: Source, table: &Spanned<Self>) -> Result<Camera, ReadError> {
         let (span, table) = (table.span(), table.get_ref());
         let projection = match (table.angle, table.height) {

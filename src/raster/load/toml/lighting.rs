@@ -204,7 +204,6 @@ impl ReflectionName {
     }
 }
 
-/// `[object.material]`
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct MaterialTable {

@@ -4,12 +4,10 @@
 
 // The line and the key of an error.
 mod source;
-// Colours, reflectances and transforms.
+// Colours, reflectances, transforms, and the shapes of objects.
 mod values;
 // `[[light.…]]` and `material`.
 mod lighting;
-// The shape of an object: `polygons` and `surface`.
-mod shapes;
 // `[[object]]`
 mod objects;
 // The whole file, `[settings]` and `[camera]`.

@@ -8,9 +8,9 @@ use crate::raster::load::scene_file::{
     LoadOptions, MOST_OBJECTS, MOST_PLACED_CORNERS, SceneFile, SceneMesh, SceneObject, SceneShape,
 };
 use crate::raster::load::toml::lighting::{MaterialTable, ReflectionName};
-use crate::raster::load::toml::shapes::{PolygonTable, SurfaceTable};
 use crate::raster::load::toml::source::Source;
 use crate::raster::load::toml::values::Step;
+use crate::raster::load::toml::values::{PolygonTable, SurfaceTable};
 use crate::surface::{Primitive, Surface, Tessellation};
 use glam::{DMat3, DMat4};
 use serde::Deserialize;
@@ -19,7 +19,6 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 
-/// `[[object]]`
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct ObjectTable {
@@ -52,12 +51,10 @@ impl From<NormalsName> for When {
     }
 }
 
-/// Adds objects to a scene.
 pub(super) struct Builder<'a> {
     source: Source<'a>,
     base: &'a Path,
     options: LoadOptions,
-    /// The reflection of objects that have none.
     reflection: Option<ReflectionName>,
     scene: SceneFile,
     /// Objects of mesh files that are read, by path and by whether all their normals are computed.
@@ -82,7 +79,6 @@ impl<'a> Builder<'a> {
         Self { source, base, options, reflection, scene, files: BTreeMap::new(), placed: 0 }
     }
 
-    /// The scene.
     pub(super) fn finish(self) -> Result<SceneFile, ReadError> {
         if self.scene.objects.is_empty() {
             let found = "the scene has no objects";

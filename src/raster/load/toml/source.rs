@@ -11,7 +11,6 @@ pub(super) struct Source<'a>(pub(super) &'a str);
 
 /// A key of a table and its value, as ranges of bytes.
 struct Entry {
-    /// The dotted key.
     path: String,
     key: Range<usize>,
     value: Range<usize>,
@@ -85,7 +84,6 @@ impl Source<'_> {
         ReadError { problem: Problem::Syntax, ..self.error(&span, &found, "") }
     }
 
-    /// An error about the value at `span`.
     pub(super) fn error(self, span: &Range<usize>, found: &str, advice: &str) -> ReadError {
         let before = &self.0.as_bytes()[..span.start.min(self.0.len())];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count() as u64;

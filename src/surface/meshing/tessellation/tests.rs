@@ -1,8 +1,8 @@
 //! Every surface in every pattern: closed where it shall be, facing outward, and converging to the surface.
 
 use crate::mesh::{Link, Topology};
+use crate::surface::meshing::gridless::delaunay;
 use crate::surface::meshing::pattern::{Pattern, Tessellation};
-use crate::surface::meshing::scattered::delaunay;
 use crate::surface::meshing::tessellation::*;
 use crate::surface::shapes::height::Plane;
 use crate::surface::shapes::revolution::{Catenoid, Cone, Cylinder, Torus};

@@ -1,17 +1,17 @@
-//! Positions so far from the origin that rounding to 32 bits turns the normals of faces.
+//! Where a mesh is: so far from the origin that rounding turns its normals, or mirrored or flattened by its nodes.
 
+use crate::io::FileNode;
+use crate::mesh::normal_matrix;
 use crate::num::{Degrees, Radians};
-use crate::quality::catalogue::Kind;
-use crate::quality::counts::{Found, Remark};
-use crate::quality::facts::Facts;
-use crate::quality::spot::Spot;
-use glam::DVec3;
+use crate::quality::effect::key_light_lost;
+use crate::quality::findings::prelude::*;
+use glam::{DMat3, DVec3};
 
 /// The most faces that are sampled.
 const SAMPLE: usize = 10_000;
 
 /// Measures what rounding does to the normal of a usual face.
-pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
+pub(crate) fn search_distance(facts: &Facts<'_>, found: &mut Found) {
     let Some((low, high)) = facts.mesh.bounds() else { return };
     let farthest = low.abs().max(high.abs()).max_element() * facts.scale;
     // A dense mesh around the origin has small faces too; far is outside of its own size.
@@ -63,4 +63,21 @@ fn expected_tilt(facts: &Facts<'_>, face: usize, units: DVec3) -> f64 {
     let inverse_heights = squares.sum::<f64>().sqrt() / (2.0 * facts.area[face]);
     let along = (facts.face_normal(face) * units).length() / 12f64.sqrt();
     (std::f64::consts::PI / 4.0).sqrt() * along * inverse_heights
+}
+
+/// Checks the matrices that place a part in the world.
+pub(crate) fn search_nodes(nodes: &[&FileNode], found: &mut Found) {
+    for (number, node) in nodes.iter().enumerate() {
+        match normal_matrix(DMat3::from_mat4(node.world_from_part)) {
+            None => {
+                let spot = Spot::node(number).of(Measure::Steps, key_light_lost());
+                found.add(Kind::SingularNode, spot, 0.0);
+            }
+            // Half a turn in a viewer that does not reverse the winding.
+            Some(matrix) if matrix.mirrored() => {
+                found.add(Kind::MirroredNode, Spot::node(number).by(180.0), 0.0)
+            }
+            Some(_) => {}
+        }
+    }
 }
