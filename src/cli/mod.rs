@@ -1,6 +1,6 @@
 //! The command-line program: one folder for each verb, and what they share.
 
-/// The command line: verbs and wrong usage.
+/// The command line: verbs and options.
 mod args;
 /// Run the experiments on shading artefacts.
 mod artefact;
@@ -8,6 +8,8 @@ mod artefact;
 mod common;
 /// Completion scripts and manual pages.
 mod docs;
+/// The help of the command line.
+mod help;
 /// Find what is wrong with normals.
 mod inspect;
 /// Compute normals and write them.
@@ -24,3 +26,5 @@ mod stress;
 mod surface;
 /// Measure accuracy against speed.
 mod trade;
+/// Ending after wrong usage.
+mod usage;

@@ -12,7 +12,6 @@ use std::path::Path;
 /// Between what was found and the next step, in messages.
 pub const HELP: &str = "\nhelp: ";
 
-/// How much is printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verbosity {
     Quiet,
@@ -27,10 +26,10 @@ pub struct Console {
     pub verbosity: Verbosity,
     /// Standard output carries a mesh, so reports go to standard error.
     reports_to_stderr: bool,
-    report_style: Style,
+    pub report_style: Style,
     error_style: Style,
     /// A report could not be printed.
-    failed: Cell<bool>,
+    pub failed: Cell<bool>,
 }
 
 /// Whether text may carry colour.
@@ -70,24 +69,13 @@ impl Console {
         }
     }
 
-    /// Whether every report reached its stream, or a reader that did not want it.
-    pub fn has_reported(&self) -> bool {
-        !self.failed.get()
-    }
-
     /// Whether standard error is left to the JSON report, so that it can be parsed.
     fn stderr_is_json(&self) -> bool {
         self.json && self.reports_to_stderr
     }
 
-    /// Whether a progress bar may be shown.
     pub fn may_show_progress(&self) -> bool {
         self.verbosity > Verbosity::Quiet && !self.stderr_is_json() && io::stderr().is_terminal()
-    }
-
-    /// The style of reports.
-    pub fn report_style(&self) -> Style {
-        self.report_style
     }
 
     /// Prints a report: as JSON on one line if that was asked for, else as text unless the run is quiet.
@@ -120,21 +108,14 @@ impl Console {
         }
     }
 
-    /// Prints an error.
     pub fn error(&self, message: &str) {
         self.remark(Style::RED, "error", message);
     }
 
-    /// Prints a warning.
-    fn warning(&self, message: &str) {
-        self.remark(Style::YELLOW, "warning", message);
-    }
-
-    /// Prints a note or a warning.
     pub fn about(&self, severity: Severity, message: &str) {
         match severity {
             Severity::Note => self.note(message),
-            Severity::Warning => self.warning(message),
+            Severity::Warning => self.remark(Style::YELLOW, "warning", message),
         }
     }
 
@@ -143,7 +124,6 @@ impl Console {
         self.remark(Style::BOLD, "note", message);
     }
 
-    /// Prints a message, with its next step on a line of its own.
     fn remark(&self, colour: &str, kind: &str, message: &str) {
         if self.stderr_is_json() {
             return;

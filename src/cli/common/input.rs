@@ -6,33 +6,33 @@ use ignore::WalkBuilder;
 use std::io::{IsTerminal, Read};
 use std::path::{Path, PathBuf};
 
-/// A file to read, or standard input.
+/// A file, or standard input or output.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Source {
-    Stdin,
+pub enum Stream {
+    Standard,
     File(PathBuf),
 }
 
-impl Source {
-    /// The source that a path names; `-` is standard input.
+/// What is read.
+pub type Source = Stream;
+
+impl Stream {
+    /// The stream that a path names: `-` is the standard one.
     pub fn of(path: &Path) -> Self {
-        if path.as_os_str() == "-" { Source::Stdin } else { Source::File(path.to_path_buf()) }
+        if path.as_os_str() == "-" { Stream::Standard } else { Stream::File(path.to_path_buf()) }
+    }
+
+    pub fn path(&self) -> Option<&Path> {
+        if let Stream::File(path) = self { Some(path) } else { None }
     }
 
     /// Its path, or `-`.
     pub fn name(&self) -> String {
-        match self {
-            Source::Stdin => "-".into(),
-            Source::File(path) => path.to_string_lossy().into_owned(),
-        }
+        self.path().map_or("-".into(), |path| path.to_string_lossy().into_owned())
     }
 
-    /// The number of bytes of a file.
     pub fn length(&self) -> Option<u64> {
-        match self {
-            Source::Stdin => None,
-            Source::File(path) => path.metadata().ok().map(|metadata| metadata.len()),
-        }
+        self.path()?.metadata().ok().map(|metadata| metadata.len())
     }
 
     /// Reads it; `arrived` receives the number of bytes of each piece of standard input.
@@ -44,14 +44,12 @@ impl Source {
     ) -> Result<Loaded, ReadError> {
         match self {
             Source::File(path) => io::read(path, format, options),
-            Source::Stdin => io::read_bytes(read_stdin(&options.limits, arrived)?, format, None, options),
+            Source::Standard => io::read_bytes(read_stdin(&options.limits, arrived)?, format, None, options),
         }
     }
 }
 
-/// All of standard input.
 fn read_stdin(limits: &Limits, mut arrived: impl FnMut(u64)) -> Result<Vec<u8>, ReadError> {
-    /// Bytes that make a piece.
     const PIECE: u64 = 1 << 20;
     let mut stdin = std::io::stdin().lock();
     let fail = |problem, found: String, advice: &str| ReadError::new(problem, Place::File, found, advice);
@@ -78,7 +76,6 @@ fn read_stdin(limits: &Limits, mut arrived: impl FnMut(u64)) -> Result<Vec<u8>, 
     Err(fail(Problem::Limit, found, "split the file"))
 }
 
-/// Refuses a `--root` that is no folder.
 pub fn check_root(root: Option<&PathBuf>) -> Result<(), Failure> {
     match root.filter(|root| !root.is_dir()) {
         Some(root) => Err(Failure::usage(format!("--root {} is not a folder", root.display()))),
@@ -86,7 +83,6 @@ pub fn check_root(root: Option<&PathBuf>) -> Result<(), Failure> {
     }
 }
 
-/// One input.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Input {
     pub source: Source,
@@ -104,10 +100,10 @@ pub fn expand(args: &[PathBuf], recursive: bool, out_dir: Option<&Path>) -> Resu
     let out_dir = out_dir.and_then(|dir| dir.canonicalize().ok());
     for arg in args {
         if arg.as_os_str() == "-" {
-            if inputs.iter().any(|input: &Input| input.source == Source::Stdin) {
+            if inputs.iter().any(|input: &Input| input.source == Source::Standard) {
                 return Err(Failure::usage("standard input can be read only once\nhelp: give `-` once"));
             }
-            inputs.push(Input { source: Source::Stdin, place: PathBuf::from("-") });
+            inputs.push(Input { source: Source::Standard, place: PathBuf::from("-") });
         } else if arg.is_dir() {
             if !recursive {
                 let advice =

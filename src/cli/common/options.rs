@@ -7,33 +7,15 @@ use crease::mesh::Confidence;
 use crease::normals::{Crease, Weight, When};
 use crease::num::Degrees;
 
-pub const EXIT_CODES: &str = "\
-Exit codes:
-  0  done
-  1  `crease inspect --fail-on` found something,
-     an expectation of `crease stress` does not hold,
-     or a measure of `crease artefact` differs from its expected value
-  2  wrong usage
-  3  an input could not be read
-  4  an output could not be made or stored
-  5  some files of a batch failed; the others are done";
-
 #[derive(Args)]
 #[command(next_help_heading = "Running and reporting")]
 pub struct RunArgs {
-    /// Threads to use; the output is the same for any number [default: one per processor]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-
-    /// Report as JSON
     #[arg(long)]
     pub json: bool,
-
-    /// Report errors only
     #[arg(short, long, conflicts_with = "verbose")]
     pub quiet: bool,
-
-    /// Report details
     #[arg(short, long)]
     pub verbose: bool,
 }
@@ -48,7 +30,6 @@ impl RunArgs {
     }
 }
 
-/// When to use colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Color {
     Auto,
@@ -56,35 +37,16 @@ pub enum Color {
     Never,
 }
 
-choices! { Color {
-    "auto" => Auto: "on a terminal, unless NO_COLOR is set; CLICOLOR_FORCE forces it",
-    "always" => Always: "always",
-    "never" => Never: "never",
-} }
+choices! { Color: "auto" => Auto, "always" => Always, "never" => Never }
 
-choices! { Format {
-    "obj" => Obj: "Wavefront OBJ",
-    "ply" => Ply: "PLY, ascii or binary",
-    "stl" => Stl: "STL, ascii or binary",
-    "gltf" => Gltf: "glTF 2.0, JSON",
-    "glb" => Glb: "glTF 2.0, binary",
-} }
+choices! { Format: "obj" => Obj, "ply" => Ply, "stl" => Stl, "gltf" => Gltf, "glb" => Glb }
 
-choices! { Weight {
-    "uniform" => Uniform: "all equal (Gouraud 1971)",
-    "area" => Area: "area of the face",
-    "angle" => Angle: "angle of the face at the corner (Thürmer & Wüthrich 1998)",
-    "angle-area" => AngleArea: "angle times area",
-    "max" => Max: "sin of the angle over the product of the edge lengths; exact on a sphere (Max 1999)",
-    "edge" => Edge: "1 over the product of the edge lengths",
-    "quadric" => Quadric: "least-squares quadric through the two-ring: slow, second order",
-} }
+choices! { Weight:
+    "uniform" => Uniform, "area" => Area, "angle" => Angle, "angle-area" => AngleArea, "max" => Max,
+    "edge" => Edge, "quadric" => Quadric,
+}
 
-choices! { When {
-    "always" => Always: "all",
-    "missing" => Missing: "only those of corners without a normal",
-    "broken" => Broken: "also normals that are not finite, zero, or against their own face; other lengths are normalised",
-} }
+choices! { When: "always" => Always, "missing" => Missing, "broken" => Broken }
 
 pub fn confidence(text: &str) -> Result<Confidence, String> {
     match text.parse() {

@@ -3,19 +3,16 @@
 use crease::num::{LinearRgb, Srgb8};
 use glam::DVec3;
 
-/// A finite number.
 pub fn number(text: &str) -> Result<f64, String> {
     let number = text.trim().parse().ok().filter(|number: &f64| number.is_finite());
     number.ok_or_else(|| format!("{text:?} is not a finite number"))
 }
 
-/// A finite number that is not negative.
 pub fn not_negative(text: &str) -> Result<f64, String> {
     let number = number(text).ok().filter(|&number| number >= 0.0);
     number.ok_or_else(|| format!("{text:?} is not a finite number, 0 or more"))
 }
 
-/// Finite numbers between commas.
 pub fn finite_numbers(text: &str) -> Result<Vec<f64>, String> {
     text.split(',').map(number).collect()
 }

@@ -12,5 +12,4 @@ mod request;
 pub mod run;
 /// From symptoms to findings.
 mod symptoms;
-/// The report as text.
 mod text;

@@ -6,7 +6,6 @@ use crate::cli::common::input::{Source, check_root, expand};
 use crate::cli::common::output::{Target, is_same_file, resolve_parent};
 use std::path::Path;
 
-/// The inputs, if the command line is right.
 pub fn sources(args: &InspectArgs) -> Result<Vec<Source>, Failure> {
     check_root(args.root.as_ref())?;
     let found = expand(&args.inputs, args.recursive, None)?;
@@ -22,7 +21,9 @@ pub fn sources(args: &InspectArgs) -> Result<Vec<Source>, Failure> {
         )));
     }
     let sources: Vec<Source> = found.into_iter().map(|input| input.source).collect();
-    if args.against.as_deref().map(Source::of) == Some(Source::Stdin) && sources.contains(&Source::Stdin) {
+    if args.against.as_deref().map(Source::of) == Some(Source::Standard)
+        && sources.contains(&Source::Standard)
+    {
         return Err(Failure::usage("standard input can be read only once\nhelp: name one of the two files"));
     }
     check_outputs(&sources, args).map_err(Failure::usage)?;
@@ -31,13 +32,9 @@ pub fn sources(args: &InspectArgs) -> Result<Vec<Source>, Failure> {
 
 /// No picture may be written over an input, nor over the other picture.
 fn check_outputs(sources: &[Source], args: &InspectArgs) -> Result<(), String> {
-    let files = sources.iter().filter_map(|source| match source {
-        Source::File(path) => Some(path.as_path()),
-        Source::Stdin => None,
-    });
-    let inputs: Vec<&Path> = files.chain(args.against.as_deref()).collect();
+    let inputs: Vec<&Path> = sources.iter().filter_map(Source::path).chain(args.against.as_deref()).collect();
     let PictureArgs { html, heatmap, .. } = &args.pictures;
-    let is_file = |path: &Path| Target::of(path) != Target::Stdout;
+    let is_file = |path: &Path| Target::of(path) != Target::Standard;
     for output in [html, heatmap].into_iter().flatten().filter(|path| is_file(path)) {
         if let Some(input) = inputs.iter().find(|input| is_same_file(input, output)) {
             return Err(format!(

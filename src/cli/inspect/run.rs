@@ -6,13 +6,13 @@ use super::json::{Against, Counts, InspectReport};
 use super::request::sources;
 use super::symptoms;
 use super::text::{self, Layout};
-use crate::cli::args::{refused, usage_error};
 use crate::cli::common::console::{Console, HELP, Style, Verbosity, escaped};
 use crate::cli::common::failure::{Batch, Exit, Failure, exit_code, guarded};
 use crate::cli::common::input::Source;
 use crate::cli::common::options::Color;
-use crate::cli::common::output::Target;
+use crate::cli::common::output::{Target, stem};
 use crate::cli::common::progress::{FileProgress, Progress, Stage};
+use crate::cli::usage::{refused, usage_error};
 use crease::io::{Loaded, ReadOptions};
 use crease::num::Transfer;
 use crease::quality::catalogue::{Kind, entries};
@@ -25,13 +25,12 @@ use std::time::Instant;
 const NO_DEVIATION: &str =
     "no normals are stored: the picture shows no deviations\nhelp: compute normals with `crease normals`";
 
-/// Runs the verb.
 pub fn main(args: &InspectArgs, color: Color) -> Exit {
     let PictureArgs { html, heatmap, .. } = &args.pictures;
-    let to_stdout = [html, heatmap].into_iter().flatten().find(|path| Target::of(path) == Target::Stdout);
+    let to_stdout = [html, heatmap].into_iter().flatten().find(|path| Target::of(path) == Target::Standard);
     let console = Console::new(&args.run, color, to_stdout.map(|path| path.as_path()));
     if !args.findings.explain.is_empty() {
-        console.report(&explained(&args.findings.explain.join(" "), console.report_style()));
+        console.report(&explained(&args.findings.explain.join(" "), console.report_style));
         return exit_code(Ok(Exit::Done), &console);
     }
     let sources = match sources(args) {
@@ -67,7 +66,7 @@ fn run(sources: &[Source], args: &InspectArgs, console: &Console) -> Exit {
     let progress = Progress::of_inputs(console, sources);
     let read = ReadOptions { root: args.root.clone(), ..ReadOptions::default() };
     let thresholds = args.thresholds.resolve(args.findings.places);
-    let (mut batch, mut failed, mut exit) = (Batch::default(), None, Exit::Done);
+    let (mut batch, mut exit) = (Batch::new(sources.len()), Exit::Done);
     let mut outputs = HashSet::new();
     for source in sources {
         let mut report = InspectReport::new(source);
@@ -88,20 +87,11 @@ fn run(sources: &[Source], args: &InspectArgs, console: &Console) -> Exit {
             print(&report, args, sources.len() > 1, console);
         });
         if let Err(failure) = result {
-            batch.record(&report.input.path, &failure);
-            failed = Some(failure);
+            batch.record(&report.input.path, failure);
         }
     }
     drop(progress);
-    if sources.len() > 1 {
-        console.text(|| batch.summary(sources.len()));
-    }
-    let result = match failed {
-        Some(_) if sources.len() > 1 => Ok(Exit::PartOfBatch),
-        Some(failure) => Err(failure),
-        None => Ok(exit),
-    };
-    exit_code(result, console)
+    batch.finish(exit, console)
 }
 
 /// Reads, diagnoses and draws. `outputs` are the names of fixed versions so far: each input has its own.
@@ -142,10 +132,7 @@ fn inspect(
     }
     report.seconds.inspect = start.elapsed().as_secs_f64();
     report.hidden = keep_wanted(&mut diagnosis, &args.findings);
-    let stem = match source {
-        Source::File(path) => path.file_stem().unwrap_or_default().to_string_lossy(),
-        Source::Stdin => "stdin".into(),
-    };
+    let stem = source.path().map_or("stdin".into(), |path| stem(path).unwrap_or_default());
     let output = |number: String| format!("{stem}-fixed{number}.{}", loaded.format.extension());
     let numbers = (1..).map(|number| if number == 1 { String::new() } else { format!("-{number}") });
     report.fix_as =
@@ -166,7 +153,6 @@ struct Outcome {
     lacks_normals: bool,
 }
 
-/// Whether any part of a file has stored normals.
 fn has_normals(loaded: &Loaded) -> bool {
     let columns = loaded.parts.iter().map(|part| part.mesh.columns());
     columns.flat_map(|columns| &columns.normals).any(|normals| !normals.values.is_empty())
@@ -221,7 +207,7 @@ fn print(report: &InspectReport, args: &InspectArgs, brief: bool, console: &Cons
     }
     console.print(report, || {
         let verbose = console.verbosity == Verbosity::Verbose;
-        let style = console.report_style();
+        let style = console.report_style;
         let layout = Layout {
             style,
             verbose,

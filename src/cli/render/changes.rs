@@ -113,7 +113,6 @@ fn change_materials(args: &RenderArgs, file: &mut SceneFile) -> Result<(), Strin
     Ok(())
 }
 
-/// The lights of a scene with some replaced.
 fn lights(before: &[Light], new: &[Light], ambient: Option<LinearRgb>) -> Vec<Light> {
     let is_ambient = |light: &&Light| matches!(light, Light::Ambient { .. });
     let old_ambient = before.iter().filter(|light| is_ambient(light) && ambient.is_none());

@@ -15,11 +15,9 @@ use crease::report::{Animation, Panel, Picture, ReportError, encode_png, overlay
 pub struct Drawn {
     /// The file, unless it is stored already or none is wanted.
     pub bytes: Option<Vec<u8>>,
-    /// How many bytes it has.
     pub length: u64,
     pub size: [u32; 2],
     pub drawings: Vec<Drawing>,
-    /// The image, if there is just one.
     pub image: Option<Image>,
 }
 
@@ -29,17 +27,14 @@ impl Drawn {
     }
 }
 
-/// One drawing of the scene.
 #[derive(serde::Serialize)]
 pub struct Drawing {
-    /// The name of its panel or frame.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     #[serde(flatten)]
     pub statistics: Statistics,
 }
 
-/// Draws a changed scene, and turns it for an animation.
 pub fn draw(file: &mut SceneFile, request: &Request, progress: &Progress) -> Result<Drawn, Failure> {
     match request.subject {
         Subject::Picture => {
@@ -70,7 +65,6 @@ pub fn draw(file: &mut SceneFile, request: &Request, progress: &Progress) -> Res
     }
 }
 
-/// Draws a scene and its overlays.
 fn image(file: &SceneFile, settings: &RenderSettings, request: &Request) -> Result<Image, Failure> {
     let mut scene = file.scene();
     let kinds = &request.args.shading.overlay;
@@ -104,7 +98,6 @@ fn as_file(picture: &Picture, settings: &RenderSettings, kind: FileKind) -> Resu
 const TURN: u16 = 400;
 const SHORTEST: u16 = 2;
 
-/// How a turn of so many frames is shown.
 pub fn turn_of(frames: u16) -> Animation {
     Animation { frames: frames.into(), hundredths: (TURN / frames).max(SHORTEST) }
 }

@@ -66,7 +66,6 @@ impl<'a> Fields<'a> {
         self.take_or("attenuation", attenuation, Attenuation::None)
     }
 
-    /// Refuses fields that were not taken.
     fn finish(self) -> Result<(), String> {
         match self.pairs.first() {
             None => Ok(()),

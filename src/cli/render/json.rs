@@ -52,7 +52,6 @@ pub struct SceneReport {
     pub camera: Camera,
 }
 
-/// The settings that are reported.
 pub struct Settings(pub RenderSettings);
 
 #[derive(Debug, Default, Serialize)]
@@ -64,7 +63,6 @@ pub struct Seconds {
 }
 
 impl Report {
-    /// A report on an input that nothing has been done with yet.
     pub fn new(request: &Request) -> Self {
         Self {
             head: Head::new("crease-render/1"),

@@ -14,7 +14,6 @@ mod json;
 mod request;
 /// Loading, drawing and storing.
 pub mod run;
-/// The report as text.
 mod text;
 /// Rotating the objects of a scene.
 mod turn;

@@ -6,13 +6,13 @@ use super::draw::{Drawing, draw, turn_of};
 use super::json::{PictureReport, Report, SceneReport, Settings};
 use super::request::{Request, Subject};
 use super::{text, warnings};
-use crate::cli::args::usage_error;
 use crate::cli::common::console::{Console, HELP, escaped};
 use crate::cli::common::failure::{Exit, Failure, FailureKind, exit_code, guarded};
 use crate::cli::common::input::Source;
 use crate::cli::common::notes;
 use crate::cli::common::options::Color;
 use crate::cli::common::progress::Progress;
+use crate::cli::usage::usage_error;
 use crease::io::{Note, Place, ReadError};
 use crease::num::{Degrees, three_digits};
 use crease::raster::{Image, Object, Projection, SceneFile, Shading, Shape, Unseen, load};
@@ -20,7 +20,6 @@ use crease::report::{PixelReport, probe_pixel};
 use glam::DVec3;
 use std::time::Instant;
 
-/// Runs the verb.
 pub fn main(args: &RenderArgs, color: Color) -> Exit {
     let console = Console::new(&args.run, color, args.output.output.as_deref());
     if args.scene.scene_help {
@@ -162,7 +161,7 @@ fn run(request: &Request, console: &Console, report: &mut Report) -> Result<Exit
 fn read(request: &Request) -> Result<SceneFile, ReadError> {
     match &request.source {
         Source::File(path) => load(path, request.format, &request.load),
-        Source::Stdin => {
+        Source::Standard => {
             let loaded = request.source.read(request.format, &request.load.read, |_| ())?;
             SceneFile::from_loaded(loaded, &request.load)
         }
@@ -265,7 +264,7 @@ fn print(report: &Report, request: &Request, console: &Console) {
     console.print(report, || {
         notes::print(&report.input.path, &report.notes, false, console);
         let has_block = report.head.error.is_none() && report.probe.is_none();
-        if has_block { text::block(report, console.report_style()) } else { String::new() }
+        if has_block { text::block(report, console.report_style) } else { String::new() }
     });
     // A probe is printed even under --quiet.
     if let Some(probe) = report.probe.as_ref().filter(|_| !console.json) {

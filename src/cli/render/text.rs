@@ -11,7 +11,6 @@ use std::fmt::Write;
 /// More drawings than this are reported in one line.
 const EACH: usize = 8;
 
-/// One picture in full.
 pub fn block(report: &Report, style: Style) -> String {
     let mut out = style.paint(Style::BOLD, &escaped(&report.input.path));
     if let Some(output) = &report.output {

@@ -33,7 +33,6 @@ pub fn camera(file: &SceneFile) -> Camera {
     turned.unwrap_or(scene.camera)
 }
 
-/// Turns all objects about a point.
 pub fn turn(file: &mut SceneFile, rotation: DMat4, pivot: DVec3) {
     let map = DMat4::from_translation(pivot) * rotation * DMat4::from_translation(-pivot);
     for object in &mut file.objects {

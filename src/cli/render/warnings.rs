@@ -9,7 +9,6 @@ use crease::io::{Note, Place};
 use crease::raster::{FlatSample, RenderSettings, SceneFile, SceneObject, Shading, Show};
 use crease::report::Overlay;
 
-/// Notes on a scene that options have changed.
 pub fn notes(request: &Request, file: &SceneFile) -> Vec<Note> {
     let args = request.args;
     let panels = request.panels(&file.settings);
@@ -54,7 +53,6 @@ fn unlit(file: &SceneFile, panels: &[RenderSettings]) -> Option<&'static str> {
     }
 }
 
-/// Options that change nothing in the picture.
 fn without_effect(args: &RenderArgs, file: &SceneFile, panels: &[RenderSettings]) -> Vec<String> {
     let (shading, scene, colour, normals) = (&args.shading, &args.scene, &args.colour, &args.normals);
     let has = |wanted: &[Shading]| panels.iter().any(|panel| wanted.contains(&panel.shading));

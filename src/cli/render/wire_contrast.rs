@@ -7,7 +7,6 @@ use crease::raster::{RenderSettings, SceneFile, Shading, Show};
 /// The contrast that graphics need with what surrounds them: WCAG 2.1, success criterion 1.4.11.
 const LEAST_CONTRAST: f64 = 3.0;
 
-/// A wireframe that hardly differs from the background.
 pub fn faint_wireframe(file: &SceneFile, panels: &[RenderSettings]) -> Option<String> {
     let (wire, background, transfer) = (file.settings.wire.colour, file.background, file.settings.transfer);
     let is_drawn = file.settings.show == Show::Shaded
@@ -36,7 +35,6 @@ pub fn contrast(a: LinearRgb, b: LinearRgb, transfer: Transfer) -> f64 {
     a.max(b) / a.min(b)
 }
 
-/// The codes that a colour is written as.
 fn code(colour: LinearRgb, transfer: Transfer) -> Srgb8 {
     Srgb8(colour.to_array().map(|light| transfer.to_u8(light)))
 }

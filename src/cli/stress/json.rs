@@ -46,7 +46,6 @@ struct Error {
     fails: Option<bool>,
 }
 
-/// Counts over cases.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Summary {
     pub cases: usize,

@@ -11,14 +11,13 @@ use crease::trade::stress::{Group, StressCase, StressResult, cases_of};
 use rayon::prelude::*;
 use std::time::Instant;
 
-/// Runs the verb.
 pub fn main(args: &StressArgs, color: Color) -> Exit {
     let console = Console::new(&args.run, color, None);
     args.run.use_threads();
     let is_wanted = |group: &Group| args.only.is_empty() || args.only.contains(group);
     let cases: Vec<StressCase> = Group::ALL.into_iter().filter(is_wanted).flat_map(cases_of).collect();
     if args.list {
-        console.report(&text::list(&cases, console.report_style()));
+        console.report(&text::list(&cases, console.report_style));
         return exit_code(Ok(Exit::Done), &console);
     }
     let start = Instant::now();
@@ -29,7 +28,7 @@ pub fn main(args: &StressArgs, color: Color) -> Exit {
     let seconds = start.elapsed().as_secs_f64();
     let verbose = console.verbosity > Verbosity::Normal;
     console.print(&Report::new(&results, seconds), || {
-        text::table(&results, seconds, verbose, console.report_style())
+        text::table(&results, seconds, verbose, console.report_style)
     });
     for result in results.iter().filter(|result| !result.holds()) {
         console.error(&text::breach(result));

@@ -12,7 +12,6 @@ const HEADINGS: [&str; 6] = ["case", "allowed", "faithful", "fast", "plain f32",
 
 type Row = [String; 6];
 
-/// All results, group by group.
 pub fn table(results: &[StressResult], seconds: f64, verbose: bool, style: Style) -> String {
     let rows: Vec<Row> = results.iter().map(row).collect();
     let widths: [usize; 6] = std::array::from_fn(|column| {
@@ -117,7 +116,6 @@ fn error(worst: Worst, unit: Unit) -> String {
     }
 }
 
-/// A number with its unit.
 fn amount(x: f64, unit: Unit) -> String {
     let number = match x {
         0.0 => "0".to_owned(),
@@ -137,7 +135,6 @@ fn amount(x: f64, unit: Unit) -> String {
     }
 }
 
-/// The names of cases and what they compute.
 pub fn list(cases: &[StressCase], style: Style) -> String {
     let mut out = String::new();
     let width = cases.iter().map(|case| case.name.chars().count()).max().unwrap_or(0);
@@ -152,7 +149,6 @@ pub fn list(cases: &[StressCase], style: Style) -> String {
     out
 }
 
-/// What is wrong with a case that does not hold.
 pub fn breach(result: &StressResult) -> String {
     let (case, measured) = (result.case, result.measured);
     let (way, worst, bound) = match (measured.fast, case.fast_bound) {

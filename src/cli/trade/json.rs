@@ -22,7 +22,6 @@ pub struct Report {
 }
 
 impl Report {
-    /// A report in which nothing is measured yet.
     pub fn new(input: Option<String>) -> Self {
         Self { head: Head::new("crease-trade/1"), input, ..Self::default() }
     }

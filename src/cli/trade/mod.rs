@@ -6,5 +6,4 @@ pub mod args;
 mod json;
 /// Measuring.
 pub mod run;
-/// The report as text.
 mod text;

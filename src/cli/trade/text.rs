@@ -57,7 +57,6 @@ pub fn markdown(trade: &Trade) -> String {
     tables.map(|table| table.to_markdown()).join("\n")
 }
 
-/// The first line in bold.
 fn heading(text: &str, style: Style) -> String {
     let (first, rest) = text.split_once('\n').unwrap_or((text, ""));
     format!("{}\n{rest}", style.paint(Style::BOLD, first))

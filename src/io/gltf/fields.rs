@@ -32,7 +32,6 @@ impl<'a> Fields<'a> {
         Place::Json(format!("{}/{name}", self.json.pointer(self.object)))
     }
 
-    /// The fields of a member, which must be an object.
     pub fn child(&self, name: &str) -> Result<Option<Self>, ReadError> {
         let object =
             |value| (self.json.kind(value) == Kind::Object).then_some(Self { object: value, ..*self });
@@ -84,7 +83,6 @@ impl<'a> Fields<'a> {
         self.string(name)?.ok_or_else(|| self.missing(name))
     }
 
-    /// The string `name`, or an empty one.
     pub fn name(&self) -> Result<String, ReadError> {
         Ok(self.string("name")?.unwrap_or_default().into_owned())
     }
@@ -93,7 +91,6 @@ impl<'a> Fields<'a> {
         self.typed(name, "a finite number", |value| self.json.number(value).filter(|n| n.is_finite()))
     }
 
-    /// A list of exactly `N` numbers, all finite.
     pub fn numbers<const N: usize>(&self, name: &str) -> Result<Option<[f64; N]>, ReadError> {
         self.typed(name, &format!("a list of {N} finite numbers"), |value| {
             let mut numbers = [0.0; N];

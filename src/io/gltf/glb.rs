@@ -107,7 +107,6 @@ impl Glb {
     }
 }
 
-/// A new GLB file from JSON and BIN.
 pub fn glb(json: &str, bin: Vec<&[u8]>) -> Result<Vec<u8>, WriteError> {
     let has_bin = bin.iter().any(|piece| !piece.is_empty());
     let chunks = [(JSON, vec![json.as_bytes()]), (BIN, bin)];

@@ -293,7 +293,6 @@ fn values<T: Sync, U: Copy + Send + Sync>(
     vertices.map(|vertex| split.value(column, vertex).map_or(default, &convert)).collect()
 }
 
-/// Positions as `f32`, and their bounds.
 fn positions(split: &SplitMesh<'_>, notes: &mut Vec<Note>) -> Result<(Vec<[f32; 3]>, Bounds), WriteError> {
     let mesh = split.mesh;
     let rounded: Vec<[f32; 3]> = mesh.positions().par_iter().map(|p| p.as_vec3().to_array()).collect();

@@ -87,7 +87,6 @@ impl Format {
 #[derive(Clone, Debug)]
 pub struct Primitive {
     pub object: Value,
-    /// Its mesh, and its number in that.
     pub number: (usize, usize),
     pub vertices: VertexAccessors,
     /// The JSON objects that list the vertex accessors, one a set.

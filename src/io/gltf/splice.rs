@@ -48,7 +48,6 @@ impl<'a> Splices<'a> {
         self.objects.is_empty() && self.lists.is_empty()
     }
 
-    /// The text with all changes made.
     pub fn apply(mut self) -> String {
         let json = self.json;
         let mut splices: Vec<(Range<usize>, String)> = Vec::new();
@@ -65,7 +64,6 @@ impl<'a> Splices<'a> {
     }
 }
 
-/// An object's text with changes made to it.
 pub fn changed_object(json: &Json, object: Value, changes: &Changes) -> String {
     let mut splices = Vec::new();
     object_splices(json, object, changes, &mut splices);

@@ -4,11 +4,9 @@ use crate::io::Note;
 use crate::mesh::{ColumnIndex, Mesh, NONE, triangulate};
 use rustc_hash::FxHashMap;
 
-/// Triangles that become one primitive.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Group {
     pub label: u32,
-    /// Some corner of its faces has no normal.
     pub flat: bool,
 }
 

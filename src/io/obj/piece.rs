@@ -55,7 +55,6 @@ pub(super) struct Content {
     pub notes: RepeatedNotes,
 }
 
-/// The colour of a vertex without one.
 pub(super) const NO_COLOR: [f32; 4] = [f32::NAN; 4];
 
 /// Parses the statements of `text` that start in `range`, which must begin and end at line starts.
@@ -350,7 +349,6 @@ impl Indices {
         }
     }
 
-    /// Fills up with absent entries.
     #[inline]
     pub fn pad(&mut self, length: usize) {
         if self.values.len() < length {

@@ -66,7 +66,6 @@ impl Scalar {
         })
     }
 
-    /// Its name in one of the two styles.
     pub fn name(self, sized: bool) -> &'static str {
         let (_, plain, with_size) = NAMES[self as usize];
         if sized { with_size } else { plain }

@@ -1,0 +1,110 @@
+//! The help of the program. Its texts are in Fluent files next to the options, and are read only when help is printed.
+
+use super::args::Cli;
+use super::common::choice::english;
+use clap::{Command, CommandFactory};
+use crease::text::{Catalogue, Language};
+
+/// Texts of the program, and of options that several verbs have.
+static SHARED: Catalogue = english(include_str!("help.en.ftl"));
+
+/// The texts of each verb, and what its long help begins with.
+static VERBS: [(&str, Catalogue, &str); 7] = [
+    ("normals", english(include_str!("normals/help.en.ftl")), ""),
+    ("inspect", english(include_str!("inspect/help.en.ftl")), ""),
+    ("render", english(include_str!("render/help.en.ftl")), include_str!("render/syntax.txt")),
+    ("artefact", english(include_str!("artefact/help.en.ftl")), ""),
+    ("surface", english(include_str!("surface/help.en.ftl")), ""),
+    ("trade", english(include_str!("trade/help.en.ftl")), ""),
+    ("stress", english(include_str!("stress/help.en.ftl")), ""),
+];
+
+const EXIT_CODES: &str = include_str!("exit_codes.txt");
+
+/// The command line with all of its help.
+pub fn command() -> Command {
+    let program = described(Cli::command(), &SHARED, "").after_help(EXIT_CODES.trim_end());
+    let program = ["completions", "man"].into_iter().fold(program, |program, verb| {
+        program.mut_subcommand(verb, |command| described(command, &SHARED, &format!("{verb}-")))
+    });
+    VERBS.iter().fold(program, |program, (verb, texts, syntax)| {
+        let examples: String =
+            texts.list("example").iter().map(|text| format!("\n  {}", text.get(Language::English))).collect();
+        let short = format!("Examples:{examples}");
+        let long = format!("{syntax}\n{short}\n\n{EXIT_CODES}");
+        program.mut_subcommand(verb, |command| {
+            described(command, texts, "").after_help(short).after_long_help(long.trim().to_owned())
+        })
+    })
+}
+
+/// A command with its own help and that of its options, whose keys have a prefix.
+fn described(command: Command, texts: &Catalogue, prefix: &str) -> Command {
+    let text = |key: String| {
+        let texts = [texts, &SHARED].into_iter().find(|texts| texts.has(&key))?;
+        Some(texts.get(&key).get(Language::English).to_owned())
+    };
+    let about = text(format!("{prefix}about")).unwrap_or_default();
+    let command = match about.split_once("\n\n") {
+        Some((first, _)) => command.about(first.to_owned()).long_about(about),
+        None => command.about(about),
+    };
+    command.mut_args(|arg| match text(format!("{prefix}{}", arg.get_id()).replace('_', "-")) {
+        Some(help) => arg.help(help),
+        None => arg,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    fn keys(source: &str) -> impl Iterator<Item = &str> {
+        source
+            .lines()
+            .filter(|line| line.starts_with(|c: char| c.is_ascii_lowercase()))
+            .filter_map(|line| line.split(' ').next())
+    }
+
+    /// Every verb, option and value has its help, and every text is the help of one.
+    #[test]
+    fn all_help_is_there_and_used() {
+        let program = command();
+        let mut known: BTreeSet<String> =
+            ["about", "completions-about", "completions-shell", "man-about", "man-verb", "color"]
+                .map(str::to_owned)
+                .into();
+        let mut values = BTreeSet::new();
+        for (verb, ..) in &VERBS {
+            let command = program.find_subcommand(verb).unwrap();
+            assert!(command.get_about().is_some_and(|about| !about.to_string().is_empty()), "{verb}");
+            for arg in command.get_arguments() {
+                known.insert(arg.get_id().as_str().replace('_', "-"));
+                assert!(arg.get_help().is_some(), "{verb}: {}", arg.get_id());
+                for value in arg.get_possible_values() {
+                    let help = value.get_help().unwrap().to_string();
+                    assert!(!help.starts_with('{'), "{verb}: {help}");
+                    values.insert(help);
+                }
+            }
+        }
+        let sources = [
+            include_str!("help.en.ftl"),
+            include_str!("normals/help.en.ftl"),
+            include_str!("inspect/help.en.ftl"),
+            include_str!("render/help.en.ftl"),
+            include_str!("artefact/help.en.ftl"),
+            include_str!("surface/help.en.ftl"),
+            include_str!("trade/help.en.ftl"),
+            include_str!("stress/help.en.ftl"),
+        ];
+        for key in sources.into_iter().flat_map(keys).filter(|key| !key.starts_with("example-")) {
+            assert!(known.contains(key), "{key} is no option");
+        }
+        let texts = english(include_str!("common/values.en.ftl"));
+        for key in keys(include_str!("common/values.en.ftl")).filter(|key| !key.starts_with("color-")) {
+            assert!(values.contains(texts.get(key).get(Language::English)), "{key} is no value");
+        }
+    }
+}
