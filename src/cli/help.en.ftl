@@ -15,3 +15,9 @@ format = Format of the input [default: by content, else by name]
 recursive = Include all mesh files in folders and below, except hidden ones
 root = Further folder from which companion files (MTL, glTF buffers) may be read; the only one for standard input [default:
     the input's folder]
+
+## What `-h` shows of every verb.
+
+json-short = Report as JSON
+quiet-short = Report errors only
+verbose-short = Report details

@@ -9,7 +9,7 @@ use crease::text::{Catalogue, Language};
 static SHARED: Catalogue = english(include_str!("help.en.ftl"));
 
 /// The texts of each verb, and what its long help begins with.
-static VERBS: [(&str, Catalogue, &str); 7] = [
+pub static VERBS: [(&str, Catalogue, &str); 7] = [
     ("normals", english(include_str!("normals/help.en.ftl")), ""),
     ("inspect", english(include_str!("inspect/help.en.ftl")), ""),
     ("render", english(include_str!("render/help.en.ftl")), include_str!("render/syntax.txt")),
@@ -24,35 +24,38 @@ const EXIT_CODES: &str = include_str!("exit_codes.txt");
 /// The command line with all of its help.
 pub fn command() -> Command {
     let program = described(Cli::command(), &SHARED, "").after_help(EXIT_CODES.trim_end());
-    let program = ["completions", "man"].into_iter().fold(program, |program, verb| {
-        program.mut_subcommand(verb, |command| described(command, &SHARED, &format!("{verb}-")))
-    });
-    VERBS.iter().fold(program, |program, (verb, texts, syntax)| {
-        let examples: String =
-            texts.list("example").iter().map(|text| format!("\n  {}", text.get(Language::English))).collect();
+    let program = VERBS.iter().fold(program, |program, (verb, texts, syntax)| {
+        let examples = texts.list("example").into_iter();
+        let examples: String = examples.map(|text| format!("\n  {}", text.get(Language::English))).collect();
         let short = format!("Examples:{examples}");
         let long = format!("{syntax}\n{short}\n\n{EXIT_CODES}");
         program.mut_subcommand(verb, |command| {
             described(command, texts, "").after_help(short).after_long_help(long.trim().to_owned())
         })
+    });
+    ["completions", "man"].into_iter().fold(program, |program, verb| {
+        program.mut_subcommand(verb, |command| described(command, &SHARED, &format!("{verb}-")))
     })
 }
 
 /// A command with its own help and that of its options, whose keys have a prefix.
 fn described(command: Command, texts: &Catalogue, prefix: &str) -> Command {
-    let text = |key: String| {
-        let texts = [texts, &SHARED].into_iter().find(|texts| texts.has(&key))?;
-        Some(texts.get(&key).get(Language::English).to_owned())
-    };
-    let about = text(format!("{prefix}about")).unwrap_or_default();
+    let about = text(texts, &format!("{prefix}about")).unwrap_or_default();
     let command = match about.split_once("\n\n") {
         Some((first, _)) => command.about(first.to_owned()).long_about(about),
         None => command.about(about),
     };
-    command.mut_args(|arg| match text(format!("{prefix}{}", arg.get_id()).replace('_', "-")) {
+    command.mut_args(|arg| match text(texts, &format!("{prefix}{}", arg.get_id())) {
         Some(help) => arg.help(help),
         None => arg,
     })
+}
+
+/// The text of a key, a verb's own or a shared one; in keys, hyphens replace the underscores of option ids.
+pub fn text(texts: &Catalogue, key: &str) -> Option<String> {
+    let key = key.replace('_', "-");
+    let texts = [texts, &SHARED].into_iter().find(|texts| texts.has(&key))?;
+    Some(texts.get(&key).get(Language::English).to_owned())
 }
 
 #[cfg(test)]
@@ -82,7 +85,7 @@ mod tests {
             for arg in command.get_arguments() {
                 known.insert(arg.get_id().as_str().replace('_', "-"));
                 assert!(arg.get_help().is_some(), "{verb}: {}", arg.get_id());
-                for value in arg.get_possible_values() {
+                for value in arg.get_possible_values().iter().filter(|_| arg.get_action().takes_values()) {
                     let help = value.get_help().unwrap().to_string();
                     assert!(!help.starts_with('{'), "{verb}: {help}");
                     values.insert(help);
@@ -100,7 +103,7 @@ mod tests {
             include_str!("stress/help.en.ftl"),
         ];
         for key in sources.into_iter().flat_map(keys).filter(|key| !key.starts_with("example-")) {
-            assert!(known.contains(key), "{key} is no option");
+            assert!(known.contains(key.trim_end_matches("-short")), "{key} is no option");
         }
         let texts = english(include_str!("common/values.en.ftl"));
         for key in keys(include_str!("common/values.en.ftl")).filter(|key| !key.starts_with("color-")) {

@@ -25,3 +25,16 @@ exponent = Exponent of the highlight
 weight = Weight of faces in vertex normals
 crease = Crease angle of the cure
 interpolation = Interpolation in the animation of `orientation`; its pictures show all kinds
+
+## What `-h` shows.
+
+output-short = Folder for the page, pictures (PNG) and plots (SVG)
+lang-short = Language of pages, captions and tables
+animate-short = GIF file for the animation of the experiment
+mesh-short = Mesh to run the experiment on, or `-` for standard input
+size-short = Width and height of each picture in pixels, 32 to 1024
+segments-short = Segments of a circle, or cells of a grid
+light-short = Angle of the light, in most experiments from the view direction
+exponent-short = Exponent of the highlight
+weight-short = Weight of faces in vertex normals
+crease-short = Crease angle of the cure

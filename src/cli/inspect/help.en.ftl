@@ -48,3 +48,19 @@ band = Change of slope at an edge that shows as a Mach band, in 8-bit steps a pi
 terminator = Maximum angle between a normal and its face before shadows break up, in degrees [default: 20]
 outline = Maximum deviation of an outline from its curve, in pixels [default: 1]
 size = Width of the mesh on the screen for outlines and bands, in pixels [default: 512]
+
+## What `-h` shows.
+
+recursive-short = Include all mesh files in folders and below, except hidden ones
+against-short = Compare with this file of the same shape
+html-short = File for a page with pictures, histograms and explanations
+heatmap-short = PNG file for the mesh coloured by the deviation of its stored normals
+view-short = View direction of the pictures
+severity-short = Report only findings of at least this severity [default: note in JSON, warning in text without -v]
+fail-on-short = Exit with code 1 if a reported finding has at least this severity
+only-short = Report only these findings
+ignore-short = Omit these findings
+explain-short = Explain findings by id or symptom (faceted, dark, seam, inside out)
+deviation-short = Maximum angle between a stored normal and the one computed with the estimated recipe [default: 15]
+seam-short = Maximum angle between the normals on both sides of a smooth edge [default: 2]
+past-crease-short = Maximum dihedral angle of an edge with one normal on both sides beyond the crease angle [default: 10]

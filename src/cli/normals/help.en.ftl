@@ -33,3 +33,19 @@ confidence = Minimum confidence for --orient outward to reverse an open componen
 force = Drop faces whose positions are infinite or not a number, instead of refusing the file
 tangents = Treatment of tangents when normals change
 normal-format = Storage of normals in glTF; other formats have no choice, and a warning says so
+
+## What `-h` shows.
+
+output-short = Output file, or `-` for standard output (one input only)
+out-dir-short = Output folder, created if necessary
+in-place-short = Replace each input
+to-short = Format of the output [default: by name, else that of the input]
+recursive-short = Include all mesh files in folders and below, except hidden ones
+dry-run-short = Do everything except writing
+weight-short = Weight of each face at a corner
+crease-short = Crease angle in degrees [default: 40 without smoothing groups]
+hard-edges-short = Further edges to keep sharp
+when-short = Stored normals to replace
+emit-short = Kind of normals to write
+orient-short = Reverse faces so that neighbours agree
+degenerate-short = Treatment of faces without area

@@ -52,3 +52,23 @@ literal = Switch all guards off, except those that --guard switches on
 terminator = Light on faces that point away from it under interpolated normals that do not, in Phong shading [default: smooth]
 tone = Treatment of colours above 1 [default: clamp]
 transfer = Transfer from linear light to codes [default: srgb; for --show normals and depth, direct]
+
+## What `-h` shows.
+
+output-short = Output picture, PNG or GIF by its name, or `-` for standard output
+size-short = Width and height in pixels, each up to 16384 [default: 640x480]
+samples-short = Samples per pixel, each shaded separately [default: 4]
+compare-short = Draw panels side by side that differ in shading or interpolation
+turntable-short = Draw an animation of N frames
+probe-short = Print the numbers behind a pixel, from 0 at the upper left
+shading-short = Where colours are computed [default: phong]
+interpolation-short = Interpolation of values over a face [default: perspective]
+show-short = Draw normals, facing, depth, face-id or deviation in place of light
+overlay-short = Draw lines over the picture
+scene-help-short = Print the keys of scene files and exit
+camera-short = Camera [default: frames the mesh, 30° from top to bottom]
+light-short = Light, in place of all lights of the scene except ambient light
+material-short = Material of all objects
+weight-short = Weight of each face at a corner [default: angle]
+crease-short = Crease angle in degrees [default: 40 without smoothing groups]
+when-short = Stored normals to replace [default: all]

@@ -12,3 +12,8 @@ example-3 = crease stress --json > stress.json
 
 only = Run only these groups of cases; repeatable
 list = List the cases without running them
+
+## What `-h` shows.
+
+only-short = Run only these groups of cases
+list-short = List the cases without running them

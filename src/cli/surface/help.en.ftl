@@ -33,3 +33,21 @@ jitter = Random displacement of vertices within the surface, in cells, from 0 to
 noise = Random displacement of vertices along the normal, in mean edge lengths, from 0 to 1. Normals stay
 seed = Seed of the random numbers
 uv = Write the parameters as texture coordinates, which splits vertices at seams in most formats
+
+## What `-h` shows.
+
+output-short = Output file, or `-` for standard output
+to-short = Format of the output [default: by name]
+radius-short = Radius of a sphere, a cylinder, or the base of a cone [default: 1]
+height-short = Height of a cylinder or a cone
+size-short = Plane, wave or saddle [default: 2]
+semi-axes-short = Semi-axes along x, y and z of an ellipsoid
+scale-short = Stretch the surface, by one factor or along each axis
+offset-short = Move the surface, after scaling
+pattern-short = Arrangement of vertices and faces
+segments-short = Cells in both directions [default: 64x32]
+level-short = Subdivisions of an icosphere [default: 3]
+jitter-short = Random displacement of vertices within the surface
+noise-short = Random displacement of vertices along the normal
+seed-short = Seed of the random numbers
+uv-short = Write the parameters as texture coordinates

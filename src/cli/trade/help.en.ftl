@@ -15,3 +15,11 @@ quick = Measure less, in some seconds
 full = Measure more: finer meshes and larger pictures, in some minutes
 markdown = Print the main tables as Markdown
 crease = Crease angle of the input in degrees; `off` for none [default: 40 without smoothing groups]
+
+## What `-h` shows.
+
+output-short = Folder for an HTML page with plots and pictures
+quick-short = Measure less, in some seconds
+full-short = Measure more
+markdown-short = Print the main tables as Markdown
+crease-short = Crease angle of the input in degrees [default: 40 without smoothing groups]
