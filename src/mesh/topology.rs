@@ -108,12 +108,18 @@ impl Topology {
         (corner_vertices[half_edge as usize], corner_vertices[self.next(half_edge) as usize])
     }
 
+    /// Whether the face of a corner has no edge at all: fewer than three distinct vertices or positions.
+    pub(crate) fn is_collapsed(&self, corner: u32) -> bool {
+        let next = |&at: &u32| Some(self.next(at)).filter(|&next| next != corner);
+        std::iter::successors(Some(corner), next).all(|half_edge| self.link(half_edge) == Link::Collapsed)
+    }
+
     /// The corners at a vertex, ascending.
     pub fn corners_at(&self, vertex: u32) -> &[u32] {
         self.rings.at(vertex as usize)
     }
 
-    /// Whether an edge at this vertex is joined to one of another vertex: its fan continues there.
+    /// Whether an edge at this vertex is joined to one of another vertex, or has no length: its fan continues there.
     #[inline]
     pub fn is_welded(&self, vertex: u32) -> bool {
         !self.welded_vertices.is_empty() && self.welded_vertices[vertex as usize]
@@ -235,12 +241,12 @@ mod tests {
         let handing: [&[u32]; 3] = [&[0, 1, 2], &[2, 1, 6], &[5, 4, 3]];
         let topology = Topology::build(&mesh(&positions, &handing), Weld::Exact);
         assert_eq!((topology.link(1), topology.link(5)), (Link::Twin(3), Link::Welded(7)));
-        assert_eq!(topology.link(4), Link::Boundary, "it has no length");
+        assert_eq!(topology.link(4), Link::Collapsed, "it has no length");
         // On its own, it is left out, and the two sides meet.
         let alone: [&[u32]; 3] = [&[0, 1, 2], &[7, 8, 6], &[5, 4, 3]];
         let topology = Topology::build(&mesh(&positions, &alone), Weld::Exact);
         assert_eq!((topology.link(1), topology.link(7)), (Link::Welded(7), Link::Welded(1)));
-        assert_eq!([3, 4, 5].map(|h| topology.link(h)), [Link::Boundary; 3]);
+        assert_eq!([3, 4, 5].map(|h| topology.link(h)), [Link::Boundary, Link::Boundary, Link::Collapsed]);
     }
 
     #[test]

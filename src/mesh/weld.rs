@@ -35,6 +35,9 @@ impl Topology {
     /// Cost as of [`by_index`](Self::by_index).
     pub fn build(mesh: &Mesh, weld: Weld) -> Self {
         let mut topology = Self::by_index(mesh.faces(), mesh.vertex_count());
+        if weld != Weld::Off {
+            topology.collapse_edges_without_length(mesh);
+        }
         topology.weld(mesh, weld);
         topology
     }
@@ -45,6 +48,30 @@ impl Topology {
         let mut topology = Self::build(mesh, Weld::Exact);
         let near = if fraction > 0.0 { topology.weld(mesh, Weld::Relative(fraction)) } else { 0 };
         (topology, near)
+    }
+
+    /// Marks the edges whose two ends are different vertices at equal positions: fans of the two go on into each other. So the
+    /// pole of a sphere whose first row is many vertices at one position has one fan.
+    fn collapse_edges_without_length(&mut self, mesh: &Mesh) {
+        let (corners, positions) = (mesh.faces().corners(), mesh.positions());
+        let targets = &mesh.columns().morph_targets;
+        let has_no_length = |&half_edge: &u32| {
+            let (tail, head) = self.ends(corners, half_edge);
+            let coincide = |of: &[DVec3]| of[tail as usize] == of[head as usize];
+            tail != head && coincide(positions) && targets.iter().all(|target| coincide(target))
+        };
+        let found: Vec<u32> = (0..corners.len() as u32).into_par_iter().filter(has_no_length).collect();
+        for half_edge in found {
+            self.links.set(half_edge, PackedLink::new(Link::Collapsed).0);
+            self.mark_welded(mesh, half_edge);
+        }
+    }
+
+    fn mark_welded(&mut self, mesh: &Mesh, half_edge: u32) {
+        self.welded_vertices.resize(mesh.vertex_count(), false);
+        let (tail, head) = self.ends(mesh.faces().corners(), half_edge);
+        self.welded_vertices[tail as usize] = true;
+        self.welded_vertices[head as usize] = true;
     }
 
     /// Joins boundary edges whose ends coincide; returns the number of their half-edges.
@@ -66,10 +93,7 @@ impl Topology {
             let link = self.link(half_edge);
             joined += usize::from(link != Link::Boundary);
             if let Link::Welded(_) = link {
-                self.welded_vertices.resize(mesh.vertex_count(), false);
-                let (tail, head) = self.ends(corners, half_edge);
-                self.welded_vertices[tail as usize] = true;
-                self.welded_vertices[head as usize] = true;
+                self.mark_welded(mesh, half_edge);
             }
         }
         joined

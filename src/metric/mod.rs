@@ -6,11 +6,12 @@
 //! - [`Profile`]: luminance along a scanline.
 //! - [`DifferenceOfGaussians`]: the overshoot that lateral inhibition *predicts* there.
 //! - [`Highlight`]: where the brightest spot is, and how it differs from the true one.
+//! - [`flip`]: the visible difference of pictures that alternate (ꟻLIP).
 //! - [`normal_deviation`]: the angle between normals, pixel by pixel.
 //!
 //! All of them read linear samples before any rounding, so pictures are to be drawn with
-//! [`keep_linear`](crate::raster::RenderSettings::keep_linear). They are numbers of pictures, not of perception: none says
-//! that a difference is visible. Places are in pixels from a picture's upper left corner, y down, pixel centres at +½.
+//! [`keep_linear`](crate::raster::RenderSettings::keep_linear). All but [`flip`] are numbers of pictures, not of
+//! perception: they do not say that a difference is visible. Places are in pixels from a picture's upper left corner, y down, pixel centres at +½.
 
 // Errors, and pixels in pairs.
 mod pairs;
@@ -22,6 +23,8 @@ mod deviation;
 mod contour;
 // Distances between outlines.
 mod distance;
+// The visible difference of pictures that alternate.
+mod flip;
 // The brightest spot.
 mod highlight;
 // Pictures with known numbers.
@@ -34,6 +37,7 @@ pub use contour::Contour;
 pub use deviation::{NormalDeviation, normal_deviation};
 pub use difference::{Difference, ImageError, image_error};
 pub use distance::{ContourDistance, Distances, contour_distance};
+pub use flip::{FLIP_PIXELS_PER_DEGREE, Flip, flip};
 pub use highlight::{Highlight, HighlightChange};
 pub use pairs::MetricError;
 pub use profile::{DifferenceOfGaussians, PIXELS_PER_DEGREE, Profile};

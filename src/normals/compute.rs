@@ -10,7 +10,7 @@ use crate::normals::faces::positions::Positions;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::fallback::fallback_normals::{FaceField, FallbackNormals, corner_faults, face_faults};
 use crate::normals::fault::{Fault, FaultReason, Faults};
-use crate::normals::field::{Extras, NormalField, Summary};
+use crate::normals::field::{Extras, NearCancellation, NormalField, Summary};
 use crate::normals::fits::quadric::{QuadricRequest, quadric_normals};
 use crate::normals::recipe::{Groups, NormalRecipe, Precision, Weight};
 use crate::normals::sums::corner_sums::TermTable;
@@ -168,6 +168,7 @@ impl<'a> Shape<'a> {
             faces_before_groups: faces_before_groups(mesh, recipe),
             referenced_vertices: groups.entry_vertex.chunk_by(|a, b| a == b).count(),
             fast_declined: sums.fast_declined,
+            near_cancellation: near_cancellation(&sums.sums.state, &groups),
             ..Summary::default()
         };
         summary.splits = groups.entry_vertex.len() - summary.referenced_vertices;
@@ -258,8 +259,7 @@ impl<'a> Shape<'a> {
             }
         };
         // What is left of a cancelling sum is no frame to fit in.
-        for (unit, _) in sums.unit.iter_mut().zip(&sums.state).filter(|(_, state)| **state != SlotState::Good)
-        {
+        for (unit, _) in sums.unit.iter_mut().zip(&sums.state).filter(|(_, state)| !state.has_normal()) {
             *unit = DVec3::ZERO;
         }
         let request = QuadricRequest {
@@ -279,6 +279,14 @@ fn gather_sums(request: &SumRequest, members: &SlotCorners) -> Sums {
     let slots = (0..request.slots as u32).into_par_iter();
     let (unit, state) = slots.map_init(Vec::new, |terms, slot| table.mean(members.row(slot), terms)).unzip();
     Sums { unit, state }
+}
+
+fn near_cancellation(states: &[SlotState], groups: &SmoothGroups) -> NearCancellation {
+    if states.par_iter().all(|state| state.near_cancellation().is_none()) {
+        return NearCancellation::default();
+    }
+    let entries = 0..groups.entry_vertex.len() as u32;
+    NearCancellation::of(entries.filter_map(|entry| states[groups.slot(entry) as usize].near_cancellation()))
 }
 
 fn faces_before_groups(mesh: &Mesh, recipe: &NormalRecipe) -> usize {
@@ -316,6 +324,82 @@ mod tests {
         let bit = |i: u32, b: u32| f64::from(i >> b & 1);
         let positions = (0..8).map(|i| DVec3::new(bit(i, 0), bit(i, 1), bit(i, 2))).collect();
         MeshBuilder { positions, faces, columns, ..MeshBuilder::default() }.build().unwrap()
+    }
+
+    /// A UV sphere about z whose poles are rows of coincident vertices, as exporters of capsules write them.
+    fn sphere_with_rows_at_poles(segments: u32, rings: u32, quads: bool) -> Mesh {
+        let mut positions = Vec::new();
+        for ring in 0..=rings {
+            let (height, radius) = match ring {
+                0 => (1.0, 0.0),
+                ring if ring == rings => (-1.0, 0.0),
+                _ => {
+                    let (sin, cos) = libm::sincos(std::f64::consts::PI * f64::from(ring) / f64::from(rings));
+                    (cos, sin)
+                }
+            };
+            positions.extend((0..segments).map(|segment| {
+                let (sin, cos) =
+                    libm::sincos(std::f64::consts::TAU * f64::from(segment) / f64::from(segments));
+                DVec3::new(radius * cos, radius * sin, height)
+            }));
+        }
+        let mut faces = Faces::new();
+        for (ring, segment) in (0..rings).flat_map(|ring| (0..segments).map(move |segment| (ring, segment))) {
+            let vertex = |down: u32, right: u32| (ring + down) * segments + (segment + right) % segments;
+            let [a, b, c, d] = [vertex(0, 0), vertex(1, 0), vertex(1, 1), vertex(0, 1)];
+            match quads {
+                true => faces.push(&[a, b, c, d]),
+                false => [[a, b, c], [a, c, d]].iter().for_each(|face| faces.push(face)),
+            }
+        }
+        MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap()
+    }
+
+    /// Zero-area faces at a pole are no gap: all vertices there have the normal of the whole fan, and stay separate.
+    #[test]
+    fn fans_of_coincident_vertices_at_a_pole_are_one() {
+        for (quads, weight) in
+            [false, true].into_iter().flat_map(|quads| Weight::ALL.map(|weight| (quads, weight)))
+        {
+            let mesh = sphere_with_rows_at_poles(24, 12, quads);
+            for crease in [Crease::OFF, Crease::Angle(Degrees(40.0))] {
+                let recipe = NormalRecipe { crease, weight, ..NormalRecipe::default() };
+                let field = compute(&mesh, &recipe);
+                assert_eq!((field.summary.splits, field.faults.corners.len()), (0, 0), "{weight:?} {quads}");
+                for (normal, &vertex) in field.normals.values.iter().zip(&field.entry_vertex) {
+                    let position = mesh.position(vertex);
+                    if position.x == 0.0 && position.y == 0.0 {
+                        // The fan is symmetric: only rounding is left.
+                        assert!(normal.distance(position) < 1e-12, "{weight:?} {quads}: {normal}");
+                    }
+                }
+            }
+            // A quadric finds the pole from any of its sides.
+            if weight != Weight::Quadric {
+                let recipe = NormalRecipe { weld: Weld::Off, weight, ..NormalRecipe::default() };
+                let tilt = compute(&mesh, &recipe).normals.values[0].distance(DVec3::Z);
+                assert!(tilt > 0.01, "{weight:?} {quads}: without welding each vertex has faces of its own");
+            }
+        }
+    }
+
+    /// Creases cut the joined fan as they cut others: a pyramid of six sides whose tip is six vertices.
+    #[test]
+    fn creases_cut_the_fan_of_coincident_vertices() {
+        let mesh = sphere_with_rows_at_poles(6, 2, false);
+        let sharp =
+            compute(&mesh, &NormalRecipe { crease: Crease::Angle(Degrees(20.0)), ..NormalRecipe::default() });
+        for corner in 0..mesh.faces().corner_count() {
+            let face = corner / 3;
+            if sharp.face_normals[face].z > 0.0
+                && !sharp.faults.faces.iter().any(|f| f.index as usize == face)
+            {
+                let vertex = mesh.faces().corners()[corner];
+                let normal = sharp.normals.get(corner, vertex).unwrap();
+                assert!(normal.distance(sharp.face_normals[face]) < 1e-12, "{corner}");
+            }
+        }
     }
 
     #[test]
@@ -372,6 +456,41 @@ mod tests {
         let hard_edges = HardEdges { authored: true, ..HardEdges::default() };
         let recipe = NormalRecipe { crease: Crease::OFF, hard_edges, ..NormalRecipe::default() };
         assert_eq!(compute(&mesh, &recipe).summary.edges.marked, 12);
+    }
+
+    /// A fan around an apex far above a flat polygon sums to the polygon's vector area, wherever the apex is. Its sides nearly
+    /// cancel, so that κ is about the height.
+    #[test]
+    fn sums_are_given_up_only_if_their_error_bound_is_large() {
+        let mut numbers = Numbers::new(5);
+        for (height, expected) in [
+            (2e6, NearCancellation::default()),
+            (1e9, NearCancellation { normals: 1, bound: 1e-5 }),
+            (2e10, NearCancellation { normals: 1, bound: 1e-4 }),
+            (1.5e11, NearCancellation { normals: 1, bound: 1e-3 }),
+            (1e13, NearCancellation::default()),
+        ] {
+            let mut positions = vec![DVec3::new(0.3, -0.2, height)];
+            positions.extend((0..8).map(|i| {
+                let (sin, cos) =
+                    libm::sincos(0.1 * numbers.unit() + f64::from(i) * std::f64::consts::FRAC_PI_4);
+                DVec3::new(cos, sin, 0.0)
+            }));
+            let faces = (0..8).flat_map(|i| [0, 1 + i, 1 + (i + 1) % 8]).collect();
+            let mesh = MeshBuilder { positions, faces: Faces::triangles(faces), ..MeshBuilder::default() };
+            let recipe =
+                NormalRecipe { crease: Crease::OFF, weight: Weight::Area, ..NormalRecipe::default() };
+            let field = compute(&mesh.build().unwrap(), &recipe);
+            let is_lost = height > 1e12;
+            assert_eq!(
+                Faults::count(&field.faults.corners, FaultReason::CancellingFan) > 0,
+                is_lost,
+                "{height}"
+            );
+            assert_eq!(field.summary.near_cancellation, expected, "{height}");
+            let error = field.normals.values[0].distance(DVec3::Z);
+            assert!(is_lost || error <= expected.bound.max(1e-6), "{height}: {error}");
+        }
     }
 
     /// The two sides of a leaf cancel at every vertex that they share: the result is one of them, and is counted.

@@ -7,7 +7,8 @@ pub enum FaultReason {
     ZeroArea,
     /// A face lower than the rounding of its own coordinates: its direction is noise.
     BelowStorage,
-    /// Weighted face normals that cancel: Σ|w| / |Σ w n̂| above 1e6.
+    /// Weighted face normals that cancel: with κ = Σ|w| / |Σ w n̂|, the error bound 2⁻⁵³ (n + 20) κ of a sum of n faces is
+    /// above 10⁻³ rad. That is κ above 3·10¹¹ for six faces.
     CancellingFan,
     /// A position that is infinite or not a number.
     NonFinite,

@@ -54,6 +54,8 @@ pub struct Summary {
     /// Edges whose dihedral angle is within 0.1° of the crease angle, or within what the digits allow where positions were
     /// rounded to few decimals: as far as the normals of the two faces can have turned by that.
     pub near_crease: usize,
+    /// Normals kept although the weighted normals of their faces nearly cancel, and the bound on their error.
+    pub near_cancellation: NearCancellation,
     /// Chains of crease edges; none are counted if any edge is [`marked`](EdgeCounts::marked) or none is smooth.
     pub crease_chains: CreaseChains,
     /// The crease angle applied, in degrees; `None` where smoothing groups decide alone.
@@ -70,6 +72,35 @@ pub struct Summary {
     pub faces_before_groups: usize,
     /// Whether `fast` left its promised range and `faithful` was used instead.
     pub fast_declined: bool,
+}
+
+/// Entries whose sum is right to no more than 10⁻⁶ rad, because its terms nearly cancel. Above 10⁻³ rad they are faults:
+/// [`FaultReason::CancellingFan`](crate::normals::FaultReason::CancellingFan).
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
+pub struct NearCancellation {
+    /// How many.
+    pub normals: usize,
+    /// No error is larger, in radians: 10⁻⁵, 10⁻⁴ or 10⁻³.
+    pub bound: f64,
+}
+
+impl NearCancellation {
+    /// Of sums with these bounds.
+    pub(crate) fn of(bounds: impl Iterator<Item = f64>) -> Self {
+        bounds.fold(Self::default(), Self::with)
+    }
+
+    fn with(self, bound: f64) -> Self {
+        Self { normals: self.normals + 1, bound: self.bound.max(bound) }
+    }
+}
+
+impl std::ops::Add for NearCancellation {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { normals: self.normals + other.normals, bound: self.bound.max(other.bound) }
+    }
 }
 
 /// Edges by what they are. An edge that is hard for several reasons is counted under the first that applies.

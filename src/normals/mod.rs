@@ -27,12 +27,13 @@ pub use crate::mesh::Weld;
 pub(crate) use compute::compute_from;
 pub use compute::{compute, compute_on, compute_with};
 pub use creases::chains::CreaseChains;
+pub use creases::dihedral_test::crease_slack;
 pub(crate) use creases::dihedral_test::{CreaseTest, SLACK_DEGREES};
 pub(crate) use fallback::fallback_normals::FaceField;
 pub use fallback::replace::{Broken, LENGTH_TOLERANCE, When};
 pub use fallback::select::{Selection, select};
 pub use fault::{Fault, FaultReason, Faults};
-pub use field::{EdgeCounts, Extras, NormalField, Summary};
+pub use field::{EdgeCounts, Extras, NearCancellation, NormalField, Summary};
 pub use recipe::{
     Averaging, Crease, CreaseRule, Groups, HardEdges, NormalRecipe, Precision, Scope, Slivers, Weight,
 };

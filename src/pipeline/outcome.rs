@@ -2,7 +2,7 @@
 
 use crate::io::Part;
 use crate::mesh::Orientation;
-use crate::normals::{CreaseChains, EdgeCounts, Fault, Faults, Selection};
+use crate::normals::{CreaseChains, EdgeCounts, Fault, Faults, NearCancellation, Selection};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -69,6 +69,9 @@ pub struct PartOutcome {
     pub crease_degrees: Option<f64>,
     /// Edges near the crease angle: [`Summary::near_crease`](crate::normals::Summary::near_crease).
     pub near_crease: usize,
+    /// Normals from sums that nearly cancel; not in JSON if there are none.
+    #[serde(skip_serializing_if = "is_exact")]
+    pub near_cancellation: NearCancellation,
     /// Chains of crease edges.
     #[serde(skip)]
     pub crease_chains: CreaseChains,
@@ -105,6 +108,10 @@ pub struct PartOutcome {
     pub faces_before_groups: usize,
     /// Whether `fast` was not applicable and `faithful` was used.
     pub fast_declined: bool,
+}
+
+fn is_exact(sums: &NearCancellation) -> bool {
+    sums.normals == 0
 }
 
 impl PartOutcome {

@@ -93,6 +93,7 @@ fn revise_part(
         splits: summary.splits,
         crease_degrees: summary.crease_degrees,
         near_crease: summary.near_crease,
+        near_cancellation: summary.near_cancellation,
         crease_chains: summary.crease_chains,
         edges: summary.edges,
         quadric_fallbacks: summary.quadric_fallbacks,

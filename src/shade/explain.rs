@@ -7,7 +7,6 @@ use super::material::Material;
 use super::settings::{Guards, ShadeSettings};
 use super::shader::{Shader, SurfacePoint, View};
 use super::source::{Highlight, Incoming, LightTerm, PreparedPoint};
-
 use crate::num::{Nine, NineEach};
 use glam::DVec3;
 use serde::Serialize;

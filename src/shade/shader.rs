@@ -6,7 +6,6 @@ use super::light::Light;
 use super::material::Material;
 use super::settings::{Frame, Guards, ShadeSettings, Terminator, ToneRule, Viewer};
 use super::source::{Highlight, Incoming, LightTerm, PreparedPoint, Source, in_frame};
-
 use crate::num::{LinearRgb, Power, Real, Underflow};
 use glam::DVec3;
 

@@ -9,7 +9,7 @@ use super::prelude::*;
 use crate::metric::normal_deviation;
 use crate::normals::encoding::{Encoding, Snorm};
 use crate::num::steepest_slope;
-use sphere::{SPECULAR, bound, look, material, needed};
+use sphere::{SPECULAR, bound, draw_close_up, material, needed};
 use std::f64::consts::FRAC_1_SQRT_2;
 
 static TEXTS: Catalogue = catalogue!("texts");
@@ -40,8 +40,9 @@ fn run(setup: &Setup) -> Result<Outcome> {
     let mut out = Recorder::new(&TEXTS, &values);
     let spheres = Spheres::new(segments);
     let largest = spheres.measure_stored_normals(&mut out);
-    let lit =
-        |mesh: &TriangleMesh| look(&mesh.object(material(exponent)), Shading::Phong, Show::Shaded, size);
+    let lit = |mesh: &TriangleMesh| {
+        draw_close_up(&mesh.object(material(exponent)), Shading::Phong, Show::Shaded, size)
+    };
     let reference = lit(&spheres.own)?;
     let error = |image: &Image| largest_error(image, &reference);
     let (eight, sixteen) = (lit(&spheres.eight)?, lit(&spheres.sixteen)?);
@@ -129,7 +130,9 @@ impl Spheres {
     ) -> Result<[f64; 2]> {
         let change = |shares: [f64; 2], reflection: Reflection| -> Result<f64> {
             let material = Material { reflection, ..shiny(shares, exponent) };
-            let lit = |mesh: &TriangleMesh| look(&mesh.object(material), Shading::Phong, Show::Shaded, size);
+            let lit = |mesh: &TriangleMesh| {
+                draw_close_up(&mesh.object(material), Shading::Phong, Show::Shaded, size)
+            };
             largest_error(&lit(&self.eight)?, &lit(&self.own)?)
         };
         let diffuse = change([1.0, 0.0], Reflection::Blinn)?;
@@ -160,14 +163,15 @@ impl Spheres {
     /// The mean errors of the pixels' normals.
     fn measure_pixels(&self, size: u32, exponent: f64, out: &mut Recorder) -> Result<()> {
         let exact = Object::new(Shape::Surface(Primitive::from(Sphere::default())), material(exponent));
-        let truth = look(&exact, Shading::Exact, Show::Normals, size)?;
+        let truth = draw_close_up(&exact, Shading::Exact, Show::Normals, size)?;
         for (name, mesh) in [
             ("pixels-eight", &self.eight),
             ("pixels-sixteen", &self.sixteen),
             ("pixels-single", &self.own),
             ("pixels-far", &self.far),
         ] {
-            let normals = look(&mesh.object(material(exponent)), Shading::Phong, Show::Normals, size)?;
+            let normals =
+                draw_close_up(&mesh.object(material(exponent)), Shading::Phong, Show::Normals, size)?;
             out.measure(name, "°", normal_deviation(&normals, &truth)?.mean, Check::None);
         }
         Ok(())

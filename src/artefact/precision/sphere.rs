@@ -10,7 +10,7 @@ const WINDOW: f64 = 0.25;
 pub(super) const REACH: f64 = 0.16;
 
 /// A close look at the middle of the sphere, light and viewer in front.
-pub(super) fn look(object: &Object, shading: Shading, show: Show, size: u32) -> Result<Image> {
+pub(super) fn draw_close_up(object: &Object, shading: Shading, show: Show, size: u32) -> Result<Image> {
     // A little off the axis, so that the highlight does not sit on a vertex.
     let light = far_light(DVec3::new(0.05, 0.03, 1.0));
     let settings = RenderSettings { show, ..settings([size; 2], shading) };

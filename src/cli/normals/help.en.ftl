@@ -15,8 +15,9 @@ dry-run = Do everything except writing
 sync = Wait until each output is on the disk
 emit = Kind of normals to write
 weight = Weight of each face at a corner
-crease = Crease angle in degrees: edges with a larger dihedral angle stay sharp; `off` for none. If the file has smoothing
-    groups, the angle applies in addition to them only if it is given here [default: 40 without smoothing groups]
+crease = Crease angle in degrees: edges with a larger dihedral angle stay sharp; `off` for none. The test adds 0.01° (or a
+    tenth of DEG, if that is less), so that chamfers at exactly DEG stay smooth. If the file has smoothing groups, the angle
+    applies in addition to them only if it is given here [default: 40 without smoothing groups]
 crease-rule = Effect of sharp edges
 groups = Use of smoothing groups of OBJ files
 hard-edges = Further edges to keep sharp; repeatable

@@ -7,7 +7,8 @@ use crate::cli::common::numbers::{count, count_of, counts_above_zero, face_kinds
 use crate::cli::common::report::MeshOutput;
 use crease::io::Emit;
 use crease::mesh::Orientation;
-use crease::normals::{CreaseChains, EdgeCounts, When};
+use crease::normals::{CreaseChains, EdgeCounts, NearCancellation, When, crease_slack};
+use crease::num::{Degrees, three_digits};
 use crease::pipeline::{Counts, FaultPlace, PartOutcome, Spot};
 use std::fmt::Write;
 use std::ops::Add;
@@ -224,8 +225,19 @@ fn remarks(report: &Report) -> Vec<(&'static str, String)> {
     if let Some(angle) = crease_degrees(parts)
         && near > 0
     {
-        let text = format!("{} within 0.1° of the crease angle ({angle}°)", count(near, "edge"));
+        let near = count(near, "edge");
+        let slack = crease_slack(Degrees(angle)).0;
+        let text = format!(
+            "{near} within 0.1° of the crease angle ({angle}°; up to {slack}° more counts as smooth)"
+        );
         rows.push(("near", text));
+    }
+    let sums =
+        parts.iter().map(|part| part.outcome.near_cancellation).fold(NearCancellation::default(), Add::add);
+    if sums.normals > 0 {
+        let degrees = three_digits(sums.bound.to_degrees());
+        let normals = count(sums.normals, "normal");
+        rows.push(("accuracy", format!("{normals} from faces that nearly cancel: error up to {degrees}°")));
     }
     let chains = parts.iter().map(|part| part.outcome.crease_chains).fold(CreaseChains::default(), Add::add);
     if report.recipe.emit == Emit::Corner && chains.are_scattered() {

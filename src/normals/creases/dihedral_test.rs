@@ -3,9 +3,15 @@
 use crate::num::Degrees;
 use glam::DVec3;
 
-/// Added to the crease angle, in degrees, so that a chamfer modelled exactly at it stays smooth when positions
-/// hold five digits or more relative to its edges.
+/// The most that is added to a crease angle, in degrees.
 pub(crate) const SLACK_DEGREES: f64 = 0.01;
+
+/// By how much a dihedral angle may exceed a crease angle before the edge is sharp, so that a chamfer modelled exactly at it
+/// stays smooth when positions hold five digits or more relative to its edges: 0.01°, or a tenth of the angle if that is
+/// less, so that small angles keep their meaning.
+pub fn crease_slack(Degrees(angle): Degrees) -> Degrees {
+    Degrees(SLACK_DEGREES.min(angle / 10.0))
+}
 
 /// Edges this close to the crease angle, in degrees, are counted in the report: a small change of the angle or
 /// of the model turns them over.
@@ -103,7 +109,7 @@ impl CreaseTest {
             Some(Degrees(angle)) if angle <= 0.0 => Self::Every,
             Some(Degrees(angle)) if angle >= 180.0 => Self::None,
             Some(Degrees(angle)) => Self::Over {
-                limit: AngleLimit::degrees(angle + SLACK_DEGREES),
+                limit: AngleLimit::degrees(angle + crease_slack(Degrees(angle)).0),
                 near: [AngleLimit::degrees(angle - NEAR_DEGREES), AngleLimit::degrees(angle + NEAR_DEGREES)],
                 radians: angle.to_radians(),
             },
@@ -186,6 +192,10 @@ mod tests {
             DVec3::new(libm::cos(angle), libm::sin(angle), 0.0)
         };
         assert!(!limit.exceeded(DVec3::X, chamfer(45.009)));
+        // A small angle has little slack: 0.005° is five times over 0.001°.
+        let small = CreaseTest::new(Some(Degrees(0.001)));
+        assert!(small.is_over(DVec3::X, chamfer(0.005)) && small.is_over(DVec3::X, chamfer(0.00111)));
+        assert!(!small.is_over(DVec3::X, chamfer(0.00109)));
         assert!(limit.exceeded(DVec3::X, chamfer(45.011)));
         assert!(test.is_near(DVec3::X, chamfer(44.95)) && test.is_near(DVec3::X, chamfer(45.05)));
         assert!(!test.is_near(DVec3::X, chamfer(44.85)) && !test.is_near(DVec3::X, chamfer(45.15)));

@@ -26,7 +26,7 @@ pub(crate) trait Fans {
     /// The corner on the far side of the edge that arrives at a corner's vertex.
     fn backward(&self, corner: u32) -> Option<u32>;
 
-    /// Whether a corner is in no fan: its face has fewer than three distinct vertices.
+    /// Whether a corner is in no fan: its face has fewer than three distinct vertices or positions.
     fn is_isolated(&self, corner: u32) -> bool;
 
     /// The face of a corner.
@@ -47,10 +47,9 @@ impl Fans for MeshFans<'_> {
             let crossing = !self.marks.is_marked(self.topology, corner, across);
             return crossing.then(|| self.topology.next(across));
         }
-        // A polygon that repeats a vertex goes on within itself.
-        (self.topology.link(corner) == Link::Collapsed)
-            .then(|| self.topology.next(corner))
-            .filter(|&next| self.faces.corners()[next as usize] == self.faces.corners()[corner as usize])
+        // A face that repeats a vertex, or has two at one position, goes on within itself.
+        let is_collapsed = self.topology.link(corner) == Link::Collapsed && !self.is_isolated(corner);
+        is_collapsed.then(|| self.topology.next(corner))
     }
 
     #[inline]
@@ -59,14 +58,12 @@ impl Fans for MeshFans<'_> {
         if let Some(across) = self.topology.across(arriving) {
             return (!self.marks.is_marked(self.topology, arriving, across)).then_some(across);
         }
-        (self.topology.link(arriving) == Link::Collapsed
-            && self.faces.corners()[arriving as usize] == self.faces.corners()[corner as usize])
-            .then_some(arriving)
+        let is_collapsed = self.topology.link(arriving) == Link::Collapsed && !self.is_isolated(corner);
+        is_collapsed.then_some(arriving)
     }
 
     fn is_isolated(&self, corner: u32) -> bool {
-        self.topology.link(corner) == Link::Collapsed
-            && self.topology.link(self.topology.previous(corner)) == Link::Collapsed
+        self.topology.is_collapsed(corner)
     }
 
     #[inline]

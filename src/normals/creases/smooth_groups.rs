@@ -81,16 +81,20 @@ impl SmoothGroups {
         }
     }
 
-    /// One group a vertex: all faces at it and at vertices joined to it by a welded edge.
+    /// One group a vertex: all faces at it and at vertices joined to it by a welded edge, or one without length.
     pub(crate) fn per_vertex(faces: FacesRef, topology: &Topology, vertex_count: usize) -> Self {
         let mut sets = DisjointSets::new(vertex_count);
         if topology.has_welds() {
             for half_edge in 0..faces.corners().len() as u32 {
-                if let Link::Welded(across) = topology.link(half_edge) {
-                    let ((a, b), (c, d)) =
-                        (topology.ends(faces.corners(), half_edge), topology.ends(faces.corners(), across));
-                    sets.union(a, d);
-                    sets.union(b, c);
+                let (a, b) = topology.ends(faces.corners(), half_edge);
+                match topology.link(half_edge) {
+                    Link::Welded(across) => {
+                        let (c, d) = topology.ends(faces.corners(), across);
+                        sets.union(a, d);
+                        sets.union(b, c);
+                    }
+                    Link::Collapsed if !topology.is_collapsed(half_edge) => sets.union(a, b),
+                    _ => {}
                 }
             }
         }

@@ -51,7 +51,7 @@ pub use snorm::Snorm;
 
 use crate::num::{Degrees, Radians, UnitVec3};
 use glam::DVec3;
-use std::f64::consts::FRAC_1_SQRT_2;
+use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 
 /// A way to store a unit normal.
 ///
@@ -129,17 +129,18 @@ impl Encoding {
     /// An angle that no normal is farther from what its code gives back. Exponents of highlights that *every* normal serves
     /// follow from it; those of the worst of a sample come out larger, the fewer are looked at.
     ///
-    /// Octahedral codes: 0.958° (0.637° with [`Rounding::Nearest`]) for 8 bits, by the largest code for others; the worst
-    /// are in the middle of an octant, where half a step each way moves the normal by 3/√2 of 1/(2^(bits−1) − 1) rad
-    /// (0.957°; the rest allows for curvature). Integers: half a step in each component, at right angles to the normal at
+    /// Octahedral codes: 0.958° for 8 bits, by the largest code for others; the worst are in the middle of an octant, where
+    /// half a step each way moves the normal by 3/√2 of 1/(2^(bits−1) − 1) rad (0.957°; the rest allows for curvature). With
+    /// [`Rounding::Nearest`], √2/(2^(bits−1) − 1) rad: in the middle of an octant codes form triangles whose circumradius
+    /// approaches this value from below (0.63799° of 0.63802° for 8 bits). Integers: half a step in each component, at right angles to the normal at
     /// worst, asin(√3/2 / (2^(bits−1) − 1)). Half and single precision: three components from ½ on, each off by half a unit
     /// u of the last place there; of (±1, ±1, ±1)u at most (1 + √½)u is at right angles to such a normal, at
     /// (√½, ½, ½); a factor 1 + 2⁻¹⁰ allows for the length that rounding changes.
     pub fn worst_angle(self) -> Degrees {
         let radians = match self {
-            Encoding::Octahedral(codec, rounding) => {
-                let of_eight = if rounding == Rounding::Nearest { 0.637 } else { 0.958 };
-                return Degrees(of_eight * 127.0 / largest_code(codec.bits()));
+            Encoding::Octahedral(codec, Rounding::Nearest) => SQRT_2 / largest_code(codec.bits()),
+            Encoding::Octahedral(codec, Rounding::Plain) => {
+                return Degrees(0.958 * 127.0 / largest_code(codec.bits()));
             }
             Encoding::Snorm(codec) => libm::asin(0.5 * 3.0_f64.sqrt() / largest_code(codec.bits())),
             Encoding::Half => of_floats(-12),

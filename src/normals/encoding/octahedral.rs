@@ -21,7 +21,7 @@ pub enum Rounding {
 /// folded, so −Z is (1, 1) and decodes exactly from any of the square's corners. The six axes are exact; so, with `Nearest`
 /// and `Plain` alike, are directions that have a code. (Meyer et al. 2010; Cigolle et al. 2014.)
 ///
-/// Worst angle, in degrees, of any unit normal: 0.958 for 8 bits (0.637 with [`Rounding::Nearest`]), half of it with each
+/// Worst angle, in degrees, of any unit normal: 0.958 for 8 bits (0.638 with [`Rounding::Nearest`]), half of it with each
 /// further bit, 0.00372 (0.00247) for 16.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Octahedral {

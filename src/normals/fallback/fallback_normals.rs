@@ -53,12 +53,12 @@ impl<'a> FallbackNormals<'a> {
         state: &[SlotState],
         mut set: impl FnMut(usize, DVec3),
     ) -> Vec<(u32, FaultReason)> {
-        if state.par_iter().all(|&state| state == SlotState::Good) {
+        if state.par_iter().all(|state| state.has_normal()) {
             return Vec::new();
         }
         let corners = target.iter().enumerate();
         let mut undefined: Vec<(u32, u32)> = corners
-            .filter(|&(_, &slot)| state[slot as usize] != SlotState::Good)
+            .filter(|&(_, &slot)| !state[slot as usize].has_normal())
             .map(|(corner, &slot)| (slot, corner as u32))
             .collect();
         undefined.sort_unstable();

@@ -133,7 +133,7 @@ pub fn face_normals<T: Coordinate>(
 /// With `f32` positions everything is computed in double precision and rounded once; with [`Precision::Fast`] in `f32`, with
 /// the range and the error that it names, and everything else falls back to double precision. Triangles of zero area add
 /// nothing; nor do slivers with [`Slivers::Exclude`], unless a vertex has no other triangle. A vertex with one triangle gets
-/// its normal to the bit. Where a sum cancels (κ = Σ|w|/|Σ w n̂| > 10⁶) or nothing adds to it, the vertex gets the unit
+/// its normal to the bit. Where a sum cancels (see [`FaultReason::CancellingFan`]) or nothing adds to it, the vertex gets the unit
 /// sum of the defined normals at it, else the first of them by lexicographic value, else +Z. Every normal is finite
 /// and unit.
 ///
@@ -201,8 +201,7 @@ pub fn vertex_normals<T: Coordinate>(
     if outcome.all_good {
         return Ok(faults);
     }
-    let undefined =
-        |(vertex, &state): (usize, &SlotState)| (state != SlotState::Good).then_some(vertex as u32);
+    let undefined = |(vertex, &state): (usize, &SlotState)| (!state.has_normal()).then_some(vertex as u32);
     let undefined: Vec<u32> = states.iter().enumerate().filter_map(undefined).collect();
     for fallback in vertex_fallbacks(faces, points, &undefined) {
         normals[fallback.vertex as usize] = T::emit(fallback.normal);

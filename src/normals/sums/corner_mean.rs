@@ -2,7 +2,7 @@
 
 use crate::normals::faces::shape::FaceState;
 use crate::normals::recipe::Slivers;
-use crate::normals::sums::request::{CANCELLING, SlotState};
+use crate::normals::sums::request::SlotState;
 use crate::num;
 use glam::DVec3;
 
@@ -50,16 +50,17 @@ pub(crate) fn mean(terms: &[Term], slivers: Slivers) -> (DVec3, SlotState) {
     if used().all(|term| term.face == first.face) {
         return (first.unit(), SlotState::Good);
     }
-    let (mut vector, mut weights) = (DVec3::ZERO, 0.0);
+    let (mut vector, mut weights, mut count) = (DVec3::ZERO, 0.0, 0.0);
     for term in used() {
         let [x, y, z, length] = term.vector;
         vector += DVec3::new(x, y, z) * term.weight;
         weights += length * term.weight;
+        count += 1.0;
     }
     if weights == 0.0 {
         return uniform_mean(used().map(Term::unit));
     }
-    let (direction, state, _) = classify(vector, weights);
+    let (direction, state, _) = classify(vector, weights, count);
     (direction, state)
 }
 
@@ -69,18 +70,17 @@ pub(crate) fn uniform_mean(units: impl Iterator<Item = DVec3>) -> (DVec3, SlotSt
     if count == 0.0 {
         return (DVec3::ZERO, SlotState::Empty);
     }
-    let (direction, state, _) = classify(vector, count);
+    let (direction, state, _) = classify(vector, count, count);
     (direction, state)
 }
 
-/// Direction, state and length of Σ w n̂, given Σ w > 0.
+/// Direction, state and length of Σ w n̂ over so many terms, given Σ w > 0.
 #[inline(always)]
-pub(crate) fn classify(vector: DVec3, weights: f64) -> (DVec3, SlotState, f64) {
+pub(crate) fn classify(vector: DVec3, weights: f64, terms: f64) -> (DVec3, SlotState, f64) {
     if vector == DVec3::ZERO {
         // What cancelled to nothing has no direction at all.
         return (vector, SlotState::Cancelling, 0.0);
     }
     let (direction, length) = num::direction(vector);
-    let state = if weights > CANCELLING * length { SlotState::Cancelling } else { SlotState::Good };
-    (direction, state, length)
+    (direction, SlotState::of_sum(weights, length, terms), length)
 }

@@ -2,7 +2,7 @@
 
 use crate::normals::faces::component::Component;
 use crate::normals::sums::corner_mean::classify;
-use crate::normals::sums::request::{CANCELLING, SlotState, Sum};
+use crate::normals::sums::request::{CLEAR, SlotState, Sum};
 use crate::num::{self, Kernel, LANES, Lanes, Scalars, Vectors};
 use glam::DVec3;
 
@@ -86,7 +86,7 @@ fn finish_group<A: Lanes, O: Component>(arch: A, sums: &[Sum], unit: &mut [[O; 3
     let (shortest, longest) = num::PLAIN_SQUARES;
     let ordinary = Scalars::splat(arch, shortest).less(squared)
         & squared.less(Scalars::splat(arch, longest))
-        & weights.less(Scalars::splat(arch, CANCELLING) * length)
+        & weights.less(Scalars::splat(arch, CLEAR) * length)
         & (Scalars::splat(arch, same_way) * length).less(weights);
     for (row, (unit, sum)) in unit.iter_mut().zip(sums).enumerate() {
         *unit = O::emit_row(arch, sum, reciprocal[A::lane(row)]);
@@ -106,9 +106,10 @@ fn finish_one(
         uncertain.not_all_good = true;
         return (DVec3::ZERO, SlotState::Empty);
     }
-    let (vector, found, length) = classify(DVec3::new(x, y, z), weights);
+    // How many terms there are is not known here: what may have cancelled is counted.
+    let (vector, found, length) = classify(DVec3::new(x, y, z), weights, f64::INFINITY);
     uncertain.not_all_good |= found != SlotState::Good;
-    if areas && found == SlotState::Cancelling {
+    if found == SlotState::Cancelling {
         uncertain.recount.push(slot);
     } else if !areas && weights <= SAME_WAY * length {
         uncertain.perhaps_one_face.push(slot);

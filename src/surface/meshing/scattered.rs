@@ -51,7 +51,7 @@ pub(crate) fn delaunay(places: &[DVec2]) -> Result<Vec<[u32; 3]>, SurfaceError> 
         let reason = "another one has the same x and y; leave one out";
         return Err(invalid(pair[0].max(pair[1]) as usize, reason));
     }
-    let none = invalid(0, "no three points make a triangle");
+    let none = SurfaceError::Invalid("no three points make a triangle".to_owned());
     let triangulation =
         DelaunayTriangulation::<Point2<f64>>::bulk_load_stable(sites).map_err(|_| none.clone())?;
     let mut triangles: Vec<[u32; 3]> =

@@ -74,6 +74,7 @@ struct Part {
     splits: usize,
     crease_degrees: Option<f64>,
     near_crease: usize,
+    near_cancellation: Option<BTreeMap<String, f64>>,
     edges: BTreeMap<String, usize>,
     faults: BTreeMap<String, BTreeMap<String, usize>>,
     kept_corners: usize,
