@@ -8,4 +8,5 @@ mod json;
 pub mod request;
 /// Reading, computing and writing.
 pub mod run;
+/// The report as text.
 mod text;

@@ -6,7 +6,6 @@ use super::request::{Job, Request};
 use super::text;
 use crate::cli::common::console::{Console, Verbosity, escaped};
 use crate::cli::common::failure::{Batch, Exit, Failure, guarded};
-use crate::cli::common::notes;
 use crate::cli::common::options::Color;
 use crate::cli::common::output::{Store, folder_of, stem};
 use crate::cli::common::progress::{FileProgress, Progress, Stage};
@@ -53,7 +52,7 @@ fn print(report: &Report, request: &Request, console: &Console) {
     }
     let brief = request.jobs.len() > 1 && console.verbosity < Verbosity::Verbose;
     console.print(report, || {
-        notes::print(&report.input.path, &report.notes, brief, console);
+        console.notes(&report.input.path, &report.notes, brief);
         match brief {
             _ if report.head.error.is_some() => String::new(),
             true => text::line(report, console.report_style),

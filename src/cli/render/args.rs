@@ -4,7 +4,7 @@ use super::fields::{self, CameraChange};
 use super::values::{self, GuardSwitch, HiddenLines, ReflectionChoice, Variant};
 use crate::cli::common::choice::one_of;
 use crate::cli::common::options::{RunArgs, crease_angle};
-use crate::cli::common::vectors::{colour, not_negative, vector};
+use crate::cli::common::options::{colour, not_negative, vector};
 use clap::Args;
 use crease::io::Format;
 use crease::normals::{Weight, When};

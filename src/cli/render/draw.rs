@@ -1,8 +1,7 @@
 //! A picture, panels side by side, or an animation.
 
-use super::changes::blame;
+use super::changes::{about, blame, pivot, turn};
 use super::request::{FileKind, Request, Subject};
-use super::turn;
 use crate::cli::common::choice::Choose;
 use crate::cli::common::failure::Failure;
 use crate::cli::common::output::Store;
@@ -109,7 +108,7 @@ fn turntable(
     request: &Request,
     progress: &Progress,
 ) -> Result<Drawn, Failure> {
-    let pivot = turn::pivot(file);
+    let pivot = pivot(file);
     let placed: Vec<_> = file.objects.iter().map(|object| object.transform).collect();
     let up = file.scene().camera.up;
     let size = file.settings.size;
@@ -118,7 +117,7 @@ fn turntable(
         let angle = Degrees(360.0 * frame as f64 / f64::from(frames));
         // Each frame turns from the start: roundings do not add up.
         file.objects.iter_mut().zip(&placed).for_each(|(object, &transform)| object.transform = transform);
-        turn::turn(file, turn::about(up, angle), pivot);
+        turn(file, about(up, angle), pivot);
         let image = image(file, &file.settings, request)?;
         // Some frames are asked for twice.
         if frame == drawings.len() {

@@ -3,13 +3,12 @@
 use super::args::RenderArgs;
 use super::changes::change;
 use super::draw::{Drawing, draw, turn_of};
-use super::json::{PictureReport, Report, SceneReport, Settings};
+use super::report::{PictureReport, Report, SceneReport, Settings, block};
 use super::request::{Request, Subject};
-use super::{text, warnings};
-use crate::cli::common::console::{Console, HELP, escaped};
+use super::warnings;
+use crate::cli::common::console::{Console, HELP, escaped, push_wrapped};
 use crate::cli::common::failure::{Exit, Failure, FailureKind, exit_code, guarded};
 use crate::cli::common::input::Source;
-use crate::cli::common::notes;
 use crate::cli::common::options::Color;
 use crate::cli::common::progress::Progress;
 use crate::cli::usage::usage_error;
@@ -95,25 +94,6 @@ fn without_links(text: &str) -> String {
         }
         None => text.to_owned(),
     }
-}
-
-/// Appends a text in lines of at most 100 characters, the first and the others after an indent. Code stays on one line.
-fn push_wrapped(out: &mut String, text: &str, [first, others]: [&str; 2]) {
-    let mut line = first.to_owned();
-    let mut words = text.split(' ');
-    while let Some(word) = words.next() {
-        let mut word = word.to_owned();
-        while word.matches('`').count() % 2 == 1 {
-            let Some(next) = words.next() else { break };
-            word.extend([" ", next]);
-        }
-        if line.trim_start() != "" && line.chars().count() + word.chars().count() > 100 {
-            out.extend([line.trim_end(), "\n"]);
-            line = others.to_owned();
-        }
-        line.extend([word.as_str(), " "]);
-    }
-    out.extend([line.trim_end(), "\n"]);
 }
 
 fn run(request: &Request, console: &Console, report: &mut Report) -> Result<Exit, Failure> {
@@ -262,9 +242,9 @@ fn print(report: &Report, request: &Request, console: &Console) {
         }
     }
     console.print(report, || {
-        notes::print(&report.input.path, &report.notes, false, console);
+        console.notes(&report.input.path, &report.notes, false);
         let has_block = report.head.error.is_none() && report.probe.is_none();
-        if has_block { text::block(report, console.report_style) } else { String::new() }
+        if has_block { block(report, console.report_style) } else { String::new() }
     });
     // A probe is printed even under --quiet.
     if let Some(probe) = report.probe.as_ref().filter(|_| !console.json) {

@@ -1,7 +1,7 @@
 //! Values of options of `crease render`.
 
 use crate::cli::common::choice::{Choose, choices};
-use crate::cli::common::vectors::number;
+use crate::cli::common::options::number;
 use crease::num::{Degrees, Transfer};
 use crease::raster::{Bits, Cull, FlatSample, Interpolation, RenderSettings, Samples, Shading, Show};
 use crease::report::Overlay;

@@ -2,7 +2,7 @@
 
 use crate::cli::common::choice::{choices, one_of};
 use crate::cli::common::options::RunArgs;
-use crate::cli::common::vectors::{finite_numbers, vector};
+use crate::cli::common::options::{finite_numbers, vector};
 use clap::Args;
 use crease::io::Format;
 use crease::surface::Pattern;

@@ -1,8 +1,7 @@
 //! Runs `crease trade`: accuracy against speed, measured.
 
 use super::args::TradeArgs;
-use super::json::Report;
-use super::text;
+use super::report::{Report, markdown, text};
 use crate::cli::common::console::{Console, Verbosity, escaped};
 use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
 use crate::cli::common::input::Source;
@@ -39,8 +38,8 @@ pub fn main(args: &TradeArgs, color: Color) -> Exit {
     let verbose = console.verbosity == Verbosity::Verbose;
     console.print(&report, || match (&result, &report.surfaces) {
         (Err(_), _) => String::new(),
-        (Ok(_), Some(trade)) if args.markdown => text::markdown(trade),
-        (Ok(_), _) => text::text(&report, console.report_style, verbose),
+        (Ok(_), Some(trade)) if args.markdown => markdown(trade),
+        (Ok(_), _) => text(&report, console.report_style, verbose),
     });
     exit_code(result, &console)
 }
