@@ -2,8 +2,7 @@
 
 use super::common::failure::Exit;
 use super::common::output::to_stdout;
-use super::help;
-use super::usage::usage_error;
+use super::help::{self, usage_error};
 use clap::Command;
 use clap_complete::Shell;
 use clap_mangen::Man;

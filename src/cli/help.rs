@@ -1,15 +1,20 @@
-//! The help of the program. Its texts are in Fluent files next to the options, and are read only when help is printed.
+//! The help of the program, and the message of wrong usage. Texts are in Fluent files next to the options, and are read only when
+//! help is printed. The help of `-h` fits on a screen: the options that have a short text, one line each.
 
 use super::args::Cli;
 use super::common::choice::english;
-use clap::{Command, CommandFactory};
+use super::common::console::Console;
+use super::common::failure::{Exit, Failure, FailureKind};
+use clap::error::ErrorKind;
+use clap::{Arg, Command, CommandFactory};
 use crease::text::{Catalogue, Language};
+use std::ffi::OsString;
 
 /// Texts of the program, and of options that several verbs have.
 static SHARED: Catalogue = english(include_str!("help.en.ftl"));
 
 /// The texts of each verb, and what its long help begins with.
-pub static VERBS: [(&str, Catalogue, &str); 7] = [
+static VERBS: [(&str, Catalogue, &str); 7] = [
     ("normals", english(include_str!("normals/help.en.ftl")), ""),
     ("inspect", english(include_str!("inspect/help.en.ftl")), ""),
     ("render", english(include_str!("render/help.en.ftl")), include_str!("render/syntax.txt")),
@@ -52,10 +57,59 @@ fn described(command: Command, texts: &Catalogue, prefix: &str) -> Command {
 }
 
 /// The text of a key, a verb's own or a shared one; in keys, hyphens replace the underscores of option ids.
-pub fn text(texts: &Catalogue, key: &str) -> Option<String> {
+fn text(texts: &Catalogue, key: &str) -> Option<String> {
     let key = key.replace('_', "-");
     let texts = [texts, &SHARED].into_iter().find(|texts| texts.has(&key))?;
     Some(texts.get(&key).get(Language::English).to_owned())
+}
+
+/// The longest text in a line, after the name of its option.
+const WIDTH: usize = 70;
+
+/// The command with the help of `-h`, if a command line asks for it.
+pub fn for_line(command: Command, line: &[OsString]) -> Command {
+    if !line.iter().any(|word| word == "-h") {
+        return command;
+    }
+    let command = command.mut_arg("color", |arg| arg.hide_short_help(true));
+    VERBS.iter().fold(command, |command, (verb, texts, _)| {
+        command.mut_subcommand(verb, |verb| verb.mut_args(|arg| brief(arg, texts)))
+    })
+}
+
+fn brief(arg: Arg, texts: &Catalogue) -> Arg {
+    if arg.get_long().is_none() {
+        return arg;
+    }
+    let Some(text) = text(texts, &format!("{}-short", arg.get_id())) else {
+        return arg.hide_short_help(true);
+    };
+    let added = |kind: &str, width: usize| if width > 0 { width + kind.len() } else { 0 };
+    let default = added(" [default: ]", arg.get_default_values().iter().map(|value| value.len()).sum());
+    let names = arg.get_possible_values();
+    let values = match arg.get_action().takes_values() {
+        true => added(" [possible values: ]", names.iter().map(|value| value.get_name().len() + 2).sum()),
+        false => 0,
+    };
+    let is_short = text.chars().count() + default + values <= WIDTH;
+    arg.help(text).hide_possible_values(values > 0 && !is_short)
+}
+
+/// Prints a message and the verb's usage as clap does for its own errors, and ends the program.
+pub fn usage_error(verb: &str, message: impl ToString) -> ! {
+    let mut command = command();
+    command.build();
+    let verb = command.find_subcommand_mut(verb).expect("a verb of this program");
+    verb.error(ErrorKind::ArgumentConflict, message.to_string()).exit()
+}
+
+/// Ends a verb whose command line cannot be carried out; wrong usage ends the program.
+pub fn refused(verb: &str, failure: &Failure, console: &Console) -> Exit {
+    if failure.kind == FailureKind::Usage {
+        usage_error(verb, &failure.message);
+    }
+    console.error(&failure.message);
+    failure.exit()
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ mod artefact;
 mod common;
 /// Completion scripts and manual pages.
 mod docs;
-/// The help of the command line.
+/// The help of the command line, and the message of wrong usage.
 mod help;
 /// Find what is wrong with normals.
 mod inspect;
@@ -18,13 +18,9 @@ mod normals;
 pub mod program;
 /// Draw a mesh or a scene.
 mod render;
-/// The help of `-h`.
-mod short_help;
 /// Run the numerical extremes.
 mod stress;
 /// Write an analytic surface as a mesh.
 mod surface;
 /// Measure accuracy against speed.
 mod trade;
-/// Ending after wrong usage.
-mod usage;

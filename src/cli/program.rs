@@ -3,7 +3,7 @@
 use super::args::{Cli, Verb};
 use super::common::failure::Exit;
 use super::common::output::forgive_broken_pipe;
-use super::{artefact, docs, help, inspect, normals, render, short_help, stress, surface, trade};
+use super::{artefact, docs, help, inspect, normals, render, stress, surface, trade};
 use clap::Parser;
 use std::io::Write as _;
 use std::process::ExitCode;
@@ -13,7 +13,7 @@ pub fn main() -> ExitCode {
     let cli = match Cli::try_parse_from(&line) {
         Ok(cli) => cli,
         Err(error) => {
-            let mut command = short_help::for_line(help::command(), &line);
+            let mut command = help::for_line(help::command(), &line);
             let error = command.try_get_matches_from_mut(line).err().unwrap_or(error);
             return reported(&error.format(&mut command));
         }

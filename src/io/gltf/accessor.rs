@@ -67,7 +67,6 @@ impl<'a> Source<'a> {
         Ok(Elements { bytes, stride, count, format, sparse })
     }
 
-    /// The exceptions of a sparse accessor with elements of so many bytes.
     fn exceptions(
         &self,
         accessor: &Accessor,
@@ -114,7 +113,6 @@ impl<'a> Source<'a> {
         Ok(())
     }
 
-    /// The bytes of elements that an accessor has in a view.
     fn slice(&self, view: usize, extent: Extent, accessor: Value) -> Result<&'a [u8], ReadError> {
         let view = &self.records.views[view];
         let Extent { offset, count, size, stride } = extent;

@@ -13,7 +13,6 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Where the bytes of a buffer are.
 #[derive(Clone, Debug)]
 pub enum Storage {
     Bin(Range<usize>),

@@ -12,13 +12,11 @@ pub struct Fields<'a> {
 }
 
 impl<'a> Fields<'a> {
-    /// The fields of a value, which must be an object.
     pub fn new(json: &'a Json, object: Value) -> Result<Self, ReadError> {
         let is_object = json.kind(object) == Kind::Object;
         if is_object { Ok(Self { json, object }) } else { Err(mismatch(json, object, "an object")) }
     }
 
-    /// The fields of a whole document, which is known to be an object.
     pub fn root(json: &'a Json) -> Self {
         Self { json, object: json.root() }
     }
@@ -113,7 +111,6 @@ impl<'a> Fields<'a> {
         self.items(name)?.map(|value| Ok(Fields::new(self.json, value)?.object)).collect()
     }
 
-    /// An extension object by name, if there.
     pub fn extension(&self, name: &str) -> Option<Value> {
         self.json.member(self.json.member(self.object, "extensions")?, name)
     }
@@ -142,7 +139,6 @@ fn mismatch(json: &Json, value: Value, wanted: &str) -> ReadError {
     ReadError::new(Problem::Syntax, json.place(value), found, "export the file again")
 }
 
-/// The position of an element of a top-level list.
 pub fn numbered(list: &str, number: usize) -> Place {
     Place::Json(format!("/{list}/{number}"))
 }

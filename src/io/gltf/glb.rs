@@ -4,7 +4,6 @@ use crate::io::text::counted;
 use crate::io::{Note, Place, Problem, ReadError, WriteError};
 use std::ops::Range;
 
-/// What to do about a file that is cut off.
 pub const TRUNCATED: &str = "the file is cut off; copy or export it again";
 
 const MAGIC: &[u8; 4] = b"glTF";

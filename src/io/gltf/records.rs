@@ -8,7 +8,6 @@ use std::ops::Range;
 
 pub use gltf::json::accessor::ComponentType as Component;
 
-/// The extensions that compress buffer views.
 pub const MESHOPT: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
 
 #[derive(Clone, Copy, Debug)]
@@ -125,7 +124,6 @@ impl VertexAccessors {
         self.get("POSITION").unwrap_or_default()
     }
 
-    /// The sets of all morph targets.
     pub fn target_sets(&self) -> Range<usize> {
         1..self.sets.len()
     }

@@ -11,7 +11,6 @@ pub type Changes = Vec<(String, Option<String>)>;
 pub struct Splices<'a> {
     json: &'a Json,
     objects: BTreeMap<Value, Changes>,
-    /// New elements of top-level lists.
     lists: BTreeMap<&'static str, Vec<String>>,
 }
 
@@ -20,7 +19,6 @@ impl<'a> Splices<'a> {
         Self { json, objects: BTreeMap::new(), lists: BTreeMap::new() }
     }
 
-    /// Gives a member of an object a new text, or adds the member.
     pub fn set(&mut self, object: Value, name: &str, text: impl ToString) {
         self.change(object, vec![(name.to_owned(), Some(text.to_string()))]);
     }

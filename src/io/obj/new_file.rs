@@ -56,7 +56,6 @@ struct Labels {
 }
 
 impl Labels {
-    /// What a file starts with.
     const NONE: Labels = Labels { object: NONE, material: NONE, smoothing: None };
 }
 

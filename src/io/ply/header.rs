@@ -23,7 +23,6 @@ pub(super) struct Element {
     pub line: u64,
 }
 
-/// A column of an element.
 #[derive(Clone, Debug)]
 pub(super) struct Property {
     pub name: String,

@@ -42,7 +42,6 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
     Ok(Written { bytes: writer.out, notes, vertices, added_vertices, ..Written::default() })
 }
 
-/// What some properties of a vertex hold.
 #[derive(Clone, Copy)]
 enum Content {
     Position,

@@ -235,7 +235,6 @@ impl Reading {
     }
 }
 
-/// Texture coordinates of corners.
 #[derive(Default)]
 struct CornerUvs {
     values: Vec<DVec2>,

@@ -41,7 +41,6 @@ pub(super) struct Row {
 pub(super) struct Rows<'a> {
     pub bytes: &'a [u8],
     pub encoding: Encoding,
-    /// Where the next row starts.
     pub at: usize,
     /// Whether several ascii rows may share a line. If not, extra words behind a row are skipped.
     pub shared_lines: bool,

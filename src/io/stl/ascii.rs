@@ -55,7 +55,6 @@ pub(super) fn read(text: &[u8], options: &ReadOptions) -> Result<(Vec<Part>, Vec
     Ok((parts.collect::<Result<_, _>>()?, notes))
 }
 
-/// The solids of a text that has been read before.
 pub(super) fn solids(text: &[u8]) -> Vec<SolidText> {
     let mut parser = Parser::new(text);
     // It was read without an error, so there is none.

@@ -54,7 +54,6 @@ impl References {
         self.accessors.get(&(accessor as u64)) == Some(&sites)
     }
 
-    /// Whether one accessor alone uses a view.
     pub fn is_only_user(&self, view: usize) -> bool {
         self.views.get(&(view as u64)) == Some(&1)
     }
@@ -86,7 +85,6 @@ fn pinned(json: &Json) -> FxHashSet<u64> {
     pinned
 }
 
-/// Bytes of a buffer that are in use.
 #[derive(Clone)]
 struct Extent {
     bytes: Range<u64>,

@@ -98,7 +98,6 @@ impl Stored {
         Ok(Self { format, targets: deltas.len(), rows: Rows { bytes, size }, is_same })
     }
 
-    /// Whether these rows of all vertices are what is stored already.
     pub fn is_stored(&self, rows: &Rows) -> bool {
         self.is_same && self.rows.bytes == rows.bytes
     }
