@@ -1,40 +1,16 @@
 //! Files and standard input: arguments and folders become a list of inputs in a fixed order, which are then read.
 
 use super::failure::Failure;
+use super::stream::Stream;
 use crease::io::{self, Format, Limits, Loaded, Place, Problem, ReadError, ReadOptions};
 use ignore::WalkBuilder;
 use std::io::{IsTerminal, Read};
 use std::path::{Path, PathBuf};
 
-/// A file, or standard input or output.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Stream {
-    Standard,
-    File(PathBuf),
-}
-
 /// What is read.
 pub type Source = Stream;
 
-impl Stream {
-    /// The stream that a path names: `-` is the standard one.
-    pub fn of(path: &Path) -> Self {
-        if path.as_os_str() == "-" { Stream::Standard } else { Stream::File(path.to_path_buf()) }
-    }
-
-    pub fn path(&self) -> Option<&Path> {
-        if let Stream::File(path) = self { Some(path) } else { None }
-    }
-
-    /// Its path, or `-`.
-    pub fn name(&self) -> String {
-        self.path().map_or("-".into(), |path| path.to_string_lossy().into_owned())
-    }
-
-    pub fn length(&self) -> Option<u64> {
-        self.path()?.metadata().ok().map(|metadata| metadata.len())
-    }
-
+impl Source {
     /// Reads it; `arrived` receives the number of bytes of each piece of standard input.
     pub fn read(
         &self,

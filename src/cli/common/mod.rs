@@ -18,3 +18,5 @@ pub mod output;
 pub mod progress;
 /// Members that JSON reports share.
 pub mod report;
+/// Files, and standard input and output.
+pub mod stream;

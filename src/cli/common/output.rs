@@ -4,7 +4,7 @@
 //! main file last, so that whoever sees the new main file finds its companions. A link is followed to the file
 //! that it names, an existing file keeps its permissions, a new one gets those that the umask leaves.
 
-use super::input::Stream;
+use super::stream::Stream;
 use anyhow::{Context, Result, bail, ensure};
 use crease::io::{Format, Note, OutputContent, OutputFile, Written};
 use std::collections::BTreeMap;

@@ -1,8 +1,9 @@
 //! Writing an STL back into its own bytes.
 
 use super::ascii::{FacetText, solids};
+use super::document::{FACET, FIRST, HEADER, Layout, StlDocument};
 use super::new_file::{stored, vertex_normals_note};
-use super::read::{FACET, FIRST, HEADER, Layout, StlDocument, VECTOR};
+use super::read::VECTOR;
 use crate::io::text::{Copier, line_end_length, push_f32, push_row};
 use crate::io::{Loaded, PartEdit, WriteError, WriteOptions, Written};
 use crate::mesh::{Mesh, Storage};

@@ -1,6 +1,6 @@
 //! A new binary STL from any meshes.
 
-use super::read::{FACET, FIRST, HEADER};
+use super::document::{FACET, FIRST, HEADER};
 use crate::io::mesh_checks::{beyond_f32, displacement_note, needs_f64, unsupported_notes};
 use crate::io::{Emit, Format, Note, Part, Place, WriteError, WriteOptions, Written};
 use crate::mesh::{Mesh, triangulate};
