@@ -1,23 +1,21 @@
 //! Completion scripts and manual pages, made from the same description as `--help`.
 
-use super::args::{Cli, usage_error};
 use super::common::failure::Exit;
 use super::common::output::to_stdout;
-use clap::{Command, CommandFactory};
+use super::help::{self, usage_error};
+use clap::Command;
 use clap_complete::Shell;
 use clap_mangen::Man;
 use std::io::Write as _;
 
-/// Prints the completion script of a shell.
 pub fn completions(shell: Shell) -> Exit {
     let mut script = Vec::new();
-    clap_complete::generate(shell, &mut Cli::command(), "crease", &mut script);
+    clap_complete::generate(shell, &mut help::command(), "crease", &mut script);
     print(&script)
 }
 
-/// Prints the manual page of the program or of one verb.
 pub fn manual(verb: Option<&str>) -> Exit {
-    let mut command = Cli::command();
+    let mut command = help::command();
     command.build();
     let command = match verb {
         None => command,

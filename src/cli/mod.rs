@@ -1,6 +1,6 @@
 //! The command-line program: one folder for each verb, and what they share.
 
-/// The command line: verbs and wrong usage.
+/// The command line: verbs and options.
 mod args;
 /// Run the experiments on shading artefacts.
 mod artefact;
@@ -8,6 +8,8 @@ mod artefact;
 mod common;
 /// Completion scripts and manual pages.
 mod docs;
+/// The help of the command line, and the message of wrong usage.
+mod help;
 /// Find what is wrong with normals.
 mod inspect;
 /// Compute normals and write them.
@@ -16,8 +18,6 @@ mod normals;
 pub mod program;
 /// Draw a mesh or a scene.
 mod render;
-/// The help of `-h`.
-mod short_help;
 /// Run the numerical extremes.
 mod stress;
 /// Write an analytic surface as a mesh.

@@ -3,19 +3,20 @@
 use super::args::{Cli, Verb};
 use super::common::failure::Exit;
 use super::common::output::forgive_broken_pipe;
-use super::{artefact, docs, inspect, normals, render, short_help, stress, surface, trade};
-use clap::{CommandFactory, FromArgMatches};
+use super::{artefact, docs, help, inspect, normals, render, stress, surface, trade};
+use clap::Parser;
 use std::io::Write as _;
 use std::process::ExitCode;
 
-/// Runs the program on the arguments that it was started with.
 pub fn main() -> ExitCode {
     let line: Vec<_> = std::env::args_os().collect();
-    let mut command = short_help::for_line(Cli::command(), &line);
-    let parsed = command.try_get_matches_from_mut(line).and_then(|found| Cli::from_arg_matches(&found));
-    let cli = match parsed {
+    let cli = match Cli::try_parse_from(&line) {
         Ok(cli) => cli,
-        Err(error) => return reported(&error.format(&mut command)),
+        Err(error) => {
+            let mut command = help::for_line(help::command(), &line);
+            let error = command.try_get_matches_from_mut(line).err().unwrap_or(error);
+            return reported(&error.format(&mut command));
+        }
     };
     let exit = match cli.verb {
         Verb::Artefact(ref args) => artefact::run::main(args, cli.color),

@@ -4,7 +4,6 @@ use super::{Place, Problem, ReadError, ReadOptions};
 use std::fmt;
 use std::path::{Component, Path, PathBuf};
 
-/// Why a companion is not read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Refusal {
     Remote,

@@ -22,6 +22,12 @@ impl Place {
     fn is_file(&self) -> bool {
         *self == Place::File
     }
+
+    /// What a message about it begins with: nothing for the whole file, nor for the root of a document.
+    fn prefix(&self) -> String {
+        let place = self.to_string();
+        if place.is_empty() { place } else { format!("{place}: ") }
+    }
 }
 
 fn is_zero(count: &u64) -> bool {
@@ -86,16 +92,8 @@ impl ReadError {
 
 impl fmt::Display for ReadError {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // The whole file has no place to name, nor has the root of a document.
-        let place = self.place.to_string();
-        if !place.is_empty() {
-            write!(out, "{place}: ")?;
-        }
-        out.write_str(&self.found)?;
-        if !self.advice.is_empty() {
-            write!(out, "; {}", self.advice)?;
-        }
-        Ok(())
+        write!(out, "{}{}", self.place.prefix(), self.found)?;
+        if self.advice.is_empty() { Ok(()) } else { write!(out, "; {}", self.advice) }
     }
 }
 
@@ -171,12 +169,7 @@ impl Note {
 
 impl fmt::Display for Note {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // The whole file has no place to name, nor has the root of a document.
-        let place = self.place.to_string();
-        if !place.is_empty() {
-            write!(out, "{place}: ")?;
-        }
-        out.write_str(&self.text)?;
+        write!(out, "{}{}", self.place.prefix(), self.text)?;
         match self.more {
             0 => Ok(()),
             more => write!(out, " (and {more} more like it)"),

@@ -5,9 +5,7 @@ use crate::mesh::{Columns, Faces, Mesh, MeshBuilder, MeshError, PositionsRef};
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// What to do about positions that are not finite.
 pub(super) const DROP_ADVICE: &str = "correct it, or drop the faces at such vertices with `crease normals --force` (`crease render --force` draws the others)";
-/// What to do about a file that contradicts itself.
 pub(super) const DAMAGED: &str = "the file is damaged; export it again";
 
 pub(super) fn check_size(bytes: u64, limits: &Limits) -> Result<(), ReadError> {

@@ -85,7 +85,8 @@ fn languages_have_the_same_keys_and_placeholders() {
 fn every_key_is_used() {
     let mut paths = Vec::new();
     files(&source(), "ftl", &mut paths);
-    for path in &paths {
+    // The keys of the program's help are names of options and values; a test of `cli` compares them.
+    for path in paths.iter().filter(|path| !path.starts_with(source().join("cli"))) {
         let module = path.strip_prefix(source()).unwrap().components().next().unwrap();
         let used = literals(&source().join(module));
         let stems: BTreeSet<&str> =

@@ -4,7 +4,6 @@ use super::args::{ALL, ArtefactArgs, LIST};
 use crease::artefact::{ArtefactError, Changes, EXPERIMENTS, Experiment, ParameterName, experiment};
 use std::path::Path;
 
-/// The experiments that are meant.
 pub struct Chosen {
     pub run: Vec<&'static Experiment>,
     /// Of all of them, those that have no use for a value that was given, and why.
@@ -80,7 +79,6 @@ fn refuse_to_list(args: &ArtefactArgs) -> Result<(), String> {
     Err(format!("`list` ignores {option}\nhelp: omit it, or name an experiment or `all` in place of `list`"))
 }
 
-/// Refuses an animation whose name does not end in .gif.
 fn refuse_other_than_gif(path: &Path) -> Result<(), String> {
     let shown = path.display();
     match path.extension() {

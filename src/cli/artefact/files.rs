@@ -45,7 +45,6 @@ pub fn write_all(runs: &[Run], folder: &Path, language: Language) -> Result<Vec<
     Ok(stored)
 }
 
-/// The page, the sheet, every picture and every plot of a run.
 fn files(run: &Run, language: Language, in_gallery: bool) -> Result<Vec<File>, ReportError> {
     let Run { experiment, setup, outcome, .. } = run;
     let page = experiment_page(experiment, setup, outcome, language, in_gallery)?;
@@ -68,7 +67,6 @@ fn files(run: &Run, language: Language, in_gallery: bool) -> Result<Vec<File>, R
 const WHOLE: u16 = 400;
 const SHORTEST: u16 = 2;
 
-/// Draws the animation of a run.
 pub fn animate(run: &Run, path: &Path, frames: u16, console: &Console) -> Result<String, Failure> {
     let progress = Progress::of_count(console, "drawing", "frames", frames.into());
     let draw = |number: u32| {

@@ -64,7 +64,6 @@ impl Range {
 }
 
 impl<'a> Report<'a> {
-    /// A report on an experiment that is not run yet.
     pub fn new(experiment: &'static Experiment, setup: &'a Setup<'a>) -> Self {
         let ranges =
             experiment.takes.iter().filter_map(|&name| Some((name.name(), Range::of(experiment, name)?)));

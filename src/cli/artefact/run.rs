@@ -4,13 +4,13 @@ use super::args::{ArtefactArgs, LIST};
 use super::choose::{Chosen, chosen, given};
 use super::files::{self, Run};
 use super::json::{Report, RunReport};
-use crate::cli::args::usage_error;
 use crate::cli::common::console::{Console, Style, Verbosity};
 use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
 use crate::cli::common::input::Source;
 use crate::cli::common::options::Color;
 use crate::cli::common::output::make_folder;
 use crate::cli::common::progress::Progress;
+use crate::cli::help::usage_error;
 use crease::artefact::{ArtefactError, EXPERIMENTS, Experiment, Language, ParameterName, Setup, UserMesh};
 use crease::io::{Loaded, ReadOptions, shell_word};
 use crease::mesh::{Faces, Mesh, MeshBuilder};
@@ -19,7 +19,6 @@ use rayon::prelude::*;
 use std::path::PathBuf;
 use std::time::Instant;
 
-/// Runs the verb.
 pub fn main(args: &ArtefactArgs, color: Color) -> Exit {
     let console = Console::new(&args.run, color, None);
     let Chosen { run: experiments, left_out } =
@@ -62,7 +61,6 @@ fn list(args: &ArtefactArgs, console: &Console) {
     }
 }
 
-/// Reports as JSON why an experiment was not run.
 fn report_unrun(
     experiment: &'static Experiment,
     setup: &Setup<'_>,
@@ -162,7 +160,6 @@ fn run_all(
     Ok(exit)
 }
 
-/// A command that draws the animation as well.
 fn animated(command: String, args: &ArtefactArgs) -> String {
     match &args.animate {
         Some(path) => {
@@ -188,7 +185,7 @@ fn print(run: &Run, files: Vec<String>, agrees: bool, args: &ArtefactArgs, conso
         seconds: *seconds,
     });
     console.print(&report, || {
-        let title = console.report_style().paint(Style::BOLD, experiment.title().get(language));
+        let title = console.report_style.paint(Style::BOLD, experiment.title().get(language));
         let claim = experiment.claim();
         let claim = claim.get(language);
         let [verdict, condition] = verdict_text(outcome, language);

@@ -2,32 +2,42 @@
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Arg, Command, Error};
+use crease::text::{Catalogue, Language};
 use serde::Serializer;
 use std::ffi::OsStr;
 
-/// One value of a list: its name on the command line and in reports, the value, and its help.
-pub type Choice<T> = (&'static str, T, &'static str);
+/// One value of a list: its name on the command line and in reports, and the value.
+pub type Choice<T> = (&'static str, T);
+
+/// The help of each value, by the type in small letters and the value's name.
+static HELP: Catalogue = english(include_str!("values.en.ftl"));
 
 /// A type whose values are chosen by name.
 pub trait Choose: Copy + PartialEq + Send + Sync + 'static {
+    const TYPE: &'static str;
     const CHOICES: &'static [Choice<Self>];
 
-    /// The value's name.
     fn choice(self) -> &'static str {
         Self::CHOICES.iter().find(|choice| choice.1 == self).map_or("?", |choice| choice.0)
     }
 }
 
-/// Gives a type its table of names: `"name" => value: "help"`, with the name of a variant or a constant as the value.
+/// Gives a type its table of names: `"name" => value`, with the name of a variant or a constant as the value.
 macro_rules! choices {
-    ($type:ident { $($name:literal => $value:ident $(($inner:expr))?: $help:expr,)+ }) => {
+    ($type:ident: $($name:literal => $value:ident $(($inner:expr))?),+ $(,)?) => {
         impl $crate::cli::common::choice::Choose for $type {
+            const TYPE: &'static str = stringify!($type);
             const CHOICES: &'static [$crate::cli::common::choice::Choice<Self>] =
-                &[$(($name, $type::$value $(($inner))?, $help)),+];
+                &[$(($name, $type::$value $(($inner))?)),+];
         }
     };
 }
 pub(crate) use choices;
+
+/// Texts in English alone.
+pub const fn english(source: &'static str) -> Catalogue {
+    Catalogue::new(source, source)
+}
 
 /// Serialises a value as its name.
 pub fn as_name<T: Choose, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
@@ -39,7 +49,6 @@ pub fn one_of<T: Choose>() -> Choices<T> {
     Choices(T::CHOICES)
 }
 
-/// See [`one_of`].
 #[derive(Clone)]
 pub struct Choices<T: 'static>(&'static [Choice<T>]);
 
@@ -54,6 +63,9 @@ impl<T: Choose> TypedValueParser for Choices<T> {
     }
 
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        Some(Box::new(self.0.iter().map(|&(name, _, help)| PossibleValue::new(name).help(help))))
+        Some(Box::new(self.0.iter().map(|&(name, _)| {
+            let help = HELP.get(&format!("{}-{name}", T::TYPE.to_ascii_lowercase()));
+            PossibleValue::new(name).help(help.get(Language::English).to_owned())
+        })))
     }
 }

@@ -2,17 +2,19 @@
 
 use super::options::{Color, RunArgs};
 use super::output::forgive_broken_pipe;
-use crease::io::Severity;
+use crease::io::{Note, Place, Severity};
 use serde::Serialize;
 use std::cell::Cell;
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 
+/// How many notes of an input are printed unless all are asked for.
+const NOTES: usize = 20;
+
 /// Between what was found and the next step, in messages.
 pub const HELP: &str = "\nhelp: ";
 
-/// How much is printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verbosity {
     Quiet,
@@ -27,10 +29,10 @@ pub struct Console {
     pub verbosity: Verbosity,
     /// Standard output carries a mesh, so reports go to standard error.
     reports_to_stderr: bool,
-    report_style: Style,
+    pub report_style: Style,
     error_style: Style,
     /// A report could not be printed.
-    failed: Cell<bool>,
+    pub failed: Cell<bool>,
 }
 
 /// Whether text may carry colour.
@@ -70,24 +72,13 @@ impl Console {
         }
     }
 
-    /// Whether every report reached its stream, or a reader that did not want it.
-    pub fn has_reported(&self) -> bool {
-        !self.failed.get()
-    }
-
     /// Whether standard error is left to the JSON report, so that it can be parsed.
     fn stderr_is_json(&self) -> bool {
         self.json && self.reports_to_stderr
     }
 
-    /// Whether a progress bar may be shown.
     pub fn may_show_progress(&self) -> bool {
         self.verbosity > Verbosity::Quiet && !self.stderr_is_json() && io::stderr().is_terminal()
-    }
-
-    /// The style of reports.
-    pub fn report_style(&self) -> Style {
-        self.report_style
     }
 
     /// Prints a report: as JSON on one line if that was asked for, else as text unless the run is quiet.
@@ -120,21 +111,14 @@ impl Console {
         }
     }
 
-    /// Prints an error.
     pub fn error(&self, message: &str) {
         self.remark(Style::RED, "error", message);
     }
 
-    /// Prints a warning.
-    fn warning(&self, message: &str) {
-        self.remark(Style::YELLOW, "warning", message);
-    }
-
-    /// Prints a note or a warning.
     pub fn about(&self, severity: Severity, message: &str) {
         match severity {
             Severity::Note => self.note(message),
-            Severity::Warning => self.warning(message),
+            Severity::Warning => self.remark(Style::YELLOW, "warning", message),
         }
     }
 
@@ -143,7 +127,21 @@ impl Console {
         self.remark(Style::BOLD, "note", message);
     }
 
-    /// Prints a message, with its next step on a line of its own.
+    /// Prints the notes of an input: when brief, warnings only.
+    pub fn notes(&self, path: &str, notes: &[Note], brief: bool) {
+        let all = self.verbosity == Verbosity::Verbose;
+        let most = if all { usize::MAX } else { NOTES };
+        let wanted: Vec<_> =
+            notes.iter().filter(|note| !brief || note.severity == Severity::Warning).collect();
+        for note in wanted.iter().take(most) {
+            let text = if all { with_places(note) } else { note.to_string() };
+            self.about(note.severity, &format!("{path}: {text}"));
+        }
+        if wanted.len() > most {
+            self.note(&format!("{path}: {} more; -v shows them", wanted.len() - most));
+        }
+    }
+
     fn remark(&self, colour: &str, kind: &str, message: &str) {
         if self.stderr_is_json() {
             return;
@@ -157,6 +155,19 @@ impl Console {
         // Where remarks cannot be printed, neither can a complaint about that.
         let _ = write(io::stderr().lock(), &(line(colour, kind, found) + &help));
     }
+}
+
+/// A note with the places of those that are alike.
+fn with_places(note: &Note) -> String {
+    let mut places: Vec<String> = note.also.iter().map(Place::to_string).collect();
+    if places.is_empty() {
+        return note.to_string();
+    }
+    if note.more > places.len() as u64 {
+        places.push("…".into());
+    }
+    let text = note.to_string();
+    format!("{}: {})", text.trim_end_matches(')'), places.join(", "))
 }
 
 /// Writes text. That its reader has gone away is no failure.
@@ -176,6 +187,25 @@ fn use_color(choice: Color, terminal: bool, variable: impl Fn(&str) -> Option<St
         }
         Color::Auto => terminal,
     }
+}
+
+/// Appends a text in lines of at most 100 characters, the first and the others after an indent. Code stays on one line.
+pub fn push_wrapped(out: &mut String, text: &str, [first, others]: [&str; 2]) {
+    let mut line = first.to_owned();
+    let mut words = text.split(' ');
+    while let Some(word) = words.next() {
+        let mut word = word.to_owned();
+        while word.matches('`').count() % 2 == 1 {
+            let Some(next) = words.next() else { break };
+            word.extend([" ", next]);
+        }
+        if line.trim_start() != "" && line.chars().count() + word.chars().count() > 100 {
+            out.extend([line.trim_end(), "\n"]);
+            line = others.to_owned();
+        }
+        line.extend([word.as_str(), " "]);
+    }
+    out.extend([line.trim_end(), "\n"]);
 }
 
 /// Text that cannot steer a terminal: control characters and marks that turn the direction of writing are

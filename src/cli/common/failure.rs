@@ -8,7 +8,6 @@ use serde::{Serialize, Serializer};
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::sync::Mutex;
 
-/// The exit codes of the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Exit {
     Done = 0,
@@ -30,7 +29,6 @@ pub struct Failure {
     read: Option<ReadError>,
 }
 
-/// What failed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum FailureKind {
@@ -74,7 +72,6 @@ impl Failure {
         ReadError { found, ..error }.into()
     }
 
-    /// The exit code.
     pub fn exit(&self) -> Exit {
         match self.kind {
             FailureKind::Usage => Exit::Usage,
@@ -114,39 +111,51 @@ impl From<ReportError> for Failure {
 pub fn exit_code(result: Result<Exit, Failure>, console: &Console) -> Exit {
     match result {
         Err(failure) => failure.exit(),
-        Ok(_) if !console.has_reported() => Exit::OutputFailed,
+        Ok(_) if console.failed.get() => Exit::OutputFailed,
         Ok(exit) => exit,
     }
 }
 
-/// The files of a batch that failed, with their errors.
-#[derive(Debug, Default)]
+/// Some inputs, and those that failed with their errors.
+#[derive(Debug)]
 pub struct Batch {
-    failed: Vec<(String, String)>,
+    inputs: usize,
+    failed: Vec<(String, Failure)>,
 }
 
 impl Batch {
-    /// Records the failure of a file.
-    pub fn record(&mut self, path: &str, failure: &Failure) {
-        let found = failure.message.split(HELP).next().unwrap_or_default();
-        self.failed.push((escaped(path), escaped(found)));
+    pub fn new(inputs: usize) -> Self {
+        Self { inputs, failed: Vec::new() }
     }
 
-    /// Whether a file failed.
-    pub fn has_failed(&self) -> bool {
-        !self.failed.is_empty()
+    pub fn record(&mut self, path: &str, failure: Failure) {
+        self.failed.push((path.to_owned(), failure));
     }
 
-    /// The lines that end the report on a batch.
-    pub fn summary(&self, inputs: usize) -> String {
-        let (files, failed) = (count(inputs, "file"), self.failed.len());
+    /// Prints a summary of several inputs, and returns the exit code; `exit` if none failed.
+    pub fn finish(mut self, exit: Exit, console: &Console) -> Exit {
+        if self.inputs > 1 {
+            console.text(|| self.summary());
+        }
+        let result = match self.failed.pop() {
+            Some(_) if self.inputs > 1 => Ok(Exit::PartOfBatch),
+            Some((_, failure)) => Err(failure),
+            None => Ok(exit),
+        };
+        exit_code(result, console)
+    }
+
+    fn summary(&self) -> String {
+        let (files, failed) = (count(self.inputs, "file"), self.failed.len());
+        let found = |failure: &Failure| escaped(failure.message.split(HELP).next().unwrap_or_default());
+        let lines = self.failed.iter().map(|(path, why)| format!("  {}: {}\n", escaped(path), found(why)));
         match failed {
             0 => format!("{files} done\n"),
-            _ => {
-                let lines: String =
-                    self.failed.iter().map(|(path, why)| format!("  {path}: {why}\n")).collect();
-                format!("{} of {files} done, {failed} failed:\n{lines}", inputs - failed)
-            }
+            _ => format!(
+                "{} of {files} done, {failed} failed:\n{}",
+                self.inputs - failed,
+                lines.collect::<String>()
+            ),
         }
     }
 }

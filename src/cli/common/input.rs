@@ -1,40 +1,16 @@
 //! Files and standard input: arguments and folders become a list of inputs in a fixed order, which are then read.
 
 use super::failure::Failure;
+use super::stream::Stream;
 use crease::io::{self, Format, Limits, Loaded, Place, Problem, ReadError, ReadOptions};
 use ignore::WalkBuilder;
 use std::io::{IsTerminal, Read};
 use std::path::{Path, PathBuf};
 
-/// A file to read, or standard input.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Source {
-    Stdin,
-    File(PathBuf),
-}
+/// What is read.
+pub type Source = Stream;
 
 impl Source {
-    /// The source that a path names; `-` is standard input.
-    pub fn of(path: &Path) -> Self {
-        if path.as_os_str() == "-" { Source::Stdin } else { Source::File(path.to_path_buf()) }
-    }
-
-    /// Its path, or `-`.
-    pub fn name(&self) -> String {
-        match self {
-            Source::Stdin => "-".into(),
-            Source::File(path) => path.to_string_lossy().into_owned(),
-        }
-    }
-
-    /// The number of bytes of a file.
-    pub fn length(&self) -> Option<u64> {
-        match self {
-            Source::Stdin => None,
-            Source::File(path) => path.metadata().ok().map(|metadata| metadata.len()),
-        }
-    }
-
     /// Reads it; `arrived` receives the number of bytes of each piece of standard input.
     pub fn read(
         &self,
@@ -44,14 +20,12 @@ impl Source {
     ) -> Result<Loaded, ReadError> {
         match self {
             Source::File(path) => io::read(path, format, options),
-            Source::Stdin => io::read_bytes(read_stdin(&options.limits, arrived)?, format, None, options),
+            Source::Standard => io::read_bytes(read_stdin(&options.limits, arrived)?, format, None, options),
         }
     }
 }
 
-/// All of standard input.
 fn read_stdin(limits: &Limits, mut arrived: impl FnMut(u64)) -> Result<Vec<u8>, ReadError> {
-    /// Bytes that make a piece.
     const PIECE: u64 = 1 << 20;
     let mut stdin = std::io::stdin().lock();
     let fail = |problem, found: String, advice: &str| ReadError::new(problem, Place::File, found, advice);
@@ -78,7 +52,6 @@ fn read_stdin(limits: &Limits, mut arrived: impl FnMut(u64)) -> Result<Vec<u8>, 
     Err(fail(Problem::Limit, found, "split the file"))
 }
 
-/// Refuses a `--root` that is no folder.
 pub fn check_root(root: Option<&PathBuf>) -> Result<(), Failure> {
     match root.filter(|root| !root.is_dir()) {
         Some(root) => Err(Failure::usage(format!("--root {} is not a folder", root.display()))),
@@ -86,7 +59,6 @@ pub fn check_root(root: Option<&PathBuf>) -> Result<(), Failure> {
     }
 }
 
-/// One input.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Input {
     pub source: Source,
@@ -104,10 +76,10 @@ pub fn expand(args: &[PathBuf], recursive: bool, out_dir: Option<&Path>) -> Resu
     let out_dir = out_dir.and_then(|dir| dir.canonicalize().ok());
     for arg in args {
         if arg.as_os_str() == "-" {
-            if inputs.iter().any(|input: &Input| input.source == Source::Stdin) {
+            if inputs.iter().any(|input: &Input| input.source == Source::Standard) {
                 return Err(Failure::usage("standard input can be read only once\nhelp: give `-` once"));
             }
-            inputs.push(Input { source: Source::Stdin, place: PathBuf::from("-") });
+            inputs.push(Input { source: Source::Standard, place: PathBuf::from("-") });
         } else if arg.is_dir() {
             if !recursive {
                 let advice =

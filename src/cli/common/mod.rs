@@ -8,8 +8,6 @@ pub mod console;
 pub mod failure;
 /// Files and standard input.
 pub mod input;
-/// Notes on an input, as text.
-pub mod notes;
 /// Numbers with the words that belong to them.
 pub mod numbers;
 /// Options that several verbs have.
@@ -20,5 +18,5 @@ pub mod output;
 pub mod progress;
 /// Members that JSON reports share.
 pub mod report;
-/// Numbers, vectors and colours of options.
-pub mod vectors;
+/// Files, and standard input and output.
+pub mod stream;

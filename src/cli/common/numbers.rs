@@ -2,7 +2,6 @@
 
 use std::fmt::Write as _;
 
-/// A number with what it counts.
 pub fn count(number: usize, what: &str) -> String {
     count_of(number, what, &format!("{what}s"))
 }
@@ -33,13 +32,11 @@ pub fn size(bytes: u64) -> String {
     }
 }
 
-/// The time in all and of each stage.
 pub fn seconds(total: f64, stages: &[(&str, f64)]) -> String {
     let stages: Vec<String> = stages.iter().map(|(name, seconds)| format!("{name} {seconds:.3}")).collect();
     format!("{total:.3} s ({})", stages.join(", "))
 }
 
-/// Adds a line with a label to a report.
 pub fn row(out: &mut String, label: &str, text: &str) {
     let _ = writeln!(out, "  {label:<9}{text}");
 }

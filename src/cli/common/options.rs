@@ -1,39 +1,22 @@
-//! Options that several verbs have, and their values.
+//! Options that several verbs have, and their values: names, angles, numbers, vectors, colours.
 
 use super::choice::choices;
 use clap::Args;
 use crease::io::Format;
 use crease::mesh::Confidence;
 use crease::normals::{Crease, Weight, When};
-use crease::num::Degrees;
-
-pub const EXIT_CODES: &str = "\
-Exit codes:
-  0  done
-  1  `crease inspect --fail-on` found something,
-     an expectation of `crease stress` does not hold,
-     or a measure of `crease artefact` differs from its expected value
-  2  wrong usage
-  3  an input could not be read
-  4  an output could not be made or stored
-  5  some files of a batch failed; the others are done";
+use crease::num::{Degrees, LinearRgb, Srgb8};
+use glam::DVec3;
 
 #[derive(Args)]
 #[command(next_help_heading = "Running and reporting")]
 pub struct RunArgs {
-    /// Threads to use; the output is the same for any number [default: one per processor]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-
-    /// Report as JSON
     #[arg(long)]
     pub json: bool,
-
-    /// Report errors only
     #[arg(short, long, conflicts_with = "verbose")]
     pub quiet: bool,
-
-    /// Report details
     #[arg(short, long)]
     pub verbose: bool,
 }
@@ -48,7 +31,6 @@ impl RunArgs {
     }
 }
 
-/// When to use colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Color {
     Auto,
@@ -56,35 +38,16 @@ pub enum Color {
     Never,
 }
 
-choices! { Color {
-    "auto" => Auto: "on a terminal, unless NO_COLOR is set; CLICOLOR_FORCE forces it",
-    "always" => Always: "always",
-    "never" => Never: "never",
-} }
+choices! { Color: "auto" => Auto, "always" => Always, "never" => Never }
 
-choices! { Format {
-    "obj" => Obj: "Wavefront OBJ",
-    "ply" => Ply: "PLY, ascii or binary",
-    "stl" => Stl: "STL, ascii or binary",
-    "gltf" => Gltf: "glTF 2.0, JSON",
-    "glb" => Glb: "glTF 2.0, binary",
-} }
+choices! { Format: "obj" => Obj, "ply" => Ply, "stl" => Stl, "gltf" => Gltf, "glb" => Glb }
 
-choices! { Weight {
-    "uniform" => Uniform: "all equal (Gouraud 1971)",
-    "area" => Area: "area of the face",
-    "angle" => Angle: "angle of the face at the corner (Thürmer & Wüthrich 1998)",
-    "angle-area" => AngleArea: "angle times area",
-    "max" => Max: "sin of the angle over the product of the edge lengths; exact on a sphere (Max 1999)",
-    "edge" => Edge: "1 over the product of the edge lengths",
-    "quadric" => Quadric: "least-squares quadric through the two-ring: slow, second order",
-} }
+choices! { Weight:
+    "uniform" => Uniform, "area" => Area, "angle" => Angle, "angle-area" => AngleArea, "max" => Max,
+    "edge" => Edge, "quadric" => Quadric,
+}
 
-choices! { When {
-    "always" => Always: "all",
-    "missing" => Missing: "only those of corners without a normal",
-    "broken" => Broken: "also normals that are not finite, zero, or against their own face; other lengths are normalised",
-} }
+choices! { When: "always" => Always, "missing" => Missing, "broken" => Broken }
 
 pub fn confidence(text: &str) -> Result<Confidence, String> {
     match text.parse() {
@@ -101,5 +64,62 @@ pub fn crease_angle(text: &str) -> Result<Degrees, String> {
     match text.parse() {
         Ok(angle) if (0.0..=180.0).contains(&angle) => Ok(Degrees(angle)),
         _ => Err("an angle from 0 to 180 degrees, or `off`, was expected".into()),
+    }
+}
+
+pub fn number(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse().ok().filter(|number: &f64| number.is_finite());
+    number.ok_or_else(|| format!("{text:?} is not a finite number"))
+}
+
+pub fn not_negative(text: &str) -> Result<f64, String> {
+    let number = number(text).ok().filter(|&number| number >= 0.0);
+    number.ok_or_else(|| format!("{text:?} is not a finite number, 0 or more"))
+}
+
+pub fn finite_numbers(text: &str) -> Result<Vec<f64>, String> {
+    text.split(',').map(number).collect()
+}
+
+/// `1,2,3`.
+pub fn vector(text: &str) -> Result<DVec3, String> {
+    match finite_numbers(text)?[..] {
+        [x, y, z] => Ok(DVec3::new(x, y, z)),
+        _ => Err(format!("{text:?} is not three numbers such as 1,0,2.5")),
+    }
+}
+
+/// `#rrggbb` in sRGB, three linear components, or one for a grey.
+pub fn colour(text: &str) -> Result<LinearRgb, String> {
+    let wrong = || {
+        format!("{text:?} is not a colour: expected #rrggbb (sRGB), R,G,B or one number (linear, 0 or more)")
+    };
+    if let Some(digits) = text.strip_prefix('#') {
+        let is_hexadecimal = digits.len() == 6 && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
+        let code = u32::from_str_radix(digits, 16).ok().filter(|_| is_hexadecimal).ok_or_else(wrong)?;
+        let [_, r, g, b] = code.to_be_bytes();
+        return Ok(Srgb8([r, g, b]).into());
+    }
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(not_negative).collect();
+    match numbers.map_err(|_| wrong())?[..] {
+        [grey] => Ok(LinearRgb::grey(grey)),
+        [r, g, b] => Ok(LinearRgb::new(r, g, b)),
+        _ => Err(wrong()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_are_codes_or_light() {
+        assert_eq!(colour("#ff0000"), Ok(LinearRgb::new(1.0, 0.0, 0.0)));
+        assert!((colour("#bcbcbc").unwrap().g - 0.502_886_5).abs() < 1e-6, "188 is about half the light");
+        assert_eq!(colour("0.5"), Ok(LinearRgb::grey(0.5)));
+        assert_eq!(colour("2, 0,1e-3"), Ok(LinearRgb::new(2.0, 0.0, 1e-3)));
+        for wrong in ["", "#12", "#+12345", "#12345g", "1,2", "1,2,3,4", "-1", "nan", "1,inf,1", "red"] {
+            assert!(colour(wrong).unwrap_err().contains("#rrggbb"), "{wrong}");
+        }
     }
 }

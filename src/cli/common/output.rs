@@ -4,6 +4,7 @@
 //! main file last, so that whoever sees the new main file finds its companions. A link is followed to the file
 //! that it names, an existing file keeps its permissions, a new one gets those that the umask leaves.
 
+use super::stream::Stream;
 use anyhow::{Context, Result, bail, ensure};
 use crease::io::{Format, Note, OutputContent, OutputFile, Written};
 use std::collections::BTreeMap;
@@ -13,28 +14,10 @@ use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Component, Path, PathBuf};
 use tempfile::NamedTempFile;
 
-/// Where an output goes.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Target {
-    Stdout,
-    File(PathBuf),
-}
+/// What is written.
+pub type Target = Stream;
 
 impl Target {
-    /// The target that a path names; `-` is standard output.
-    pub fn of(path: &Path) -> Self {
-        if path.as_os_str() == "-" { Target::Stdout } else { Target::File(path.to_path_buf()) }
-    }
-
-    /// Its path, or `-`.
-    pub fn name(&self) -> String {
-        match self {
-            Target::Stdout => "-".into(),
-            Target::File(path) => path.to_string_lossy().into_owned(),
-        }
-    }
-
-    /// Stores a file that has no companions.
     pub fn store(&self, bytes: Vec<u8>) -> Result<()> {
         Store::default().store(Written { bytes, ..Written::default() }, self).map(drop)
     }
@@ -90,7 +73,7 @@ impl Store {
     /// If anything cannot be written; nothing half-written remains then.
     pub fn store(&mut self, written: Written, target: &Target) -> Result<Vec<Note>> {
         match target {
-            Target::Stdout => {
+            Target::Standard => {
                 // A copied companion exists where the input refers to it; standard output has no folder for new ones.
                 let new = written.companions.iter().find(|c| matches!(c.content, OutputContent::Bytes(_)));
                 if let Some(companion) = new {
@@ -318,6 +301,11 @@ impl Staged {
     }
 }
 
+/// The name of a file without its ending.
+pub fn stem(path: &Path) -> Option<String> {
+    Some(path.file_stem()?.to_string_lossy().into_owned())
+}
+
 /// Writes bytes to standard output. That its reader has gone away is no failure.
 pub fn to_stdout(bytes: &[u8]) -> Result<()> {
     let mut out = io::stdout().lock();
@@ -353,7 +341,7 @@ pub fn is_same_file(a: &Path, b: &Path) -> bool {
 /// The file, or standard output, and the format that a path and `--to` name together.
 pub fn file_target(path: &Path, to: Option<Format>) -> Result<(Target, Option<Format>), String> {
     let target = Target::of(path);
-    if target == Target::Stdout {
+    if target == Target::Standard {
         return Ok((target, to));
     }
     if path.is_dir() {
@@ -451,7 +439,7 @@ mod tests {
             assert_eq!(names(folder.path()), [""; 0]);
         }
         let stream = [("a.bin", OutputContent::Bytes(vec![]))];
-        assert!(store.store(written(b"", &stream), &Target::Stdout).is_err());
+        assert!(store.store(written(b"", &stream), &Target::Standard).is_err());
         assert!(store.store(written(b"", &[]), &Target::File(folder.path().to_path_buf())).is_err());
     }
 

@@ -27,7 +27,6 @@ pub struct Progress {
     waiting: Option<(Sender<()>, JoinHandle<()>)>,
 }
 
-/// The bar's share of one input.
 #[derive(Debug)]
 pub struct FileProgress<'a> {
     bar: &'a ProgressBar,
@@ -45,7 +44,6 @@ pub enum Stage {
 }
 
 impl Progress {
-    /// A bar over the bytes of inputs.
     pub fn of_inputs<'a>(console: &Console, inputs: impl IntoIterator<Item = &'a Source>) -> Self {
         let bytes = inputs.into_iter().filter_map(Source::length).sum();
         Self::new(console, BYTES, bytes)
@@ -98,7 +96,6 @@ impl Progress {
         self
     }
 
-    /// Begins with an input.
     pub fn begin(&self, source: &Source) -> FileProgress<'_> {
         let bytes = source.length().unwrap_or_default();
         FileProgress { bar: &self.bar, start: self.bar.position(), bytes: AtomicU64::new(bytes) }
@@ -109,12 +106,10 @@ impl Progress {
         self.bar.suspend(print);
     }
 
-    /// One more is done.
     pub fn done(&self) {
         self.bar.inc(1);
     }
 
-    /// A measurement has come so far.
     pub fn step(&self, step: trade::Progress) {
         self.bar.set_message(step.stage);
         self.bar.set_length(step.total as u64);
@@ -123,7 +118,6 @@ impl Progress {
 }
 
 impl FileProgress<'_> {
-    /// Begins with a stage.
     pub fn stage(&self, stage: Stage) {
         self.bar.set_message(match stage {
             Stage::Read => "reading",
@@ -133,7 +127,6 @@ impl FileProgress<'_> {
         self.within(stage, 0, 1);
     }
 
-    /// Sets how much of a stage is done.
     pub fn within(&self, stage: Stage, done: usize, all: usize) {
         let thirds = stage as u64 as f64 + done as f64 / all.max(1) as f64;
         let bytes = self.bytes.load(Ordering::Relaxed);
@@ -234,7 +227,7 @@ mod tests {
         let paper = Paper::default();
         let target = ProgressDrawTarget::term_like(Box::new(paper.clone()));
         let progress = Progress::after(Duration::from_millis(20), BYTES, 1000, target);
-        let file = progress.begin(&Source::Stdin);
+        let file = progress.begin(&Source::Standard);
         file.stage(Stage::Compute);
         let start = Instant::now();
         while !paper.0.lock().unwrap().contains("computing") {
@@ -246,7 +239,7 @@ mod tests {
         let paper = Paper::default();
         let target = ProgressDrawTarget::term_like(Box::new(paper.clone()));
         let progress = Progress::after(Duration::from_secs(600), BYTES, 1000, target);
-        progress.begin(&Source::Stdin).stage(Stage::Compute);
+        progress.begin(&Source::Standard).stage(Stage::Compute);
         // Ends without waiting for the delay.
         drop(progress);
         assert_eq!(*paper.0.lock().unwrap(), "");
@@ -269,7 +262,7 @@ mod tests {
     #[test]
     fn what_comes_from_standard_input_counts() {
         let progress = Progress::after(Duration::from_secs(600), BYTES, 0, ProgressDrawTarget::hidden());
-        let file = progress.begin(&Source::Stdin);
+        let file = progress.begin(&Source::Standard);
         file.stage(Stage::Read);
         file.arrived(600);
         file.arrived(300);

@@ -17,12 +17,10 @@ pub struct Head {
 }
 
 impl Head {
-    /// The head of a report in which nothing has failed yet.
     pub fn new(schema: &'static str) -> Self {
         Self { schema, crease: env!("CARGO_PKG_VERSION"), status: "ok", error: None }
     }
 
-    /// Records what failed, if anything did.
     pub fn record<T>(&mut self, result: &Result<T, Failure>) {
         if let Err(failure) = result {
             self.status = "failed";
@@ -31,7 +29,6 @@ impl Head {
     }
 }
 
-/// The file that was read.
 #[derive(Debug, Default, Serialize)]
 pub struct InputReport {
     pub path: String,
@@ -47,7 +44,6 @@ impl InputReport {
     }
 }
 
-/// A mesh file that was made.
 #[derive(Debug, Serialize)]
 pub struct MeshOutput {
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -7,7 +7,6 @@ use crease::quality::{Comparison, Diagnosis, Finding, PartDiagnosis, Severity};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-/// The report of one input.
 #[derive(Default, Serialize)]
 pub struct InspectReport {
     #[serde(flatten)]
@@ -37,13 +36,11 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// The counts of all findings.
     pub fn of(diagnosis: &Diagnosis) -> Self {
         let [note, warning, error] = Severity::ALL.map(|severity| diagnosis.count(severity));
         Self { error, warning, note }
     }
 
-    /// The findings that are not among others.
     pub fn without(self, others: Self) -> Self {
         Self {
             error: self.error - others.error,
@@ -76,7 +73,6 @@ impl InspectReport {
     }
 }
 
-/// A finding and the command that fixes it.
 pub struct FindingReport {
     pub finding: Finding,
     pub command: Option<String>,
@@ -113,7 +109,6 @@ struct Measure {
     unit: &'static str,
 }
 
-/// What is different in another file.
 pub struct Against {
     pub path: String,
     pub comparison: Comparison,

@@ -6,8 +6,6 @@ pub mod args;
 mod fix;
 /// The report as JSON.
 mod json;
-/// Options made into a list of inputs.
-mod request;
 /// Reading, diagnosing and drawing.
 pub mod run;
 /// From symptoms to findings.

@@ -1,37 +1,35 @@
-//! Runs `crease inspect`: all inputs one after the other.
+//! Runs `crease inspect`: checks of the command line, then all inputs one after the other.
 
 use super::args::{FindingArgs, InspectArgs, PictureArgs};
-use super::fix;
 use super::json::{Against, Counts, InspectReport};
-use super::request::sources;
-use super::symptoms;
 use super::text::{self, Layout};
-use crate::cli::args::{refused, usage_error};
+use super::{fix, symptoms};
 use crate::cli::common::console::{Console, HELP, Style, Verbosity, escaped};
 use crate::cli::common::failure::{Batch, Exit, Failure, exit_code, guarded};
-use crate::cli::common::input::Source;
+use crate::cli::common::input::{Source, check_root, expand};
 use crate::cli::common::options::Color;
-use crate::cli::common::output::Target;
+use crate::cli::common::output::{Target, is_same_file, resolve_parent, stem};
 use crate::cli::common::progress::{FileProgress, Progress, Stage};
+use crate::cli::help::{refused, usage_error};
 use crease::io::{Loaded, ReadOptions};
 use crease::num::Transfer;
 use crease::quality::catalogue::{Kind, entries};
 use crease::quality::{Diagnosis, Finding, Severity, Thresholds, compare, diagnose};
 use crease::report::{After, deviation_picture, diagnosis_page, encode_png};
 use std::collections::HashSet;
+use std::path::Path;
 use std::time::Instant;
 
 /// What a heat map of a file without normals shows.
 const NO_DEVIATION: &str =
     "no normals are stored: the picture shows no deviations\nhelp: compute normals with `crease normals`";
 
-/// Runs the verb.
 pub fn main(args: &InspectArgs, color: Color) -> Exit {
     let PictureArgs { html, heatmap, .. } = &args.pictures;
-    let to_stdout = [html, heatmap].into_iter().flatten().find(|path| Target::of(path) == Target::Stdout);
+    let to_stdout = [html, heatmap].into_iter().flatten().find(|path| Target::of(path) == Target::Standard);
     let console = Console::new(&args.run, color, to_stdout.map(|path| path.as_path()));
     if !args.findings.explain.is_empty() {
-        console.report(&explained(&args.findings.explain.join(" "), console.report_style()));
+        console.report(&explained(&args.findings.explain.join(" "), console.report_style));
         return exit_code(Ok(Exit::Done), &console);
     }
     let sources = match sources(args) {
@@ -67,7 +65,7 @@ fn run(sources: &[Source], args: &InspectArgs, console: &Console) -> Exit {
     let progress = Progress::of_inputs(console, sources);
     let read = ReadOptions { root: args.root.clone(), ..ReadOptions::default() };
     let thresholds = args.thresholds.resolve(args.findings.places);
-    let (mut batch, mut failed, mut exit) = (Batch::default(), None, Exit::Done);
+    let (mut batch, mut exit) = (Batch::new(sources.len()), Exit::Done);
     let mut outputs = HashSet::new();
     for source in sources {
         let mut report = InspectReport::new(source);
@@ -88,20 +86,11 @@ fn run(sources: &[Source], args: &InspectArgs, console: &Console) -> Exit {
             print(&report, args, sources.len() > 1, console);
         });
         if let Err(failure) = result {
-            batch.record(&report.input.path, &failure);
-            failed = Some(failure);
+            batch.record(&report.input.path, failure);
         }
     }
     drop(progress);
-    if sources.len() > 1 {
-        console.text(|| batch.summary(sources.len()));
-    }
-    let result = match failed {
-        Some(_) if sources.len() > 1 => Ok(Exit::PartOfBatch),
-        Some(failure) => Err(failure),
-        None => Ok(exit),
-    };
-    exit_code(result, console)
+    batch.finish(exit, console)
 }
 
 /// Reads, diagnoses and draws. `outputs` are the names of fixed versions so far: each input has its own.
@@ -142,10 +131,7 @@ fn inspect(
     }
     report.seconds.inspect = start.elapsed().as_secs_f64();
     report.hidden = keep_wanted(&mut diagnosis, &args.findings);
-    let stem = match source {
-        Source::File(path) => path.file_stem().unwrap_or_default().to_string_lossy(),
-        Source::Stdin => "stdin".into(),
-    };
+    let stem = source.path().map_or("stdin".into(), |path| stem(path).unwrap_or_default());
     let output = |number: String| format!("{stem}-fixed{number}.{}", loaded.format.extension());
     let numbers = (1..).map(|number| if number == 1 { String::new() } else { format!("-{number}") });
     report.fix_as =
@@ -166,7 +152,6 @@ struct Outcome {
     lacks_normals: bool,
 }
 
-/// Whether any part of a file has stored normals.
 fn has_normals(loaded: &Loaded) -> bool {
     let columns = loaded.parts.iter().map(|part| part.mesh.columns());
     columns.flat_map(|columns| &columns.normals).any(|normals| !normals.values.is_empty())
@@ -221,7 +206,7 @@ fn print(report: &InspectReport, args: &InspectArgs, brief: bool, console: &Cons
     }
     console.print(report, || {
         let verbose = console.verbosity == Verbosity::Verbose;
-        let style = console.report_style();
+        let style = console.report_style;
         let layout = Layout {
             style,
             verbose,
@@ -235,4 +220,54 @@ fn print(report: &InspectReport, args: &InspectArgs, brief: bool, console: &Cons
             false => layout.block(report),
         }
     });
+}
+
+pub fn sources(args: &InspectArgs) -> Result<Vec<Source>, Failure> {
+    check_root(args.root.as_ref())?;
+    let found = expand(&args.inputs, args.recursive, None)?;
+    let options = [
+        ("--html", args.pictures.html.is_some()),
+        ("--heatmap", args.pictures.heatmap.is_some()),
+        ("--against", args.against.is_some()),
+    ];
+    if let Some((option, _)) = options.iter().find(|(_, is_given)| *is_given && found.len() > 1) {
+        return Err(Failure::usage(format!(
+            "{option} takes one input, not {}\nhelp: inspect one file at a time",
+            found.len()
+        )));
+    }
+    let sources: Vec<Source> = found.into_iter().map(|input| input.source).collect();
+    if args.against.as_deref().map(Source::of) == Some(Source::Standard)
+        && sources.contains(&Source::Standard)
+    {
+        return Err(Failure::usage("standard input can be read only once\nhelp: name one of the two files"));
+    }
+    check_outputs(&sources, args).map_err(Failure::usage)?;
+    Ok(sources)
+}
+
+/// No picture may be written over an input, nor over the other picture.
+fn check_outputs(sources: &[Source], args: &InspectArgs) -> Result<(), String> {
+    let inputs: Vec<&Path> = sources.iter().filter_map(Source::path).chain(args.against.as_deref()).collect();
+    let PictureArgs { html, heatmap, .. } = &args.pictures;
+    let is_file = |path: &Path| Target::of(path) != Target::Standard;
+    for output in [html, heatmap].into_iter().flatten().filter(|path| is_file(path)) {
+        if let Some(input) = inputs.iter().find(|input| is_same_file(input, output)) {
+            return Err(format!(
+                "this would overwrite the input {}\nhelp: name another output",
+                input.display()
+            ));
+        }
+    }
+    let is_png = |path: &Path| path.extension().is_some_and(|name| name.eq_ignore_ascii_case("png"));
+    match (html, heatmap) {
+        (Some(html), Some(heatmap)) if resolve_parent(html) == resolve_parent(heatmap) => Err(format!(
+            "--html and --heatmap would both be written to {}\nhelp: name two outputs",
+            html.display()
+        )),
+        (_, Some(path)) if is_file(path) && !is_png(path) => {
+            Err(format!("--heatmap writes a PNG, not {}\nhelp: use a name that ends in .png", path.display()))
+        }
+        _ => Ok(()),
+    }
 }

@@ -9,7 +9,6 @@ use crease::quality::catalogue::Entry;
 use crease::quality::{Element, Finding, PartDiagnosis, Severity, Site};
 use std::fmt::Write;
 
-/// How a report is shown.
 pub struct Layout {
     pub style: Style,
     /// Details of each finding, and every part.
@@ -18,7 +17,6 @@ pub struct Layout {
     pub hides_notes: bool,
     /// No findings are selected by id, so that `--severity` shows those that are hidden.
     pub selects_by_severity: bool,
-    /// Positions of each finding.
     pub places: usize,
 }
 
@@ -33,13 +31,11 @@ impl Layout {
         }
     }
 
-    /// The findings that are not hidden.
     fn shown<'a>(&self, report: &'a InspectReport) -> Vec<&'a Finding> {
         let all = report.findings.iter().map(|report| &report.finding);
         all.filter(|finding| !(self.hides_notes && finding.severity == Severity::Note)).collect()
     }
 
-    /// The verdict in one line.
     fn line(&self, report: &InspectReport) -> String {
         let (mut shown, mut hidden) = (report.counts, report.hidden);
         if self.hides_notes {
@@ -235,7 +231,6 @@ fn place(site: &Site, report: &InspectReport) -> String {
     said.join(", ")
 }
 
-/// What the catalogue has on one finding.
 pub fn explanation(entry: &Entry, style: Style) -> String {
     let fix = match entry.remedy {
         Some(options) => format!("crease normals INPUT -o OUTPUT {options}").trim_end().to_owned(),
@@ -253,12 +248,10 @@ pub fn explanation(entry: &Entry, style: Style) -> String {
     )
 }
 
-/// The same of several.
 pub fn explanations(entries: &[&Entry], style: Style) -> String {
     entries.iter().map(|entry| explanation(entry, style)).collect::<Vec<_>>().join("\n")
 }
 
-/// Findings with their titles, one line each.
 pub fn list(entries: &[&Entry], style: Style) -> String {
     let line = |entry: &&Entry| format!("{}: {}\n", style.paint(Style::BOLD, entry.id), entry.title());
     let lines: String = entries.iter().map(line).collect();

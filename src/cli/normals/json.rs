@@ -39,7 +39,6 @@ pub struct Part {
 }
 
 impl<'a> Report<'a> {
-    /// A report on an input that nothing has been done with yet.
     pub fn new(job: &Job, request: &'a Request) -> Self {
         Self {
             head: Head::new("crease-normals/1"),

@@ -10,7 +10,6 @@ use crease::pipeline::Task;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// Everything to do, checked.
 pub struct Request<'a> {
     pub args: &'a NormalsArgs,
     pub jobs: Vec<Job>,
@@ -21,7 +20,6 @@ pub struct Request<'a> {
     pub rows: bool,
 }
 
-/// One input and its output.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Job {
     pub source: Source,
@@ -116,11 +114,7 @@ fn read_options(args: &NormalsArgs) -> ReadOptions {
 
 fn job(input: &Input, args: &NormalsArgs) -> Result<Job, Failure> {
     let output = &args.output;
-    let named = match &input.source {
-        Source::File(path) => Format::from_path(path),
-        Source::Stdin => None,
-    };
-    let format = output.format.or(named);
+    let format = output.format.or_else(|| Format::from_path(input.source.path()?));
     let (target, to) = if let Some(path) = &output.output {
         let (target, to) = file_target(path, output.to).map_err(Failure::usage)?;
         (Some(target), to)
@@ -148,7 +142,7 @@ fn job(input: &Input, args: &NormalsArgs) -> Result<Job, Failure> {
 }
 
 fn folder_place(input: &Input, format: Option<Format>, to: Option<Format>) -> Result<PathBuf, Failure> {
-    if input.source == Source::Stdin {
+    if input.source == Source::Standard {
         return usage("standard input has no name to use in --out-dir\nhelp: name the output with --output");
     }
     Ok(match to {
@@ -181,10 +175,8 @@ fn in_place_target(input: &Input, format: Option<Format>, to: Option<Format>) ->
 fn check_collisions(jobs: &[Job], in_place: bool) -> Result<(), Failure> {
     let real = |path: &Path| path.canonicalize().ok();
     let mut inputs = BTreeMap::new();
-    for job in jobs {
-        if let Source::File(path) = &job.source {
-            inputs.extend(real(path).map(|real| (real, path)));
-        }
+    for path in jobs.iter().filter_map(|job| job.source.path()) {
+        inputs.extend(real(path).map(|real| (real, path)));
     }
     let mut outputs: BTreeMap<PathBuf, &Path> = BTreeMap::new();
     for job in jobs {

@@ -4,22 +4,19 @@ use super::args::NormalsArgs;
 use super::json::{Part, Report};
 use super::request::{Job, Request};
 use super::text;
-use crate::cli::args::refused;
 use crate::cli::common::console::{Console, Verbosity, escaped};
-use crate::cli::common::failure::{Batch, Exit, Failure, exit_code, guarded};
-use crate::cli::common::input::Source;
-use crate::cli::common::notes;
+use crate::cli::common::failure::{Batch, Exit, Failure, guarded};
 use crate::cli::common::options::Color;
-use crate::cli::common::output::{Store, Target, folder_of};
+use crate::cli::common::output::{Store, folder_of, stem};
 use crate::cli::common::progress::{FileProgress, Progress, Stage};
 use crate::cli::common::report::MeshOutput;
+use crate::cli::help::refused;
 use crease::io::{self, Format, Loaded, Written};
 use crease::pipeline;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-/// Runs the verb.
 pub fn main(args: &NormalsArgs, color: Color) -> Exit {
     let console = Console::new(&args.run, color, args.output.output.as_deref());
     let request = match Request::resolve(args) {
@@ -29,8 +26,7 @@ pub fn main(args: &NormalsArgs, color: Color) -> Exit {
     args.run.use_threads();
     let progress = Progress::of_inputs(&console, request.jobs.iter().map(|job| &job.source));
     let mut store = Store::new(args.output.sync, args.output.dry_run);
-    let mut batch = Batch::default();
-    let mut result = Ok(Exit::Done);
+    let mut batch = Batch::new(request.jobs.len());
     for job in &request.jobs {
         let mut report = Report::new(job, &request);
         let start = Instant::now();
@@ -40,20 +36,13 @@ pub fn main(args: &NormalsArgs, color: Color) -> Exit {
         report.seconds.total = start.elapsed().as_secs_f64();
         report.head.record(&done);
         if let Err(failure) = done {
-            batch.record(&report.input.path, &failure);
-            result = Err(failure);
+            batch.record(&report.input.path, failure);
             report.output = None;
         }
         progress.suspended(|| print(&report, &request, &console));
     }
     drop(progress);
-    if request.jobs.len() > 1 {
-        console.text(|| batch.summary(request.jobs.len()));
-        if batch.has_failed() {
-            return Exit::PartOfBatch;
-        }
-    }
-    exit_code(result, &console)
+    batch.finish(Exit::Done, &console)
 }
 
 fn print(report: &Report, request: &Request, console: &Console) {
@@ -63,10 +52,10 @@ fn print(report: &Report, request: &Request, console: &Console) {
     }
     let brief = request.jobs.len() > 1 && console.verbosity < Verbosity::Verbose;
     console.print(report, || {
-        notes::print(&report.input.path, &report.notes, brief, console);
+        console.notes(&report.input.path, &report.notes, brief);
         match brief {
             _ if report.head.error.is_some() => String::new(),
-            true => text::line(report, console.report_style()),
+            true => text::line(report, console.report_style),
             false => text::block(report, request.args.output.dry_run, console),
         }
     });
@@ -99,7 +88,8 @@ fn run(
 
     progress.stage(Stage::Write);
     let start = Instant::now();
-    let (stem, folder) = place(job).map(|path| (stem(path), folder_of(path))).unzip();
+    let place = place(job);
+    let (stem, folder) = (place.and_then(stem), place.map(folder_of));
     let options = io::WriteOptions { stem, folder, ..request.write.clone() };
     let written = io::write(&loaded, revision.edits, format, &options).map_err(Failure::output)?;
     let unchanged = loaded.document.is_unchanged(&written.bytes);
@@ -128,25 +118,16 @@ fn compute(
 
 /// Where the output will be, for its companion files; `None` for a stream or a device.
 fn place(job: &Job) -> Option<&Path> {
-    match (&job.target, &job.source) {
-        (Some(Target::File(path)), _) if path.metadata().is_ok_and(|it| !it.is_file() && !it.is_dir()) => {
-            None
-        }
-        (Some(Target::File(path)), _) | (None, Source::File(path)) => Some(path),
-        _ => None,
-    }
-}
-
-fn stem(path: &Path) -> String {
-    path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default()
+    let path = job.target.as_ref().unwrap_or(&job.source).path()?;
+    let is_device = job.target.is_some() && path.metadata().is_ok_and(|it| !it.is_file() && !it.is_dir());
+    (!is_device).then_some(path)
 }
 
 /// Stores the output and returns a note for each other file that it replaces.
 fn put(job: &Job, store: &mut Store, written: Written, unchanged: bool) -> Result<Vec<io::Note>, Failure> {
     let Some(target) = &job.target else { return Ok(Vec::new()) };
     // An unchanged input keeps its modification time too.
-    let is_itself = matches!((target, &job.source), (Target::File(a), Source::File(b)) if a == b);
-    if unchanged && is_itself {
+    if unchanged && *target == job.source && target.path().is_some() {
         return Ok(Vec::new());
     }
     Ok(store.store(written, target)?)

@@ -16,7 +16,6 @@ use std::ops::Add;
 /// How many places of faults, and of broken normals, are printed when details are asked for.
 const PLACES: usize = 10;
 
-/// One input of a batch in one line.
 pub fn line(report: &Report, style: Style) -> String {
     let mut line = title(report, style);
     let _ = write!(line, ": {}", count(sum(&report.parts, |part| part.faces), "face"));
@@ -33,11 +32,10 @@ pub fn line(report: &Report, style: Style) -> String {
     line
 }
 
-/// One input in full.
 pub fn block(report: &Report, dry_run: bool, console: &Console) -> String {
     let verbose = console.verbosity == Verbosity::Verbose;
     let parts = &report.parts[..];
-    let mut out = title(report, console.report_style());
+    let mut out = title(report, console.report_style);
     out.push('\n');
     let bytes = report.input.bytes.map(|bytes| format!(", {}", size(bytes))).unwrap_or_default();
     let format = report.input.format.map_or("?", |format| format.extension());
@@ -80,7 +78,6 @@ fn title(report: &Report, style: Style) -> String {
     title
 }
 
-/// A count over all parts.
 fn sum(parts: &[Part], of: impl Fn(&PartOutcome) -> usize) -> usize {
     parts.iter().map(|part| of(&part.outcome)).sum()
 }
@@ -128,7 +125,6 @@ fn edges(parts: &[Part], ignores_sharp: bool) -> String {
     text
 }
 
-/// The crease angle that was applied.
 fn crease_degrees(parts: &[Part]) -> Option<f64> {
     parts.iter().find_map(|part| part.outcome.crease_degrees)
 }
@@ -214,7 +210,6 @@ fn places(parts: &[Part], most: usize) -> Vec<String> {
     [faults, first(|part| &part.broken_places, "stored normal ")].concat()
 }
 
-/// Rows that only some files need.
 fn remarks(report: &Report) -> Vec<(&'static str, String)> {
     let parts = &report.parts[..];
     let of = |field: fn(&PartOutcome) -> usize| sum(parts, field);
@@ -276,7 +271,6 @@ fn remarks(report: &Report) -> Vec<(&'static str, String)> {
     rows
 }
 
-/// What `--orient` found, if it was asked for.
 fn orientation(parts: &[Part]) -> Option<String> {
     let found = || parts.iter().filter_map(|part| part.outcome.orientation.as_ref());
     found().next()?;

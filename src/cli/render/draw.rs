@@ -1,8 +1,7 @@
 //! A picture, panels side by side, or an animation.
 
-use super::changes::blame;
+use super::changes::{about, blame, pivot, turn};
 use super::request::{FileKind, Request, Subject};
-use super::turn;
 use crate::cli::common::choice::Choose;
 use crate::cli::common::failure::Failure;
 use crate::cli::common::output::Store;
@@ -15,11 +14,9 @@ use crease::report::{Animation, Panel, Picture, ReportError, encode_png, overlay
 pub struct Drawn {
     /// The file, unless it is stored already or none is wanted.
     pub bytes: Option<Vec<u8>>,
-    /// How many bytes it has.
     pub length: u64,
     pub size: [u32; 2],
     pub drawings: Vec<Drawing>,
-    /// The image, if there is just one.
     pub image: Option<Image>,
 }
 
@@ -29,17 +26,14 @@ impl Drawn {
     }
 }
 
-/// One drawing of the scene.
 #[derive(serde::Serialize)]
 pub struct Drawing {
-    /// The name of its panel or frame.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     #[serde(flatten)]
     pub statistics: Statistics,
 }
 
-/// Draws a changed scene, and turns it for an animation.
 pub fn draw(file: &mut SceneFile, request: &Request, progress: &Progress) -> Result<Drawn, Failure> {
     match request.subject {
         Subject::Picture => {
@@ -70,7 +64,6 @@ pub fn draw(file: &mut SceneFile, request: &Request, progress: &Progress) -> Res
     }
 }
 
-/// Draws a scene and its overlays.
 fn image(file: &SceneFile, settings: &RenderSettings, request: &Request) -> Result<Image, Failure> {
     let mut scene = file.scene();
     let kinds = &request.args.shading.overlay;
@@ -104,7 +97,6 @@ fn as_file(picture: &Picture, settings: &RenderSettings, kind: FileKind) -> Resu
 const TURN: u16 = 400;
 const SHORTEST: u16 = 2;
 
-/// How a turn of so many frames is shown.
 pub fn turn_of(frames: u16) -> Animation {
     Animation { frames: frames.into(), hundredths: (TURN / frames).max(SHORTEST) }
 }
@@ -116,7 +108,7 @@ fn turntable(
     request: &Request,
     progress: &Progress,
 ) -> Result<Drawn, Failure> {
-    let pivot = turn::pivot(file);
+    let pivot = pivot(file);
     let placed: Vec<_> = file.objects.iter().map(|object| object.transform).collect();
     let up = file.scene().camera.up;
     let size = file.settings.size;
@@ -125,7 +117,7 @@ fn turntable(
         let angle = Degrees(360.0 * frame as f64 / f64::from(frames));
         // Each frame turns from the start: roundings do not add up.
         file.objects.iter_mut().zip(&placed).for_each(|(object, &transform)| object.transform = transform);
-        turn::turn(file, turn::about(up, angle), pivot);
+        turn(file, about(up, angle), pivot);
         let image = image(file, &file.settings, request)?;
         // Some frames are asked for twice.
         if frame == drawings.len() {

@@ -1,6 +1,6 @@
 //! Values of `--camera`, `--light` and `--material`: words `key=value`, with a kind in front of a light's.
 
-use crate::cli::common::vectors::{colour, not_negative, number, vector};
+use crate::cli::common::options::{colour, not_negative, number, vector};
 use crease::num::{Degrees, LinearRgb, Radians};
 use crease::raster::{Camera, Projection};
 use crease::shade::{AreaShape, Attenuation, Cone, Light, Material, Reflectance, ShadeError};
@@ -66,7 +66,6 @@ impl<'a> Fields<'a> {
         self.take_or("attenuation", attenuation, Attenuation::None)
     }
 
-    /// Refuses fields that were not taken.
     fn finish(self) -> Result<(), String> {
         match self.pairs.first() {
             None => Ok(()),

@@ -8,19 +8,13 @@ mod changes;
 mod draw;
 /// Values of `--camera`, `--light` and `--material`.
 mod fields;
-/// The report as JSON.
-mod json;
+/// The report as JSON and as text.
+mod report;
 /// Options made into what is drawn.
 mod request;
 /// Loading, drawing and storing.
 pub mod run;
-/// The report as text.
-mod text;
-/// Rotating the objects of a scene.
-mod turn;
 /// Values of options.
 mod values;
 /// Options without effect, and pictures that show less than they could.
 mod warnings;
-/// The contrast of wireframes with the background.
-mod wire_contrast;

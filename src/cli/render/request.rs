@@ -11,7 +11,6 @@ use crease::report::panels_size;
 use crease::shade::Light;
 use std::path::Path;
 
-/// Everything to do, checked as far as that goes without the input.
 pub struct Request<'a> {
     pub args: &'a RenderArgs,
     pub source: Source,
@@ -23,7 +22,6 @@ pub struct Request<'a> {
     pub subject: Subject<'a>,
 }
 
-/// What kind of file a picture becomes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum FileKind {
@@ -31,12 +29,10 @@ pub enum FileKind {
     Gif,
 }
 
-/// What is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject<'a> {
     Picture,
     Panels(&'a [Variant]),
-    /// So many frames.
     Turntable(u16),
 }
 
@@ -44,11 +40,10 @@ pub enum Subject<'a> {
 const MOST_PIXELS: u64 = 1 << 28;
 
 impl<'a> Request<'a> {
-    /// Checks the options against each other.
     pub fn resolve(args: &'a RenderArgs) -> Result<Self, String> {
         let input = args.input.as_deref().unwrap_or(Path::new("-"));
         let source = Source::of(input);
-        if source != Source::Stdin && input.is_dir() {
+        if source != Source::Standard && input.is_dir() {
             return usage(format!("{} is a folder\nhelp: name one file to draw", input.display()));
         }
         let (target, file) = target(args)?;
@@ -112,13 +107,11 @@ impl<'a> Request<'a> {
         Ok(())
     }
 
-    /// Whether the input is a scene with settings of its own.
     pub fn has_settings(&self) -> bool {
         let is_toml = |path: &Path| path.extension().is_some_and(|name| name.eq_ignore_ascii_case("toml"));
         matches!(&self.source, Source::File(path) if is_toml(path)) && self.format.is_none()
     }
 
-    /// The settings of each panel, or of the only picture.
     pub fn panels(&self, settings: &RenderSettings) -> Vec<RenderSettings> {
         match self.subject {
             Subject::Panels(variants) => variants.iter().map(|variant| variant.settings(settings)).collect(),
@@ -183,7 +176,7 @@ fn target(args: &RenderArgs) -> Result<(Option<Target>, FileKind), String> {
     let by_subject = if wants_gif { FileKind::Gif } else { FileKind::Png };
     let Some(path) = &args.output.output else { return Ok((None, by_subject)) };
     let target = Target::of(path);
-    if target == Target::Stdout {
+    if target == Target::Standard {
         return Ok((Some(target), by_subject));
     }
     if path.is_dir() {

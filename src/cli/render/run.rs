@@ -3,16 +3,15 @@
 use super::args::RenderArgs;
 use super::changes::change;
 use super::draw::{Drawing, draw, turn_of};
-use super::json::{PictureReport, Report, SceneReport, Settings};
+use super::report::{PictureReport, Report, SceneReport, Settings, block};
 use super::request::{Request, Subject};
-use super::{text, warnings};
-use crate::cli::args::usage_error;
-use crate::cli::common::console::{Console, HELP, escaped};
+use super::warnings;
+use crate::cli::common::console::{Console, HELP, escaped, push_wrapped};
 use crate::cli::common::failure::{Exit, Failure, FailureKind, exit_code, guarded};
 use crate::cli::common::input::Source;
-use crate::cli::common::notes;
 use crate::cli::common::options::Color;
 use crate::cli::common::progress::Progress;
+use crate::cli::help::usage_error;
 use crease::io::{Note, Place, ReadError};
 use crease::num::{Degrees, three_digits};
 use crease::raster::{Image, Object, Projection, SceneFile, Shading, Shape, Unseen, load};
@@ -20,7 +19,6 @@ use crease::report::{PixelReport, probe_pixel};
 use glam::DVec3;
 use std::time::Instant;
 
-/// Runs the verb.
 pub fn main(args: &RenderArgs, color: Color) -> Exit {
     let console = Console::new(&args.run, color, args.output.output.as_deref());
     if args.scene.scene_help {
@@ -98,25 +96,6 @@ fn without_links(text: &str) -> String {
     }
 }
 
-/// Appends a text in lines of at most 100 characters, the first and the others after an indent. Code stays on one line.
-fn push_wrapped(out: &mut String, text: &str, [first, others]: [&str; 2]) {
-    let mut line = first.to_owned();
-    let mut words = text.split(' ');
-    while let Some(word) = words.next() {
-        let mut word = word.to_owned();
-        while word.matches('`').count() % 2 == 1 {
-            let Some(next) = words.next() else { break };
-            word.extend([" ", next]);
-        }
-        if line.trim_start() != "" && line.chars().count() + word.chars().count() > 100 {
-            out.extend([line.trim_end(), "\n"]);
-            line = others.to_owned();
-        }
-        line.extend([word.as_str(), " "]);
-    }
-    out.extend([line.trim_end(), "\n"]);
-}
-
 fn run(request: &Request, console: &Console, report: &mut Report) -> Result<Exit, Failure> {
     let start = Instant::now();
     let mut file = read(request)?;
@@ -162,7 +141,7 @@ fn run(request: &Request, console: &Console, report: &mut Report) -> Result<Exit
 fn read(request: &Request) -> Result<SceneFile, ReadError> {
     match &request.source {
         Source::File(path) => load(path, request.format, &request.load),
-        Source::Stdin => {
+        Source::Standard => {
             let loaded = request.source.read(request.format, &request.load.read, |_| ())?;
             SceneFile::from_loaded(loaded, &request.load)
         }
@@ -263,9 +242,9 @@ fn print(report: &Report, request: &Request, console: &Console) {
         }
     }
     console.print(report, || {
-        notes::print(&report.input.path, &report.notes, false, console);
+        console.notes(&report.input.path, &report.notes, false);
         let has_block = report.head.error.is_none() && report.probe.is_none();
-        if has_block { text::block(report, console.report_style()) } else { String::new() }
+        if has_block { block(report, console.report_style) } else { String::new() }
     });
     // A probe is printed even under --quiet.
     if let Some(probe) = report.probe.as_ref().filter(|_| !console.json) {

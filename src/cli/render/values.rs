@@ -1,13 +1,12 @@
 //! Values of options of `crease render`.
 
 use crate::cli::common::choice::{Choose, choices};
-use crate::cli::common::vectors::number;
+use crate::cli::common::options::number;
 use crease::num::{Degrees, Transfer};
 use crease::raster::{Bits, Cull, FlatSample, Interpolation, RenderSettings, Samples, Shading, Show};
 use crease::report::Overlay;
 use crease::shade::{Terminator, ToneRule};
 
-/// The largest side of a picture.
 const LARGEST_SIDE: u32 = 16_384;
 
 /// `640x480`.
@@ -45,7 +44,6 @@ pub fn show(text: &str) -> Result<Show, String> {
     }
 }
 
-/// A guard's name and whether it is on.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GuardSwitch {
     pub name: String,
@@ -67,21 +65,18 @@ pub fn guard(text: &str) -> Result<GuardSwitch, String> {
     }
 }
 
-/// What becomes of lines behind surfaces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HiddenLines {
     Remove,
     Show,
 }
 
-/// One panel of `--compare`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Variant {
     Shading(Shading),
     Interpolation(Interpolation),
 }
 
-/// What `--reflection` takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReflectionChoice {
     Phong,
@@ -90,7 +85,6 @@ pub enum ReflectionChoice {
 }
 
 impl Variant {
-    /// The settings of its panel.
     pub fn settings(self, settings: &RenderSettings) -> RenderSettings {
         match self {
             Variant::Shading(shading) => RenderSettings { shading, ..*settings },
@@ -108,87 +102,41 @@ impl Variant {
     }
 }
 
-choices! { Shading {
-    "flat" => Flat: "once a face",
-    "gouraud" => Gouraud: "at the corners; colours are interpolated (Gouraud 1971)",
-    "phong" => Phong: "at every sample; normals are interpolated (Phong 1973)",
-    "wireframe" => Wireframe: "nowhere: edges are drawn",
-    "exact" => Exact: "at every sample, on the analytic surface of the object",
-} }
+choices! { Shading:
+    "flat" => Flat, "gouraud" => Gouraud, "phong" => Phong, "wireframe" => Wireframe, "exact" => Exact,
+}
 
-choices! { Interpolation {
-    "scanline" => Scanline: "along the polygon's edges, then along the scanline; depends on the rotation of the face",
-    "affine" => Affine: "barycentric on triangles of the picture: ignores perspective",
-    "perspective" => Perspective: "barycentric on triangles of the scene; correct under perspective",
-} }
+choices! { Interpolation: "scanline" => Scanline, "affine" => Affine, "perspective" => Perspective }
 
-choices! { Variant {
-    "flat" => Shading(Shading::Flat): "flat shading",
-    "gouraud" => Shading(Shading::Gouraud): "Gouraud shading",
-    "phong" => Shading(Shading::Phong): "Phong shading",
-    "wireframe" => Shading(Shading::Wireframe): "edges",
-    "exact" => Shading(Shading::Exact): "the analytic surface",
-    "scanline" => Interpolation(Interpolation::Scanline): "scanline interpolation",
-    "affine" => Interpolation(Interpolation::Affine): "affine interpolation",
-    "perspective" => Interpolation(Interpolation::Perspective): "perspective-correct interpolation",
-} }
+choices! { Variant:
+    "flat" => Shading(Shading::Flat), "gouraud" => Shading(Shading::Gouraud),
+    "phong" => Shading(Shading::Phong), "wireframe" => Shading(Shading::Wireframe),
+    "exact" => Shading(Shading::Exact), "scanline" => Interpolation(Interpolation::Scanline),
+    "affine" => Interpolation(Interpolation::Affine),
+    "perspective" => Interpolation(Interpolation::Perspective),
+}
 
-choices! { ReflectionChoice {
-    "phong" => Phong: "(V·R)ⁿ with the mirrored ray (Phong 1973)",
-    "blinn" => Blinn: "(N·H)ⁿ with the half-vector (Blinn 1977)",
-    "given" => Given: "no light: the colours of vertices are interpolated",
-} }
+choices! { ReflectionChoice: "phong" => Phong, "blinn" => Blinn, "given" => Given }
 
-choices! { FlatSample {
-    "centroid" => Centroid: "at the mean of the corners",
-    "vertex-mean" => VertexMean: "at every corner; the face has the mean of the colours",
-} }
+choices! { FlatSample: "centroid" => Centroid, "vertex-mean" => VertexMean }
 
-choices! { Overlay {
-    "wire" => Wire: "edges of faces",
-    "creases" => Creases: "edges whose sides have different normals",
-    "vertex-normals" => VertexNormals: "lines along the normals of vertices",
-    "face-normals" => FaceNormals: "lines along the normals of faces",
-} }
+choices! { Overlay:
+    "wire" => Wire, "creases" => Creases, "vertex-normals" => VertexNormals, "face-normals" => FaceNormals,
+}
 
-choices! { HiddenLines {
-    "remove" => Remove: "they are omitted",
-    "show" => Show: "they are drawn like all others",
-} }
+choices! { HiddenLines: "remove" => Remove, "show" => Show }
 
-choices! { Cull {
-    "none" => None: "none",
-    "back" => Back: "those seen from behind",
-    "front" => Front: "those seen from the front",
-} }
+choices! { Cull: "none" => None, "back" => Back, "front" => Front }
 
-choices! { Samples {
-    "1" => One: "the centre",
-    "4" => Four: "a rotated square",
-    "8" => Eight: "8 positions, each in its own row and column",
-    "16" => Sixteen: "16 positions, each in its own row and column",
-} }
+choices! { Samples: "1" => One, "4" => Four, "8" => Eight, "16" => Sixteen }
 
-choices! { Bits {
-    "8" => Eight: "256 steps",
-    "16" => Sixteen: "65536 steps; PNG only",
-} }
+choices! { Bits: "8" => Eight, "16" => Sixteen }
 
-choices! { Terminator {
-    "smooth" => Smooth: "kept: only the interpolated normal counts",
-    "hard" => Hard: "removed at once, so that shadows end at edges of faces",
-    "soft" => Soft: "removed gradually (Chiang, Li and Burley 2019)",
-} }
+choices! { Terminator: "smooth" => Smooth, "hard" => Hard, "soft" => Soft }
 
-choices! { ToneRule {
-    "clamp" => Clamp: "each component is clamped to 1",
-    "max" => DivideByMax: "the colour is divided by its largest component",
-} }
+choices! { ToneRule: "clamp" => Clamp, "max" => DivideByMax }
 
-choices! { Transfer {
-    "srgb" => Srgb: "the curve of sRGB",
-    "direct" => Direct: "the number itself, as in the lectures",
-} }
+choices! { Transfer: "srgb" => Srgb, "direct" => Direct }
 
 #[cfg(test)]
 mod tests {

@@ -1,8 +1,7 @@
 //! Runs `crease stress`: the catalogue of numerical extremes.
 
 use super::args::StressArgs;
-use super::json::Report;
-use super::text;
+use super::report::{Report, breach, list, table};
 use crate::cli::common::console::{Console, Verbosity};
 use crate::cli::common::failure::{Exit, exit_code};
 use crate::cli::common::options::Color;
@@ -11,14 +10,13 @@ use crease::trade::stress::{Group, StressCase, StressResult, cases_of};
 use rayon::prelude::*;
 use std::time::Instant;
 
-/// Runs the verb.
 pub fn main(args: &StressArgs, color: Color) -> Exit {
     let console = Console::new(&args.run, color, None);
     args.run.use_threads();
     let is_wanted = |group: &Group| args.only.is_empty() || args.only.contains(group);
     let cases: Vec<StressCase> = Group::ALL.into_iter().filter(is_wanted).flat_map(cases_of).collect();
     if args.list {
-        console.report(&text::list(&cases, console.report_style()));
+        console.report(&list(&cases, console.report_style));
         return exit_code(Ok(Exit::Done), &console);
     }
     let start = Instant::now();
@@ -28,11 +26,10 @@ pub fn main(args: &StressArgs, color: Color) -> Exit {
     drop(progress);
     let seconds = start.elapsed().as_secs_f64();
     let verbose = console.verbosity > Verbosity::Normal;
-    console.print(&Report::new(&results, seconds), || {
-        text::table(&results, seconds, verbose, console.report_style())
-    });
+    console
+        .print(&Report::new(&results, seconds), || table(&results, seconds, verbose, console.report_style));
     for result in results.iter().filter(|result| !result.holds()) {
-        console.error(&text::breach(result));
+        console.error(&breach(result));
     }
     exit_code(Ok(verdict(&results)), &console)
 }
@@ -53,14 +50,14 @@ mod tests {
         let cases = cases_of(Group::Product);
         let mut results: Vec<StressResult> = cases.iter().map(StressCase::run).collect();
         assert_eq!(verdict(&results), Exit::Done);
-        assert!(text::table(&results, 0.0, true, Style::PLAIN).contains("3 cases: all expectations hold."));
+        assert!(table(&results, 0.0, true, Style::PLAIN).contains("3 cases: all expectations hold."));
         let measured = Measured { faithful: Worst { error: 0.5, undefined: 3 }, ..results[1].measured };
         results[1] =
             StressResult { case: results[1].case, measured, faithful_holds: false, fast_holds: true };
         assert_eq!(verdict(&results), Exit::Findings);
-        let text = text::table(&results, 0.0, false, Style::PLAIN);
+        let text = table(&results, 0.0, false, Style::PLAIN);
         assert!(text.contains("BREAKS") && text.contains("3 cases: 1 do not hold."), "{text}");
-        let reported = text::breach(&results[1]);
+        let reported = breach(&results[1]);
         assert!(
             reported.starts_with("product: nearly equal products: faithful is off by 0.5 rel, NaN x3"),
             "{reported}"

@@ -48,7 +48,6 @@ struct Bounds {
 }
 
 impl SurfaceReport {
-    /// A report on a surface of which nothing is made yet.
     pub fn new(args: &SurfaceArgs, request: &Request) -> Self {
         Self {
             head: Head::new("crease-surface/1"),
@@ -60,7 +59,6 @@ impl SurfaceReport {
         }
     }
 
-    /// The report as text.
     pub fn text(&self, style: Style) -> String {
         let (Some(mesh), Some(output)) = (&self.mesh, &self.output) else { return String::new() };
         let sides = match mesh.open_edges {

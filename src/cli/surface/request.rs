@@ -10,7 +10,6 @@ use crease::surface::{
 };
 use glam::{DMat4, DQuat};
 
-/// Everything to do, checked as far as it can be before it is done.
 #[derive(Debug)]
 pub struct Request {
     pub surface: Surface,
@@ -37,12 +36,6 @@ impl Request {
             target,
             format,
         })
-    }
-
-    /// The output's name without extension, for its companion files; `None` for a stream.
-    pub fn stem(&self) -> Option<String> {
-        let Target::File(path) = &self.target else { return None };
-        Some(path.file_stem()?.to_string_lossy().into_owned())
     }
 }
 

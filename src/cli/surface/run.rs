@@ -3,20 +3,19 @@
 use super::args::SurfaceArgs;
 use super::report::{MeshReport, SurfaceReport};
 use super::request::Request;
-use crate::cli::args::usage_error;
 use crate::cli::common::choice::Choose;
 use crate::cli::common::console::Console;
 use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
 use crate::cli::common::options::Color;
-use crate::cli::common::output::Store;
+use crate::cli::common::output::{Store, stem};
 use crate::cli::common::report::MeshOutput;
+use crate::cli::help::usage_error;
 use crease::io::{Format, Note, Part, Place, WriteOptions, write_new};
 use crease::mesh::{Column, Mesh, TransformFault};
 use crease::normals::{NormalRecipe, compute};
 use glam::DVec3;
 use std::time::Instant;
 
-/// Runs the verb.
 pub fn main(args: &SurfaceArgs, color: Color) -> Exit {
     let console = Console::new(&args.run, color, Some(&args.output));
     args.run.use_threads();
@@ -34,7 +33,7 @@ pub fn main(args: &SurfaceArgs, color: Color) -> Exit {
         for note in &report.notes {
             console.about(note.severity, &note.text);
         }
-        if result.is_ok() { report.text(console.report_style()) } else { String::new() }
+        if result.is_ok() { report.text(console.report_style) } else { String::new() }
     });
     exit_code(result, &console)
 }
@@ -53,7 +52,7 @@ fn run(args: &SurfaceArgs, request: &Request, report: &mut SurfaceReport) -> Res
     report.notes.extend(placement_note(&shape, &mesh, args));
     let mesh = if request.format == Format::Stl { with_facet_normals(mesh) } else { mesh };
     let parts = [Part { name: args.kind.choice().to_owned(), mesh, ..Part::default() }];
-    let options = WriteOptions { stem: request.stem(), ..WriteOptions::default() };
+    let options = WriteOptions { stem: request.target.path().and_then(stem), ..WriteOptions::default() };
     let written = write_new(&parts, request.format, &options).map_err(Failure::output)?;
     report.notes.extend_from_slice(&written.notes);
     report.output = Some(MeshOutput::new(Some(&request.target), request.format, false, &written));

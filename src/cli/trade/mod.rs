@@ -2,9 +2,7 @@
 
 /// Options.
 pub mod args;
-/// The report as JSON.
-mod json;
+/// The report as JSON and as text.
+mod report;
 /// Measuring.
 pub mod run;
-/// The report as text.
-mod text;

@@ -1,15 +1,14 @@
 //! Runs `crease trade`: accuracy against speed, measured.
 
 use super::args::TradeArgs;
-use super::json::Report;
-use super::text;
-use crate::cli::args::usage_error;
+use super::report::{Report, markdown, text};
 use crate::cli::common::console::{Console, Verbosity, escaped};
 use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
 use crate::cli::common::input::Source;
 use crate::cli::common::options::Color;
 use crate::cli::common::output::{Target, make_folder};
 use crate::cli::common::progress::Progress;
+use crate::cli::help::usage_error;
 use crease::io::ReadOptions;
 use crease::mesh::Mesh;
 use crease::normals::{Crease, NormalRecipe};
@@ -17,10 +16,8 @@ use crease::report::{own_page, trade_page};
 use crease::trade::{OwnMesh, Trade, advice};
 use std::time::Instant;
 
-/// The name of the page in the output folder.
 const PAGE: &str = "index.html";
 
-/// Runs the verb.
 pub fn main(args: &TradeArgs, color: Color) -> Exit {
     // clap does not ask for an input where --quick or --full exclude one.
     if args.input.is_none() && (args.crease.is_some() || args.format.is_some()) {
@@ -41,8 +38,8 @@ pub fn main(args: &TradeArgs, color: Color) -> Exit {
     let verbose = console.verbosity == Verbosity::Verbose;
     console.print(&report, || match (&result, &report.surfaces) {
         (Err(_), _) => String::new(),
-        (Ok(_), Some(trade)) if args.markdown => text::markdown(trade),
-        (Ok(_), _) => text::text(&report, console.report_style(), verbose),
+        (Ok(_), Some(trade)) if args.markdown => markdown(trade),
+        (Ok(_), _) => text(&report, console.report_style, verbose),
     });
     exit_code(result, &console)
 }

@@ -67,7 +67,6 @@ impl<'a> Source<'a> {
         Ok(Elements { bytes, stride, count, format, sparse })
     }
 
-    /// The exceptions of a sparse accessor with elements of so many bytes.
     fn exceptions(
         &self,
         accessor: &Accessor,
@@ -79,13 +78,13 @@ impl<'a> Source<'a> {
         if sparse.count == 0 || sparse.count > count {
             return refuse(format!("{} sparse values for {count} elements", sparse.count));
         }
-        let component = sparse.index_component;
-        let part = |view, offset, size| {
+        let component = sparse.component;
+        let part = |(view, offset), size| {
             let extent = Extent { offset, count: sparse.count, size, stride: size };
             self.slice(view, extent, accessor.object)
         };
-        let indices = part(sparse.index_view, sparse.index_offset, component.size() as u64)?;
-        let values = part(sparse.value_view, sparse.value_offset, size)?;
+        let indices = part(sparse.indices, component.size() as u64)?;
+        let values = part(sparse.values, size)?;
         let mut previous = None;
         for index in indices.chunks_exact(component.size()).map(|bytes| unsigned(bytes, component)) {
             if u64::from(index) >= count {
@@ -114,7 +113,6 @@ impl<'a> Source<'a> {
         Ok(())
     }
 
-    /// The bytes of elements that an accessor has in a view.
     fn slice(&self, view: usize, extent: Extent, accessor: Value) -> Result<&'a [u8], ReadError> {
         let view = &self.records.views[view];
         let Extent { offset, count, size, stride } = extent;

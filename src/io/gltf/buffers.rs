@@ -13,7 +13,6 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Where the bytes of a buffer are.
 #[derive(Clone, Debug)]
 pub enum Storage {
     Bin(Range<usize>),
@@ -37,7 +36,6 @@ impl Storage {
         }
     }
 
-    /// The name and path of a file.
     pub fn file(&self) -> Option<(&str, &Path)> {
         if let Storage::File { name, path, .. } = self { Some((name, path)) } else { None }
     }
@@ -211,7 +209,6 @@ impl Uri {
     }
 }
 
-/// The bytes of a data URI, or what is wrong with it.
 fn decode_data(uri: &str) -> Result<Vec<u8>, String> {
     let (head, data) = uri.split_once(',').ok_or("the data URI has no comma")?;
     if !head.to_ascii_lowercase().ends_with(";base64") {
@@ -228,7 +225,6 @@ fn decode_data(uri: &str) -> Result<Vec<u8>, String> {
     })
 }
 
-/// A data URI of raw bytes.
 pub fn encode_data(bytes: &[u8]) -> String {
     let mut uri = String::from("data:application/octet-stream;base64,");
     base64::engine::general_purpose::STANDARD.encode_string(bytes, &mut uri);

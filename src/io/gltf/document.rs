@@ -92,7 +92,6 @@ pub struct Block {
     pub first_normal: Option<u32>,
 }
 
-/// The triangles of one primitive within a part.
 #[derive(Clone, Debug)]
 pub struct Piece {
     pub primitive: usize,

@@ -12,13 +12,11 @@ pub struct Fields<'a> {
 }
 
 impl<'a> Fields<'a> {
-    /// The fields of a value, which must be an object.
     pub fn new(json: &'a Json, object: Value) -> Result<Self, ReadError> {
         let is_object = json.kind(object) == Kind::Object;
         if is_object { Ok(Self { json, object }) } else { Err(mismatch(json, object, "an object")) }
     }
 
-    /// The fields of a whole document, which is known to be an object.
     pub fn root(json: &'a Json) -> Self {
         Self { json, object: json.root() }
     }
@@ -32,7 +30,6 @@ impl<'a> Fields<'a> {
         Place::Json(format!("{}/{name}", self.json.pointer(self.object)))
     }
 
-    /// The fields of a member, which must be an object.
     pub fn child(&self, name: &str) -> Result<Option<Self>, ReadError> {
         let object =
             |value| (self.json.kind(value) == Kind::Object).then_some(Self { object: value, ..*self });
@@ -84,7 +81,6 @@ impl<'a> Fields<'a> {
         self.string(name)?.ok_or_else(|| self.missing(name))
     }
 
-    /// The string `name`, or an empty one.
     pub fn name(&self) -> Result<String, ReadError> {
         Ok(self.string("name")?.unwrap_or_default().into_owned())
     }
@@ -93,7 +89,6 @@ impl<'a> Fields<'a> {
         self.typed(name, "a finite number", |value| self.json.number(value).filter(|n| n.is_finite()))
     }
 
-    /// A list of exactly `N` numbers, all finite.
     pub fn numbers<const N: usize>(&self, name: &str) -> Result<Option<[f64; N]>, ReadError> {
         self.typed(name, &format!("a list of {N} finite numbers"), |value| {
             let mut numbers = [0.0; N];
@@ -116,7 +111,6 @@ impl<'a> Fields<'a> {
         self.items(name)?.map(|value| Ok(Fields::new(self.json, value)?.object)).collect()
     }
 
-    /// An extension object by name, if there.
     pub fn extension(&self, name: &str) -> Option<Value> {
         self.json.member(self.json.member(self.object, "extensions")?, name)
     }
@@ -145,7 +139,6 @@ fn mismatch(json: &Json, value: Value, wanted: &str) -> ReadError {
     ReadError::new(Problem::Syntax, json.place(value), found, "export the file again")
 }
 
-/// The position of an element of a top-level list.
 pub fn numbered(list: &str, number: usize) -> Place {
     Place::Json(format!("/{list}/{number}"))
 }

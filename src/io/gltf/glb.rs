@@ -4,7 +4,6 @@ use crate::io::text::counted;
 use crate::io::{Note, Place, Problem, ReadError, WriteError};
 use std::ops::Range;
 
-/// What to do about a file that is cut off.
 pub const TRUNCATED: &str = "the file is cut off; copy or export it again";
 
 const MAGIC: &[u8; 4] = b"glTF";
@@ -107,7 +106,6 @@ impl Glb {
     }
 }
 
-/// A new GLB file from JSON and BIN.
 pub fn glb(json: &str, bin: Vec<&[u8]>) -> Result<Vec<u8>, WriteError> {
     let mut out = before_bin(json, bin.iter().map(|piece| piece.len()).sum())?;
     bin.iter().for_each(|piece| out.extend_from_slice(piece));

@@ -184,7 +184,6 @@ impl Json {
     }
 }
 
-/// A string as JSON, quotes included.
 pub fn quoted(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }

@@ -195,7 +195,6 @@ fn fits(semantic: &str, format: Format) -> bool {
 pub enum Drawn {
     Points(Vec<u32>),
     Lines(Vec<Vec<u32>>),
-    /// Three numbers a triangle.
     Triangles(Vec<u32>),
 }
 

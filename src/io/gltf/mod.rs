@@ -37,10 +37,8 @@ mod appearance;
 mod read;
 // New binary data, and the JSON that describes them.
 mod data;
-// Triangles of a new file.
-mod triangles;
-// Objects as nodes.
-mod objects;
+// The meshes and primitives of a new file.
+mod pieces;
 // A new file from meshes.
 mod new_file;
 // Changes to a document.

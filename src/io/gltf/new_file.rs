@@ -6,9 +6,8 @@ use super::data::{Blob, Bounds, Bytes, Target, accessor_json, normal_format, ste
 use super::extensions::QUANTIZATION;
 use super::glb;
 use super::json::quoted;
-use super::objects::pieces;
+use super::pieces::{groups, pieces};
 use super::records::{Component, Format as ElementFormat};
-use super::triangles::groups;
 use crate::io::mesh_checks::{beyond_f32, displacement_note, unsupported_notes};
 use crate::io::split_mesh::SplitMesh;
 use crate::io::text::counted;
@@ -64,7 +63,6 @@ pub(in crate::io) fn write(
 
 #[derive(Default)]
 struct File<'a> {
-    /// Counts and notes.
     written: Written,
     blob: Blob<'a>,
     views: Vec<String>,
@@ -73,7 +71,6 @@ struct File<'a> {
     nodes: Vec<String>,
     materials: Vec<String>,
     material_numbers: FxHashMap<&'a str, usize>,
-    /// What is known of materials, by name.
     known: FxHashMap<&'a str, &'a FileMaterial>,
     textures: usize,
     normal_format: NormalFormat,

@@ -46,14 +46,11 @@ pub struct Placed<'a> {
     pub number: usize,
     pub fields: Fields<'a>,
     pub frame: Frame,
-    /// Whether the default scene has it.
     pub shown: bool,
 }
 
-/// The place of a node in the world.
 #[derive(Clone, Copy)]
 pub struct Frame {
-    /// From its own space to the world's.
     pub world: DMat4,
     /// The product of the rotations of the node and of all above it: its orientation with all scaling ignored.
     pub rotation: DQuat,
@@ -62,7 +59,6 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The place of the root nodes' parent.
     const WORLD: Self = Self { world: DMat4::IDENTITY, rotation: DQuat::IDENTITY, without_rotation: None };
 }
 

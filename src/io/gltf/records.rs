@@ -8,7 +8,6 @@ use std::ops::Range;
 
 pub use gltf::json::accessor::ComponentType as Component;
 
-/// The extensions that compress buffer views.
 pub const MESHOPT: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
 
 #[derive(Clone, Copy, Debug)]
@@ -38,11 +37,11 @@ pub struct Accessor {
 #[derive(Clone, Copy, Debug)]
 pub struct Sparse {
     pub count: u64,
-    pub index_view: usize,
-    pub index_offset: u64,
-    pub index_component: Component,
-    pub value_view: usize,
-    pub value_offset: u64,
+    /// View and offset of the indices.
+    pub indices: (usize, u64),
+    pub component: Component,
+    /// View and offset of the values.
+    pub values: (usize, u64),
 }
 
 fn component(code: u64) -> Option<Component> {
@@ -87,7 +86,6 @@ impl Format {
 #[derive(Clone, Debug)]
 pub struct Primitive {
     pub object: Value,
-    /// Its mesh, and its number in that.
     pub number: (usize, usize),
     pub vertices: VertexAccessors,
     /// The JSON objects that list the vertex accessors, one a set.
@@ -126,7 +124,6 @@ impl VertexAccessors {
         self.get("POSITION").unwrap_or_default()
     }
 
-    /// The sets of all morph targets.
     pub fn target_sets(&self) -> Range<usize> {
         1..self.sets.len()
     }
@@ -158,7 +155,7 @@ impl Records {
         let (buffers, materials) = (root.list("buffers")?, root.list("materials")?);
         let views = records(&root, "bufferViews", |_, fields| view(fields, buffers.len()))?;
         let accessors = records(&root, "accessors", |_, fields| accessor(fields, views.len()))?;
-        let counts = Counts { accessors: accessors.len(), materials: materials.len() };
+        let counts = (accessors.len(), materials.len());
         let meshes = records(&root, "meshes", |number, fields| mesh(number, fields, counts))?;
         Ok(Records { buffers, views, accessors, meshes, materials, json })
     }
@@ -238,36 +235,32 @@ fn sparse(accessor: &Fields<'_>, views: usize) -> Result<Option<Sparse>, ReadErr
     let part = |name| {
         let part = sparse.required_child(name)?;
         let view = part.required_reference("bufferView", "buffer view", views)?;
-        Ok((part, view, part.integer("byteOffset")?.unwrap_or(0)))
+        Ok((part, (view, part.integer("byteOffset")?.unwrap_or(0))))
     };
-    let (indices, index_view, index_offset) = part("indices")?;
-    let (_, value_view, value_offset) = part("values")?;
-    let code = indices.required("componentType")?;
+    let ((fields, indices), (_, values)) = (part("indices")?, part("values")?);
+    let code = fields.required("componentType")?;
     let unsigned = [Component::U8, Component::U16, Component::U32];
-    let index_component = component(code).filter(|component| unsigned.contains(component));
-    let index_component = index_component.ok_or_else(|| {
+    let component = component(code).filter(|component| unsigned.contains(component));
+    let component = component.ok_or_else(|| {
         let found = format!("component type {code} cannot be sparse indices");
         ReadError::new(Problem::Range, sparse.place(), found, "use 5121, 5123 or 5125")
     })?;
     let count = sparse.required("count")?;
-    Ok(Some(Sparse { count, index_view, index_offset, index_component, value_view, value_offset }))
+    Ok(Some(Sparse { count, indices, component, values }))
 }
 
-/// The lengths of the lists that primitives refer to.
-#[derive(Clone, Copy)]
-struct Counts {
-    accessors: usize,
-    materials: usize,
-}
-
-fn mesh(mesh: usize, fields: Fields<'_>, counts: Counts) -> Result<MeshRecord, ReadError> {
+/// A mesh; `counts` are those of the accessors and materials that primitives refer to.
+fn mesh(mesh: usize, fields: Fields<'_>, counts: (usize, usize)) -> Result<MeshRecord, ReadError> {
     let primitive = |(number, object)| primitive((mesh, number), Fields::new(fields.json, object)?, counts);
     let primitives = fields.items("primitives")?.enumerate().map(primitive).collect::<Result<_, _>>()?;
     Ok(MeshRecord { object: fields.object, name: fields.name()?, primitives })
 }
 
-fn primitive(number: (usize, usize), fields: Fields<'_>, counts: Counts) -> Result<Primitive, ReadError> {
-    let Counts { accessors, materials } = counts;
+fn primitive(
+    number: (usize, usize),
+    fields: Fields<'_>,
+    (accessors, materials): (usize, usize),
+) -> Result<Primitive, ReadError> {
     let mut sites = vec![fields.required_child("attributes")?.object];
     sites.extend(fields.list("targets")?);
     let sets = sites.iter().map(|&site| vertex_set(Fields { object: site, ..fields }, accessors));

@@ -11,7 +11,6 @@ pub type Changes = Vec<(String, Option<String>)>;
 pub struct Splices<'a> {
     json: &'a Json,
     objects: BTreeMap<Value, Changes>,
-    /// New elements of top-level lists.
     lists: BTreeMap<&'static str, Vec<String>>,
 }
 
@@ -20,7 +19,6 @@ impl<'a> Splices<'a> {
         Self { json, objects: BTreeMap::new(), lists: BTreeMap::new() }
     }
 
-    /// Gives a member of an object a new text, or adds the member.
     pub fn set(&mut self, object: Value, name: &str, text: impl ToString) {
         self.change(object, vec![(name.to_owned(), Some(text.to_string()))]);
     }
@@ -48,7 +46,6 @@ impl<'a> Splices<'a> {
         self.objects.is_empty() && self.lists.is_empty()
     }
 
-    /// The text with all changes made.
     pub fn apply(mut self) -> String {
         let json = self.json;
         let mut splices: Vec<(Range<usize>, String)> = Vec::new();
@@ -65,7 +62,6 @@ impl<'a> Splices<'a> {
     }
 }
 
-/// An object's text with changes made to it.
 pub fn changed_object(json: &Json, object: Value, changes: &Changes) -> String {
     let mut splices = Vec::new();
     object_splices(json, object, changes, &mut splices);

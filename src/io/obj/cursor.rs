@@ -18,7 +18,6 @@ pub(super) struct CornerSpelling {
     pub normal: Option<i64>,
 }
 
-/// A position in the text. Past the end there is nothing but line ends.
 #[derive(Clone, Debug)]
 pub(super) struct Cursor<'a> {
     pub text: &'a [u8],
@@ -50,7 +49,6 @@ impl<'a> Cursor<'a> {
         self.at >= self.text.len()
     }
 
-    /// Skips blanks and continued line ends.
     #[inline]
     pub fn skip_blanks(&mut self) {
         loop {

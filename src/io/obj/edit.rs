@@ -116,7 +116,6 @@ struct Editor<'a> {
     numbers: Option<&'a NormalNumbers<'a>>,
     copy: Copier<'a>,
     faces: &'a FaceEdit,
-    /// The corners of the face line.
     tokens: Vec<Token>,
     /// How many faces and normals came before.
     face: usize,

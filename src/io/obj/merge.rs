@@ -19,7 +19,6 @@ pub(super) struct Merged {
     pub mesh: Mesh,
     pub non_finite_faces: Vec<u32>,
     pub notes: Vec<Note>,
-    /// The arguments of `mtllib` statements.
     pub libraries: Vec<String>,
 }
 

@@ -63,7 +63,6 @@ pub(super) fn out_of_reach(statements: &[String]) -> Materials {
 struct Search<'a> {
     base: &'a Path,
     options: &'a ReadOptions,
-    /// How many files were searched for.
     searched: usize,
     files: BTreeMap<String, PathBuf>,
     /// Names of files by the reason why they are not read.

@@ -25,7 +25,6 @@ pub(super) fn check_emit(options: &WriteOptions) -> Result<(), WriteError> {
     if options.emit == Emit::Face { Err(WriteError::Unsupported(text.to_owned())) } else { Ok(()) }
 }
 
-/// What OBJ cannot store.
 fn notes(parts: &[Part]) -> Vec<Note> {
     let mut notes = unsupported_notes(Format::Obj, parts);
     let has_opacity = |mesh: &Mesh| mesh.columns().colors.iter().flatten().any(|color| color[3] != 1.0);
@@ -57,7 +56,6 @@ struct Labels {
 }
 
 impl Labels {
-    /// What a file starts with.
     const NONE: Labels = Labels { object: NONE, material: NONE, smoothing: None };
 }
 

@@ -19,7 +19,6 @@ use std::ops::Range;
 #[derive(Clone, Debug)]
 pub(super) struct Label {
     pub keyword: Keyword,
-    /// The number of faces before it.
     pub face: u32,
     pub name: Range<usize>,
 }
@@ -44,18 +43,15 @@ pub(super) struct Content {
     line_ends: Vec<u32>,
     pub polylines: Vec<Vec<u32>>,
     pub labels: Vec<Label>,
-    /// Where the first face statement starts.
     first_face: Option<usize>,
     /// Where the line of the last normal before the first face ends, and how many there are.
     leading_normals: Option<(usize, usize)>,
     /// Whether a free-form surface refers to normals by number.
     pub surface_normals: bool,
-    /// Whether there is any statement that OBJ has.
     pub has_statements: bool,
     pub notes: RepeatedNotes,
 }
 
-/// The colour of a vertex without one.
 pub(super) const NO_COLOR: [f32; 4] = [f32::NAN; 4];
 
 /// Parses the statements of `text` that start in `range`, which must begin and end at line starts.
@@ -231,7 +227,6 @@ impl Content {
         self.leading_normals.unwrap_or((self.first_face.unwrap_or(0), 0))
     }
 
-    /// Appends the piece that follows in the file.
     pub fn append(&mut self, mut next: Content) -> Result<(), ReadError> {
         let (vertices, corners) = (self.positions.len(), self.corners.values.len());
         check_count("vertices", vertices + next.positions.len())?;
@@ -350,7 +345,6 @@ impl Indices {
         }
     }
 
-    /// Fills up with absent entries.
     #[inline]
     pub fn pad(&mut self, length: usize) {
         if self.values.len() < length {

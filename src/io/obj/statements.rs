@@ -8,7 +8,6 @@ use std::ops::Range;
 /// Bytes that are parsed in one go. It does not depend on the number of threads, so the mesh does not either.
 pub(super) const PIECE: usize = 1 << 20;
 
-/// What a statement is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Keyword {
     /// Nothing: a blank line, a comment, the end.

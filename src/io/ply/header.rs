@@ -9,9 +9,7 @@ use std::ops::Range;
 pub(super) struct Header {
     pub encoding: Encoding,
     pub elements: Vec<Element>,
-    /// How its lines end.
     pub line_end: &'static str,
-    /// Where the body starts.
     pub body: usize,
 }
 
@@ -25,7 +23,6 @@ pub(super) struct Element {
     pub line: u64,
 }
 
-/// A column of an element.
 #[derive(Clone, Debug)]
 pub(super) struct Property {
     pub name: String,

@@ -42,7 +42,6 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
     Ok(Written { bytes: writer.out, notes, vertices, added_vertices, ..Written::default() })
 }
 
-/// What some properties of a vertex hold.
 #[derive(Clone, Copy)]
 enum Content {
     Position,
@@ -51,12 +50,10 @@ enum Content {
     Color,
 }
 
-/// Names of properties of one type.
 type Names = &'static [&'static str];
 
 const NORMALS: Names = &["nx", "ny", "nz"];
 
-/// The properties and their types.
 struct Layout {
     vertex: Vec<(Content, Scalar, Names)>,
     /// The type of the normals of faces, if they have some.
@@ -188,7 +185,6 @@ impl Writer {
     }
 }
 
-/// What PLY cannot store.
 fn notes(parts: &[Part], without_normal: usize) -> Vec<Note> {
     let mut notes = unsupported_notes(Format::Ply, parts);
     if parts.len() > 1 {

@@ -10,7 +10,6 @@ use glam::DVec3;
 
 /// Where the normals of an element are, and the types that they have and get.
 pub(super) struct NormalProperties {
-    /// The properties, if they are there.
     present: Option<[usize; 3]>,
     old: [Scalar; 3],
     /// The stored value of 1.

@@ -247,7 +247,6 @@ impl Reading {
     }
 }
 
-/// Texture coordinates of corners.
 #[derive(Default)]
 struct CornerUvs {
     values: Vec<DVec2>,

@@ -13,7 +13,6 @@ use std::ops::Range;
 pub(super) const OVERLONG: NoteKind =
     NoteKind::warning(2, "a row has more values than the header defines; they were skipped");
 
-/// An error in the body.
 pub(super) fn damaged(problem: Problem, offset: usize, found: impl Into<String>) -> ReadError {
     at_byte(problem, offset, found, DAMAGED)
 }
@@ -30,7 +29,6 @@ pub(super) fn places(bytes: &[u8], encoding: Encoding, offsets: &[usize]) -> Vec
     }
 }
 
-/// A row of an element.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Row {
     /// All of its bytes: in ascii, including blank lines before it and the rest of its last line.
@@ -39,16 +37,13 @@ pub(super) struct Row {
     pub fields: Vec<Range<usize>>,
 }
 
-/// Goes through the body.
 #[derive(Clone, Debug)]
 pub(super) struct Rows<'a> {
     pub bytes: &'a [u8],
     pub encoding: Encoding,
-    /// Where the next row starts.
     pub at: usize,
     /// Whether several ascii rows may share a line. If not, extra words behind a row are skipped.
     pub shared_lines: bool,
-    /// The rows that are too long.
     pub notes: RepeatedNotes,
 }
 
@@ -203,7 +198,6 @@ impl<'a> Rows<'a> {
         })
     }
 
-    /// The vertices of the face in a list of a row.
     pub fn corners(&self, list: &Range<usize>, kind: Kind, corners: &mut Vec<u32>) -> Result<(), ReadError> {
         corners.clear();
         let scalar = kind.scalar();
@@ -213,7 +207,6 @@ impl<'a> Rows<'a> {
         Ok(())
     }
 
-    /// The places of the items of a list.
     pub fn items(&self, field: &Range<usize>, kind: Kind) -> Items<'a> {
         let mut items = Items { bytes: self.bytes, rest: field.clone(), size: 0 };
         match kind {

@@ -3,7 +3,6 @@
 use crate::io::text::{float, push_f32, push_f64, push_integer};
 use Scalar::{F32, F64, I8, I16, I32, U8, U16, U32};
 
-/// How the body of a file is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Encoding {
     Ascii,
@@ -66,7 +65,6 @@ impl Scalar {
         })
     }
 
-    /// Its name in one of the two styles.
     pub fn name(self, sized: bool) -> &'static str {
         let (_, plain, with_size) = NAMES[self as usize];
         if sized { with_size } else { plain }

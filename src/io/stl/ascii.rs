@@ -22,11 +22,9 @@ const POLYGON: NoteKind = NoteKind::warning(4, "a facet with more than 3 vertice
 /// Where the parts of a facet are in the text.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FacetText {
-    /// From `facet` to `endfacet`.
     pub span: Range<usize>,
     /// The three numbers of the normal, or as many as there are; empty where new ones are to be added.
     pub normal: Range<usize>,
-    /// The text before new numbers.
     pub lead: &'static str,
     /// The numbers of each vertex, as a range of [`SolidText::vertices`].
     pub vertices: Range<usize>,
@@ -58,7 +56,6 @@ pub(super) fn read(text: &[u8], options: &ReadOptions) -> Result<(Vec<Part>, Vec
     Ok((parts.collect::<Result<_, _>>()?, notes))
 }
 
-/// The solids of a text that has been read before.
 pub(super) fn solids(text: &[u8]) -> Vec<SolidText> {
     let mut parser = Parser::new(text);
     // It was read without an error, so there is none.
@@ -96,7 +93,6 @@ struct Parser<'a> {
     notes: RepeatedNotes,
 }
 
-/// Whether a solid is open.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Solid {
     None,

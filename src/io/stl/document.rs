@@ -32,7 +32,6 @@ impl StlDocument {
     }
 }
 
-/// The number of facets in a binary header.
 pub(super) fn declared_facets(bytes: &[u8]) -> Option<u32> {
     Some(u32::from_le_bytes(bytes.get(HEADER..FIRST)?.try_into().ok()?))
 }

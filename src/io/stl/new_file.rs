@@ -65,7 +65,6 @@ fn shared_normal(mesh: &Mesh, face: usize) -> Option<DVec3> {
     slots.all(|slot| slot == Some(first)).then(|| normals.values[first as usize])
 }
 
-/// What STL cannot store.
 fn notes(parts: &[Part], without_normal: usize, options: &WriteOptions) -> Vec<Note> {
     let mut notes = Vec::new();
     let any = |test: &dyn Fn(&Mesh) -> bool| parts.iter().any(|part| test(&part.mesh));
@@ -87,7 +86,6 @@ fn notes(parts: &[Part], without_normal: usize, options: &WriteOptions) -> Vec<N
     notes
 }
 
-/// A normal as STL stores it.
 pub(super) fn stored(normal: DVec3) -> [f32; 3] {
     normal.as_vec3().to_array()
 }

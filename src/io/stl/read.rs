@@ -12,7 +12,6 @@ use crate::mesh::{Column, Columns, Faces, MeshBuilder, MeshError, PositionsRef};
 use glam::DVec3;
 use std::path::Path;
 
-/// Bytes of a normal or a vertex.
 pub(super) const VECTOR: usize = 12;
 
 pub(super) fn facet_count(bytes: &[u8]) -> Result<usize, ReadError> {

@@ -9,7 +9,6 @@ pub fn at_byte(problem: Problem, offset: usize, found: impl Into<String>, advice
     ReadError::new(problem, Place::Byte(offset as u64), found, advice)
 }
 
-/// An error with its line instead of its byte offset.
 pub fn in_text(error: ReadError, text: &[u8]) -> ReadError {
     let Place::Byte(offset) = error.place else { return error };
     ReadError { place: line_place(text, offset as usize), ..error }

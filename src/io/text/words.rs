@@ -2,7 +2,6 @@
 
 use std::ops::Range;
 
-/// Whether a byte is a blank or part of a line end.
 pub fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t'..=b'\r')
 }

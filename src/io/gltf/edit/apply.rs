@@ -253,7 +253,6 @@ impl Package<'_> {
         Ok(())
     }
 
-    /// Lists the images that the output refers to as the input does.
     fn copy_images(&mut self) {
         let mut left: Vec<&str> = Vec::new();
         for (name, path) in &self.document.images {

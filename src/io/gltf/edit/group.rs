@@ -171,7 +171,6 @@ impl Group<'_, '_> {
         (format.width == 2 && format.columns == 1 && format.component != Component::U32).then_some(accessor)
     }
 
-    /// Applies the policy for tangents, which belonged to the old normals.
     fn write_tangents(
         &self,
         store: &mut Store<'_>,
@@ -207,7 +206,6 @@ impl Group<'_, '_> {
         Ok(())
     }
 
-    /// Copies all other attributes of split vertices.
     fn copy_others(&self, store: &mut Store<'_>, split: &VertexSplit, morph: bool) -> Result<(), WriteError> {
         let keep_tangents = self.options.tangents == TangentPolicy::Keep;
         for (set, list) in self.vertices.sets.iter().enumerate() {

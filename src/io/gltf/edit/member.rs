@@ -190,7 +190,6 @@ pub fn rewrite_indices(
     Ok(true)
 }
 
-/// Removes a compressed copy of a primitive that differs from it now.
 pub fn drop_draco(store: &mut Store<'_>, member: &Member<'_>) {
     let json = &store.document.records.json;
     let extensions = json.member(member.primitive.object, "extensions");

@@ -43,7 +43,7 @@ impl References {
         let other: Vec<u64> = pinned.into_iter().chain(images).collect();
         let mut views = counts(&other);
         let sparse = records.accessors.iter().filter_map(|accessor| accessor.sparse);
-        let of_sparse = sparse.flat_map(|sparse| [sparse.index_view, sparse.value_view]);
+        let of_sparse = sparse.flat_map(|sparse| [sparse.indices.0, sparse.values.0]);
         let of_accessors = records.accessors.iter().filter_map(|accessor| accessor.view);
         of_accessors.chain(of_sparse).for_each(|view| *views.entry(view as u64).or_default() += 1);
         References { accessors, views, unaliased: unaliased(document, &other) }
@@ -54,7 +54,6 @@ impl References {
         self.accessors.get(&(accessor as u64)) == Some(&sites)
     }
 
-    /// Whether one accessor alone uses a view.
     pub fn is_only_user(&self, view: usize) -> bool {
         self.views.get(&(view as u64)) == Some(&1)
     }
@@ -86,7 +85,6 @@ fn pinned(json: &Json) -> FxHashSet<u64> {
     pinned
 }
 
-/// Bytes of a buffer that are in use.
 #[derive(Clone)]
 struct Extent {
     bytes: Range<u64>,
@@ -135,7 +133,7 @@ fn unaliased(document: &GltfDocument, other: &[u64]) -> FxHashSet<usize> {
             extents.push(Extent { bytes, stride, size, accessor: Some(number) });
         }
         // Rare enough to take their views as used from end to end.
-        let sparse = accessor.sparse.iter().flat_map(|sparse| [sparse.index_view, sparse.value_view]);
+        let sparse = accessor.sparse.iter().flat_map(|sparse| [sparse.indices.0, sparse.values.0]);
         extents.extend(sparse.filter(|&view| in_bin(view)).map(|view| whole(document, view)));
     }
     let other = other.iter().filter_map(|&view| usize::try_from(view).ok());

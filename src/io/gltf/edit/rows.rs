@@ -10,7 +10,6 @@ use glam::{DVec3, Vec3};
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 
-/// Rows of one size.
 pub struct Rows {
     bytes: Vec<u8>,
     size: usize,
@@ -21,12 +20,10 @@ impl Rows {
         &self.bytes[number * self.size..(number + 1) * self.size]
     }
 
-    /// Normals, as bytes without gaps.
     pub fn normals(&self, stored: &Stored) -> Cow<'_, [u8]> {
         self.column(0, stored.format.size())
     }
 
-    /// Normal deltas of a morph target.
     pub fn deltas(&self, stored: &Stored, target: usize) -> Cow<'_, [u8]> {
         self.column(stored.format.size() + DELTA * target, DELTA)
     }
@@ -42,7 +39,6 @@ impl Rows {
     }
 }
 
-/// Bytes of a normal delta.
 const DELTA: usize = 12;
 
 /// What a set of vertices has stored so far, in the form in which it will be stored.
@@ -102,7 +98,6 @@ impl Stored {
         Ok(Self { format, targets: deltas.len(), rows: Rows { bytes, size }, is_same })
     }
 
-    /// Whether these rows of all vertices are what is stored already.
     pub fn is_stored(&self, rows: &Rows) -> bool {
         self.is_same && self.rows.bytes == rows.bytes
     }
@@ -191,7 +186,6 @@ impl<'a> CornerRows<'a> {
         CornerRows { stored, rows: Rows { bytes, size: stored.rows.size }, of_corner, missing }
     }
 
-    /// The normal of a corner.
     pub fn normal(&self, corner: usize) -> Vec3 {
         self.stored.decode(self.rows.get(self.of_corner[corner] as usize))
     }

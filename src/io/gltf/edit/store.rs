@@ -31,7 +31,6 @@ pub struct Store<'a> {
     next_accessor: usize,
 }
 
-/// Elements to write over those of the BIN chunk.
 struct Patch {
     start: usize,
     stride: usize,
@@ -49,7 +48,6 @@ struct Placed {
     target: Target,
 }
 
-/// New elements of an accessor.
 pub struct NewData<'d> {
     pub format: Format,
     pub bytes: &'d [u8],
@@ -67,7 +65,6 @@ impl NewData<'_> {
 /// All that was collected, in the form that a file is made of.
 pub struct Changed {
     pub json: String,
-    /// The BIN chunk, if it changed.
     pub bin: Option<Vec<u8>>,
     /// The content of the additional buffer, if there is one.
     pub extra: Option<Vec<u8>>,

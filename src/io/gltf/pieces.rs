@@ -1,8 +1,11 @@
-//! The objects of a part as parts of their own, for a format where a node is what an object is.
+//! What the meshes and primitives of a new file are made of: objects of a part as parts of their own, triangles by primitive.
 
-use crate::io::Part;
-use crate::mesh::{Column, Columns, FaceLabels, Faces, Mesh, MeshBuilder, NONE, SmoothingGroups};
+use crate::io::{Note, Part};
+use crate::mesh::{
+    Column, ColumnIndex, Columns, FaceLabels, Faces, Mesh, MeshBuilder, NONE, SmoothingGroups, triangulate,
+};
 use glam::DVec3;
+use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -97,7 +100,6 @@ impl<'a> Cutter<'a> {
         }
     }
 
-    /// Some faces, with all that belongs to them.
     fn piece(&mut self, numbers: &[u32]) -> Mesh {
         let (mesh, old) = (self.mesh, self.mesh.columns());
         let ranges = || numbers.iter().map(|&face| mesh.faces().range(face as usize));
@@ -170,6 +172,61 @@ pub fn pieces(parts: &[Part]) -> (Vec<Cow<'_, Part>>, usize) {
         }
     }
     (all, unused)
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Group {
+    pub label: u32,
+    pub flat: bool,
+}
+
+/// The corners of the triangles of each primitive; `None` for every corner of the mesh in order.
+pub fn groups(mesh: &Mesh, notes: &mut Vec<Note>) -> Vec<(Group, Option<Vec<u32>>)> {
+    let faces = mesh.face_count();
+    // Corner numbers, three a triangle, and the face of each; `None` if the faces are triangles already.
+    let triangles = (!mesh.faces().is_triangles()).then(|| {
+        let cut = triangulate(mesh);
+        if let Some(first) = cut.failed.first() {
+            let text = format!("without area or with crossing edges cut into fans (first: face {first})");
+            notes.extend(Note::counted(cut.failed.len(), ["polygon", "polygons"], text));
+        }
+        (cut.triangles, cut.source_face)
+    });
+    if faces == 0 {
+        return Vec::new();
+    }
+    let flat = faces_without_normals(mesh);
+    let labels = mesh.columns().materials.as_ref();
+    let of_face = |face: u32| Group {
+        label: labels.map_or(NONE, |labels| labels.of_face[face as usize]),
+        flat: flat.as_ref().is_some_and(|flat| flat[face as usize]),
+    };
+    let first = of_face(0);
+    if (1..faces as u32).all(|face| of_face(face) == first) {
+        return vec![(first, triangles.map(|(corners, _)| corners.into_flattened()))];
+    }
+    let mut groups: Vec<(Group, Option<Vec<u32>>)> = Vec::new();
+    let mut numbers: FxHashMap<Group, usize> = FxHashMap::default();
+    for triangle in 0..triangles.as_ref().map_or(faces, |(_, faces)| faces.len()) {
+        let (face, corners) = match &triangles {
+            None => (triangle as u32, [0, 1, 2].map(|k| (3 * triangle + k) as u32)),
+            Some((corners, faces)) => (faces[triangle], corners[triangle]),
+        };
+        let group = of_face(face);
+        let number = *numbers.entry(group).or_insert_with(|| {
+            groups.push((group, Some(Vec::new())));
+            groups.len() - 1
+        });
+        groups[number].1.iter_mut().for_each(|all| all.extend(corners));
+    }
+    groups
+}
+
+/// Which faces have a corner without a normal; `None` if all have all or no normals are there at all.
+fn faces_without_normals(mesh: &Mesh) -> Option<Vec<bool>> {
+    let ColumnIndex::PerCorner(index) = &mesh.columns().normals.as_ref()?.index else { return None };
+    let is_flat = |range: std::ops::Range<usize>| index[range].contains(&NONE);
+    index.contains(&NONE).then(|| mesh.faces().ranges().map(is_flat).collect())
 }
 
 #[cfg(test)]

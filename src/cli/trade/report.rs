@@ -1,13 +1,37 @@
-//! The report of `crease trade` as text.
+//! The report of `crease trade` as JSON and as text. Members are described in `docs/json.md`.
 
-use super::json::Report;
-use crate::cli::common::console::{Style, escaped};
+use crate::cli::common::console::{Style, escaped, push_wrapped};
+use crate::cli::common::report::Head;
 use crease::report::{
     Table, approximation_table, box_table, class_table, cost_table, encoding_table, order_table, own_table,
     precision_table, shading_table, shading_times, surface_table,
 };
-use crease::trade::{EncodingRow, Trade};
+use crease::trade::{EncodingRow, OwnMesh, Trade};
+use serde::Serialize;
 use std::fmt::Write;
+
+#[derive(Debug, Default, Serialize)]
+pub struct Report {
+    #[serde(flatten)]
+    pub head: Head,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub input: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub output: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub surfaces: Option<Trade>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mesh: Option<OwnMesh>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub advice: Option<Vec<String>>,
+    pub seconds: f64,
+}
+
+impl Report {
+    pub fn new(input: Option<String>) -> Self {
+        Self { head: Head::new("crease-trade/1"), input, ..Self::default() }
+    }
+}
 
 /// Tables, then advice. `long` adds every surface, and Phong's highlights.
 pub fn text(report: &Report, style: Style, long: bool) -> String {
@@ -21,7 +45,7 @@ pub fn text(report: &Report, style: Style, long: bool) -> String {
     let _ = writeln!(text, "{}", style.paint(Style::BOLD, "Advice"));
     let recommended = report.mesh.as_ref().map(|own| format!("Use --weight {}.", own.recommended.name()));
     for sentence in recommended.iter().chain(report.advice.iter().flatten()) {
-        text.push_str(&wrapped(sentence));
+        push_wrapped(&mut text, sentence, ["  - ", "    "]);
     }
     if let Some(path) = &report.output {
         let _ = writeln!(text, "\npage: {}", escaped(path));
@@ -57,29 +81,9 @@ pub fn markdown(trade: &Trade) -> String {
     tables.map(|table| table.to_markdown()).join("\n")
 }
 
-/// The first line in bold.
 fn heading(text: &str, style: Style) -> String {
     let (first, rest) = text.split_once('\n').unwrap_or((text, ""));
     format!("{}\n{rest}", style.paint(Style::BOLD, first))
-}
-
-/// A sentence as a point of a list, in lines of at most 100 letters.
-fn wrapped(sentence: &str) -> String {
-    const WIDTH: usize = 100;
-    let mut text = String::from("  -");
-    let mut column = text.len();
-    for word in sentence.split(' ') {
-        let length = word.chars().count() + 1;
-        if column + length > WIDTH {
-            text.push_str("\n   ");
-            column = 3;
-        }
-        text.push(' ');
-        text.push_str(word);
-        column += length;
-    }
-    text.push('\n');
-    text
 }
 
 #[cfg(test)]
@@ -89,7 +93,8 @@ mod tests {
     #[test]
     fn long_sentences_are_broken_between_words() {
         let sentence = "word ".repeat(40);
-        let text = wrapped(sentence.trim_end());
+        let mut text = String::new();
+        push_wrapped(&mut text, sentence.trim_end(), ["  - ", "    "]);
         assert!(text.lines().count() == 3 && text.lines().all(|line| line.chars().count() <= 100), "{text}");
         assert_eq!(text.split_whitespace().count(), 41);
     }

@@ -1,8 +1,10 @@
-//! The report of `crease render` as JSON. Members are described in `docs/json.md`.
+//! The report of `crease render` as JSON and as text. Members are described in `docs/json.md`.
 
 use super::draw::Drawing;
 use super::request::{FileKind, Request};
 use crate::cli::common::choice::Choose;
+use crate::cli::common::console::{Style, escaped};
+use crate::cli::common::numbers::{count, count_of, row, seconds, size};
 use crate::cli::common::output::Target;
 use crate::cli::common::report::{Head, InputReport};
 use crease::io::Note;
@@ -13,6 +15,7 @@ use crease::shade::Guards;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
+use std::fmt::Write;
 
 #[derive(Default, Serialize)]
 pub struct Report {
@@ -52,7 +55,6 @@ pub struct SceneReport {
     pub camera: Camera,
 }
 
-/// The settings that are reported.
 pub struct Settings(pub RenderSettings);
 
 #[derive(Debug, Default, Serialize)]
@@ -64,7 +66,6 @@ pub struct Seconds {
 }
 
 impl Report {
-    /// A report on an input that nothing has been done with yet.
     pub fn new(request: &Request) -> Self {
         Self {
             head: Head::new("crease-render/1"),
@@ -126,4 +127,61 @@ impl Serialize for Settings {
         map.serialize_entry("terminator", settings.terminator.choice())?;
         map.end()
     }
+}
+
+/// More drawings than this are reported in one line.
+const EACH: usize = 8;
+
+pub fn block(report: &Report, style: Style) -> String {
+    let mut out = style.paint(Style::BOLD, &escaped(&report.input.path));
+    if let Some(output) = &report.output {
+        let _ = write!(out, " -> {}", style.paint(Style::BOLD, &escaped(&output.path)));
+    }
+    out.push('\n');
+    if let Some(scene) = &report.scene {
+        row(&mut out, "scene", &of_scene(scene));
+    }
+    let settings = report.settings.as_ref().map(|settings| &settings.0);
+    if let Some(settings) = settings {
+        let samples = count(settings.samples.count(), "sample");
+        let (shading, interpolation) = (settings.shading.choice(), settings.interpolation.choice());
+        row(&mut out, "settings", &format!("{shading} shading, {interpolation} interpolation, {samples}"));
+    }
+    match &report.drawings[..] {
+        drawings @ [_, ..] if drawings.len() <= EACH => {
+            drawings.iter().for_each(|drawing| row(&mut out, "drawn", &of_drawing(drawing)));
+        }
+        drawings => row(&mut out, "drawn", &count(drawings.len(), "frame")),
+    }
+    if let (Some(output), Some(settings)) = (&report.output, settings) {
+        let format = match output.format {
+            FileKind::Png => "png",
+            FileKind::Gif => "gif",
+        };
+        let (bits, transfer, bytes) = (settings.bits.count(), settings.transfer.choice(), size(output.bytes));
+        let (width, height) = (output.width, output.height);
+        row(&mut out, "output", &format!("{format}, {width}x{height}, {bits} bits, {transfer}, {bytes}"));
+    }
+    let times = &report.seconds;
+    let stages = [("load", times.load), ("draw", times.draw), ("write", times.write)];
+    row(&mut out, "time", &seconds(times.total, &stages));
+    out
+}
+
+fn of_scene(scene: &SceneReport) -> String {
+    let lights = match &scene.lights[..] {
+        [] => "no light".into(),
+        lights => format!("{} light", lights.join(", ")),
+    };
+    let vertices = count_of(scene.vertices, "vertex", "vertices");
+    format!("{}, {vertices}, {}; {lights}", count(scene.objects, "object"), count(scene.faces, "face"))
+}
+
+fn of_drawing(drawing: &Drawing) -> String {
+    let name = drawing.name.as_ref().map(|name| format!("{name}: ")).unwrap_or_default();
+    let statistics = &drawing.statistics;
+    let triangles = count(statistics.triangles_drawn as usize, "triangle");
+    let pixels = count(statistics.covered_pixels as usize, "pixel");
+    let (clipped, culled) = (statistics.triangles_clipped, statistics.triangles_culled);
+    format!("{name}{triangles} ({clipped} clipped), {culled} culled; {pixels} covered")
 }

@@ -1,0 +1,23 @@
+# The help of the program, and of options that several verbs have.
+
+about = Mesh normals: compute them, split them at creases, write them back losslessly, draw what they look like
+threads = Threads to use; the output is the same for any number [default: one per processor]
+json = Report as JSON
+quiet = Report errors only
+verbose = Report details
+color = Colour on the terminal
+completions-about = Print a completion script for a shell
+completions-shell = The shell
+man-about = Print the manual page of the program, or of one verb
+man-verb = The verb; without it, the program
+inputs = Files, folders (with --recursive), or `-` for standard input
+format = Format of the input [default: by content, else by name]
+recursive = Include all mesh files in folders and below, except hidden ones
+root = Further folder from which companion files (MTL, glTF buffers) may be read; the only one for standard input [default:
+    the input's folder]
+
+## What `-h` shows of every verb.
+
+json-short = Report as JSON
+quiet-short = Report errors only
+verbose-short = Report details
