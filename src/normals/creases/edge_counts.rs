@@ -49,12 +49,15 @@ pub(crate) struct FoundEdges {
     pub(crate) creases: Vec<[u32; 2]>,
     /// The ends of those with one face.
     pub(crate) open: Vec<[u32; 2]>,
+    /// The ends of others at which a crease may end: of more than two faces, of reversed ones, and of faces that add to no sum.
+    pub(crate) irregular: Vec<[u32; 2]>,
 }
 
 impl FoundEdges {
     fn join(mut self, mut other: Self) -> Self {
         self.creases.append(&mut other.creases);
         self.open.append(&mut other.open);
+        self.irregular.append(&mut other.irregular);
         Self { counts: self.counts + other.counts, near: self.near + other.near, ..self }
     }
 
@@ -75,7 +78,7 @@ impl FoundEdges {
     pub(crate) fn chains(&self, positions: PositionsRef) -> CreaseChains {
         match self.counts {
             EdgeCounts { marked: 0, smooth: 1.., .. } => {
-                CreaseChains::of(&self.creases, &self.open, positions)
+                CreaseChains::of(&self.creases, &[&self.open[..], &self.irregular].concat(), positions)
             }
             _ => CreaseChains::default(),
         }
@@ -106,6 +109,7 @@ impl Tally {
             }
             Link::Inconsistent(across) => {
                 counts.inconsistent += usize::from(half_edge < across);
+                edges.irregular.push(ends(walker, half_edge).into());
                 return;
             }
             Link::Boundary => {
@@ -113,7 +117,10 @@ impl Tally {
                 edges.open.push(ends(walker, half_edge).into());
                 return;
             }
-            Link::NonManifold | Link::Ambiguous | Link::Collapsed => return,
+            Link::NonManifold | Link::Ambiguous | Link::Collapsed => {
+                edges.irregular.push(ends(walker, half_edge).into());
+                return;
+            }
         };
         if half_edge > across {
             return;
@@ -125,6 +132,7 @@ impl Tally {
         let is_decided = walker.is_counted(half_edge) && walker.is_counted(across);
         if !is_decided && matches!(walker.crease, CreaseTest::Over { .. }) {
             undecided.push(half_edge);
+            edges.irregular.push(ends(walker, half_edge).into());
             return;
         }
         let faces = [half_edge, across].map(|corner| walker.fans.face_of(corner) as usize);
@@ -185,10 +193,17 @@ impl RingCounts {
                 let faces = [corner, across].map(|corner| corner as usize / 3);
                 self.edges.add(Verdict::new(crease, normals, turns, faces), || (from, to));
             }
-            Link::Inconsistent(across) => counts.inconsistent += usize::from(corner < across),
+            Link::Inconsistent(across) => {
+                counts.inconsistent += usize::from(corner < across);
+                self.edges.irregular.push([from, to]);
+            }
             Link::Boundary => counts.boundary += 1,
-            Link::NonManifold => self.non_manifold.push([from.min(to), from.max(to)]),
-            Link::Twin(_) | Link::Welded(_) | Link::Ambiguous | Link::Collapsed => {}
+            Link::NonManifold => {
+                self.non_manifold.push([from.min(to), from.max(to)]);
+                self.edges.irregular.push([from, to]);
+            }
+            Link::Ambiguous | Link::Collapsed => self.edges.irregular.push([from, to]),
+            Link::Twin(_) | Link::Welded(_) => {}
         }
     }
 

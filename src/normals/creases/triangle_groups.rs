@@ -395,7 +395,9 @@ mod tests {
             if all_counted {
                 let (mut found, mut expected) = (found.finish(false), edge_counts(&walker, turns));
                 [&mut found, &mut expected].into_iter().for_each(|edges| {
-                    [&mut edges.creases, &mut edges.open].into_iter().for_each(|ends| ends.sort_unstable())
+                    [&mut edges.creases, &mut edges.open, &mut edges.irregular]
+                        .into_iter()
+                        .for_each(|ends| ends.sort_unstable())
                 });
                 assert_eq!(found, expected, "{triangles:?} {positions:?} {crease:?}");
                 sharp_and_smooth += usize::from(expected.counts.smooth > 0 && expected.counts.crease > 0);

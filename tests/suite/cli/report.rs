@@ -298,6 +298,8 @@ fn scattered_creases_are_reported_of_scans_and_not_of_folds() {
     };
     let folds = path(files.path().join("folds.obj"));
     assert!(said(&scan, &[]) && !said(&scan, &["--crease", "0"]) && !said(&folds, &[]));
+    // Creases of a prism end at its slivers.
+    assert!(!said(&path(data("slivers.obj")), &[]));
     for crease in ["10", "25", "40", "60"] {
         assert!(!said(&path(data("gear.obj")), &["--crease", crease]), "{crease}");
     }
