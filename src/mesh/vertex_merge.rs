@@ -112,10 +112,15 @@ impl<V: Fn(u32) -> u32> PlaceTable<'_, V> {
     }
 }
 
+/// For each position the first equal one.
+pub(crate) fn first_positions(positions: &[DVec3]) -> Vec<u32> {
+    first_at_place(positions.len(), &[positions], |vertex| vertex)
+}
+
 impl Mesh {
     /// For each vertex the first one at the same position.
     pub(crate) fn first_vertices(&self) -> Vec<u32> {
-        first_at_place(self.vertex_count(), &[self.positions()], |vertex| vertex)
+        first_positions(self.positions())
     }
 
     /// Whether each corner has a vertex of its own, numbered like it: the form of STL and of glTF without indices.

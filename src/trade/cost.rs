@@ -78,7 +78,7 @@ impl Costs {
         for weight in Weight::ALL {
             let precisions = [Precision::Faithful, Precision::Fast];
             for (way, precision) in [Way::Slices, Way::SlicesFast].into_iter().zip(precisions) {
-                if weight == Weight::Quadric {
+                if weight.is_fit() {
                     continue;
                 }
                 let (mut scratch, mut normals) = (Scratch::new(), vec![[0.0; 3]; positions.len()]);

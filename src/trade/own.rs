@@ -149,7 +149,7 @@ impl OwnMesh {
             self.reasons.push(sentence("partial", &[estimated_from, of, ("share", share)]));
         }
         let method = |weight: Weight| self.methods.iter().find(|method| method.weight == weight);
-        let sums = self.methods.iter().filter(|method| method.weight != Weight::Quadric);
+        let sums = self.methods.iter().filter(|method| !method.weight.is_fit());
         let closest = sums.min_by(|a, b| a.estimate.rms.total_cmp(&b.estimate.rms));
         let (Some(best), Some(usual), Some(quadric)) =
             (closest, method(Weight::Angle), method(Weight::Quadric))

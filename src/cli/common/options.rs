@@ -77,7 +77,9 @@ choices! { Weight {
     "angle-area" => AngleArea: "angle times area",
     "max" => Max: "sin of the angle over the product of the edge lengths; exact on a sphere (Max 1999)",
     "edge" => Edge: "1 over the product of the edge lengths",
-    "quadric" => Quadric: "least-squares quadric through the two-ring: slow, second order",
+    "quadric" => Quadric: "least-squares quadric through the two-ring: second order; for noise",
+    "jet" => Jet: "osculating jet of degree 3 (Cazals & Pouget 2005): third order; for smooth surfaces without noise",
+    "best" => Best: "jet, quadric or angle, whichever has the smallest estimated error on the mesh",
 } }
 
 choices! { When {

@@ -52,7 +52,7 @@ pub(in crate::normals) fn on_topology(
 
 /// Whether a mesh has only triangles and the recipe asks for nothing that takes a topology.
 pub(in crate::normals) fn can_do_without_topology(mesh: &Mesh, recipe: &NormalRecipe) -> bool {
-    recipe.weight != Weight::Quadric
+    !recipe.weight.is_fit()
         && (recipe.scope, recipe.rule) == (Scope::Corner, CreaseRule::Fan)
         && matches!(recipe.weld, Weld::Exact | Weld::Off)
         && mesh.faces().is_triangles()

@@ -60,8 +60,8 @@ pub fn corner_normals<T: Coordinate>(
     index: &mut [u32],
 ) -> Result<Faults, SliceError> {
     let Averaging { weight, slivers, precision } = averaging;
-    if weight == Weight::Quadric {
-        return Err(SliceError::QuadricNeedsMesh);
+    if weight.is_fit() {
+        return Err(SliceError::FitNeedsMesh(weight.name()));
     }
     let corners = 3 * triangles.len();
     if corners > MAX_CORNERS {

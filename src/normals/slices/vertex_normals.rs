@@ -51,9 +51,9 @@ pub enum SliceError {
         /// How much.
         count: usize,
     },
-    /// [`Weight::Quadric`] looks past the faces of a vertex, which takes a mesh with its topology.
-    #[error("the quadric weight needs a mesh with topology; compute it from a NormalRecipe")]
-    QuadricNeedsMesh,
+    /// A [fit](Weight::is_fit) looks past the faces of a vertex, which takes a mesh with its topology.
+    #[error("the {0} weight needs a mesh with topology; compute it from a NormalRecipe")]
+    FitNeedsMesh(&'static str),
 }
 
 /// Memory for intermediate results: a second call of the same size allocates next to nothing.
@@ -169,8 +169,8 @@ pub fn vertex_normals<T: Coordinate>(
     normals: &mut [[T; 3]],
 ) -> Result<Faults, SliceError> {
     let Averaging { weight, slivers, precision } = averaging;
-    if weight == Weight::Quadric {
-        return Err(SliceError::QuadricNeedsMesh);
+    if weight.is_fit() {
+        return Err(SliceError::FitNeedsMesh(weight.name()));
     }
     check_lengths(positions.len(), triangles, positions.len(), normals.len())?;
     let (faces, points) = (FacesRef::triangles(triangles), T::positions(positions));

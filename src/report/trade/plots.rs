@@ -187,7 +187,7 @@ pub(super) fn shading_plot(rows: &[ShadingRow], surface: &str) -> Plot {
 
 /// Estimated error against cost on a user mesh, with the Pareto frontier.
 pub(super) fn own_plot(own: &OwnMesh) -> Plot {
-    let sums = own.methods.iter().filter(|method| method.weight != Weight::Quadric);
+    let sums = own.methods.iter().filter(|method| !method.weight.is_fit());
     let points: Vec<ClassPoint> = sums
         .map(|method| ClassPoint { weight: method.weight, rms: method.estimate.rms, ratio: method.ratio })
         .collect();
@@ -202,7 +202,7 @@ pub(super) fn own_plot(own: &OwnMesh) -> Plot {
 
 /// The distribution of the estimated errors on a user mesh.
 pub(super) fn own_histogram_plot(own: &OwnMesh) -> Plot {
-    let spread = own.methods.iter().filter(|method| method.weight != Weight::Quadric);
+    let spread = own.methods.iter().filter(|method| !method.weight.is_fit());
     let spread: Vec<_> = spread.map(|method| (method.weight, &method.estimate, &method.histogram)).collect();
     Plot {
         title: "Estimated errors of normals".into(),

@@ -1,0 +1,208 @@
+//! Which of the jet, the quadric and the angle mean has the smallest error on a mesh, estimated from residuals.
+
+use crate::normals::fits::jet::JET;
+use crate::normals::fits::polynomial::{Heights, Neighbourhoods, Polynomial};
+use crate::normals::fits::quadric::QUADRIC;
+use crate::normals::fits::rings::{RingScratch, Rings};
+use crate::normals::recipe::Weight;
+use crate::num::{Column, CompensatedSum, Eight, LANES, Pivoting, ROWS};
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+
+/// Smooth groups that estimates are from, at most.
+const SAMPLE: usize = 4096;
+
+/// Draws of noise at each of them.
+const DRAWS: usize = 4;
+
+/// The share of groups whose jets are noisiest, which do not count: tips and folds say nothing about the rest.
+const OUTLIERS: f64 = 0.1;
+
+/// Slopes below this are rounding.
+const ROUNDING: f64 = 1.0 / (1_u64 << 40) as f64;
+
+/// The polynomial of degree 3 whose residuals are noise, with equal rows.
+const SMOOTH: Polynomial = Polynomial { weighted: false, ..JET[0] };
+
+/// The estimated errors of the weights that [`Weight::Best`] chooses from.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Choice {
+    /// [`Weight::Jet`], [`Weight::Quadric`] or [`Weight::Angle`].
+    pub weight: Weight,
+    /// Smooth groups with a normal of their own that were sampled.
+    pub sampled: usize,
+    /// Of these, groups that all polynomials can be fitted to.
+    pub fitted: usize,
+    /// The rms distance of vertices from a smooth surface, as a share of the edges around them.
+    pub noise: f64,
+    /// The estimated rms error of jets, in degrees.
+    pub jet: f64,
+    /// That of quadrics.
+    pub quadric: f64,
+    /// That of angle means.
+    pub angle: f64,
+}
+
+/// Estimates at one smooth group; all slopes are over the plane of its angle mean.
+struct Estimate {
+    /// Variance of the noise in units of the scaled neighbourhood, and over the square of the mean edge.
+    variance: f64,
+    noise: f64,
+    jet: DVec2,
+    quadric: DVec2,
+    /// Variance of the jet's slopes, of the quadric's, and of their difference for noise of variance 1.
+    of_jet: f64,
+    of_quadric: f64,
+    of_difference: f64,
+}
+
+impl Estimate {
+    /// The expected square of the jet's error.
+    fn jet_error(&self) -> f64 {
+        self.variance * self.of_jet
+    }
+
+    /// That of the quadric: what noise does to it, and its difference from the jet without what noise adds to that.
+    fn quadric_error(&self) -> f64 {
+        let bias = (self.quadric - self.jet).length_squared() - self.variance * self.of_difference;
+        self.variance * self.of_quadric + bias
+    }
+}
+
+/// Chooses by the smallest estimated error.
+///
+/// At each of a sample of smooth groups, σ² = |r|² / (n − 9 + |r₁|²) estimates the variance of vertex positions along the
+/// normal: r are the residuals of the polynomial of degree 3 through the vertex with equal rows, n is the number of
+/// neighbours, and r₁ are the residuals of the same fit to heights of 1, which stand for the noise of the vertex itself. Let
+/// V(p) be the variance of the slopes of a fit p to noise of variance 1. With slopes j of the jet and q of the quadric over
+/// the plane of the angle mean, the expected squared errors are
+///
+/// - of the jet σ² V(j),
+/// - of the quadric σ² V(q) + |q − j|² − σ² V(q − j),
+/// - of the angle mean |b|² less the error of b, where b is the better of j and q.
+///
+/// Each is averaged over the groups but the tenth with the largest σ² V(j). The angle mean is chosen if fewer than half of
+/// the groups have all fits.
+pub(crate) fn choose(rings: &Rings<'_>, means: &[DVec3]) -> Choice {
+    let groups: Vec<u32> = (0..means.len() as u32)
+        .filter(|&group| means[group as usize] != DVec3::ZERO && !rings.groups(group).is_empty())
+        .collect();
+    let count = groups.len().min(SAMPLE);
+    let sample: Vec<u32> = (0..count).map(|i| groups[i * groups.len() / count]).collect();
+    let estimates = sample.par_chunks(LANES).map_init(Scratch::new, |scratch, eight| scratch.of(rings, means, eight));
+    let mut estimates: Vec<Estimate> = estimates.flatten_iter().collect();
+    let fitted = estimates.len();
+    estimates.sort_by(|a, b| a.jet_error().total_cmp(&b.jet_error()));
+    estimates.truncate(fitted - (OUTLIERS * fitted as f64) as usize);
+    let mean = |of: &dyn Fn(&Estimate) -> f64| {
+        let mut sum = CompensatedSum::default();
+        estimates.iter().for_each(|estimate| sum += of(estimate));
+        sum.value() / estimates.len().max(1) as f64
+    };
+    let (jet, quadric) = (mean(&Estimate::jet_error), mean(&Estimate::quadric_error));
+    let angle = if jet <= quadric {
+        mean(&|it| it.jet.length_squared()) - jet
+    } else {
+        mean(&|it| it.quadric.length_squared()) - quadric.max(0.0)
+    };
+    let [jet, quadric, angle] = [jet, quadric, angle].map(|square| {
+        let slope = square.max(0.0).sqrt();
+        if slope < ROUNDING { 0.0 } else { slope }
+    });
+    let weight = if 2 * fitted < count || angle <= jet.min(quadric) {
+        Weight::Angle
+    } else if jet <= quadric {
+        Weight::Jet
+    } else {
+        Weight::Quadric
+    };
+    let degrees = |slope: f64| libm::atan(slope).to_degrees();
+    Choice {
+        weight,
+        sampled: count,
+        fitted,
+        noise: mean(&|it| it.noise).sqrt(),
+        jet: degrees(jet),
+        quadric: degrees(quadric),
+        angle: degrees(angle),
+    }
+}
+
+struct Scratch {
+    rings: RingScratch,
+    neighbours: Vec<DVec3>,
+    neighbourhoods: Box<Neighbourhoods>,
+    heights: Box<Column>,
+}
+
+impl Scratch {
+    fn new() -> Self {
+        Self {
+            rings: RingScratch::default(),
+            neighbours: Vec::new(),
+            neighbourhoods: Neighbourhoods::new(),
+            heights: Box::new([Eight::ZERO; ROWS]),
+        }
+    }
+
+    /// The estimates at eight groups, without those that a polynomial cannot be fitted to.
+    fn of(&mut self, rings: &Rings<'_>, means: &[DVec3], eight: &[u32]) -> Vec<Estimate> {
+        self.neighbourhoods.clear();
+        let (mut counts, mut edges) = ([0; LANES], [0.0; LANES]);
+        for (lane, &group) in eight.iter().enumerate() {
+            let centre = rings.centre(group);
+            self.neighbours.clear();
+            rings.neighbours(group, SMOOTH.fewest, &mut self.rings, &mut self.neighbours);
+            self.neighbourhoods.push(centre, means[group as usize], &self.neighbours);
+            counts[lane] = self.neighbours.len();
+            let ring = &self.neighbours[..rings.ring_size(group).min(counts[lane])];
+            let scale = self.neighbourhoods.scale(lane);
+            edges[lane] = ring.iter().map(|&at| ((at - centre) * scale).length()).sum::<f64>() / ring.len() as f64;
+        }
+        let all = [JET[0], QUADRIC, SMOOTH];
+        let [jet, quadric, smooth] = all.map(|it| self.neighbourhoods.fit(it, Heights::Positions));
+        *self.heights = [Eight([1.0; LANES]); ROWS];
+        let ones = self.neighbourhoods.fit(SMOOTH, Heights::Given(&self.heights));
+        let solved = jet.solved & quadric.solved & smooth.solved & ones.solved;
+        let mut spread = [[0.0; 3]; LANES];
+        for draw in 0..DRAWS {
+            for (lane, &group) in eight.iter().enumerate() {
+                let mut signs = signs(u64::from(group) << 8 | draw as u64);
+                let centre = signs.next().expect("there is no end");
+                self.heights.iter_mut().zip(signs).for_each(|(height, sign)| height.0[lane] = sign - centre);
+            }
+            let [jet, quadric] =
+                [JET[0], QUADRIC].map(|it| self.neighbourhoods.fit(it, Heights::Given(&self.heights)));
+            for (lane, spread) in spread.iter_mut().enumerate() {
+                let (jet, quadric) = (jet.slopes(lane), quadric.slopes(lane));
+                let squares = [jet, quadric, quadric - jet].map(|it| it.length_squared() / DRAWS as f64);
+                spread.iter_mut().zip(squares).for_each(|(sum, square)| *sum += square);
+            }
+        }
+        let is_usable = |&lane: &usize| counts[lane] >= SMOOTH.fewest && solved >> lane & 1 == 1;
+        let estimate = |lane: usize| {
+            let freedom = counts[lane] as f64 - SMOOTH.unknowns() as f64 + ones.residual.0[lane];
+            let variance = smooth.residual.0[lane] / freedom;
+            Estimate {
+                variance,
+                noise: variance / (edges[lane] * edges[lane]),
+                jet: jet.slopes(lane),
+                quadric: quadric.slopes(lane),
+                of_jet: spread[lane][0],
+                of_quadric: spread[lane][1],
+                of_difference: spread[lane][2],
+            }
+        };
+        (0..eight.len()).filter(is_usable).map(estimate).collect()
+    }
+}
+
+/// +1 and −1 as a hash has it (splitmix64).
+fn signs(seed: u64) -> impl Iterator<Item = f64> {
+    (1_u64..).map(move |i| {
+        let mut z = (seed << 8 | i).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        if (z ^ z >> 31) & 1 == 0 { 1.0 } else { -1.0 }
+    })
+}
