@@ -257,3 +257,133 @@ fn in_order<A: Lanes>(
     }
     sorted
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::dispatch::{Kernel, dispatch};
+    use super::super::lanes::Plain;
+    use super::super::product::Split;
+    use super::super::test_numbers::Numbers;
+    use super::*;
+
+    const NEAREST: f64 = 1.0 / (1 << 30) as f64;
+
+    #[derive(Clone)]
+    struct Systems {
+        columns: Vec<Column>,
+        rows: usize,
+        pivoting: Pivoting,
+    }
+
+    impl Kernel for Systems {
+        type Output = LeastSquares;
+
+        fn run<A: Lanes>(mut self, arch: A) -> LeastSquares {
+            least_squares(arch, &mut self.columns, self.rows, self.pivoting, NEAREST)
+        }
+    }
+
+    /// One system in all lanes.
+    fn system(columns: &[Vec<f64>], pivoting: Pivoting) -> Systems {
+        let column = |from: &Vec<f64>| {
+            let mut column = [Eight::ZERO; ROWS];
+            from.iter().zip(&mut column).for_each(|(&x, row)| *row = Eight([x; LANES]));
+            column
+        };
+        Systems { columns: columns.iter().map(column).collect(), rows: columns[0].len(), pivoting }
+    }
+
+    fn solve(columns: &[Vec<f64>], pivoting: Pivoting) -> Option<Vec<f64>> {
+        let found = dispatch(system(columns, pivoting));
+        assert!(found.solved == 0 || found.solved == u8::MAX);
+        (found.solved != 0).then(|| found.unknowns[..columns.len() - 1].iter().map(|it| it.0[3]).collect())
+    }
+
+    const BOTH: [Pivoting; 2] = [Pivoting::None, Pivoting::Columns];
+
+    #[test]
+    fn a_line_through_points_by_the_textbook() {
+        // y = 1, 2, 2, 4 at x = 0, 1, 2, 3: the normal equations give 0.9 + 0.9 x, with residuals 0.1, 0.2, −0.7, 0.4.
+        let columns = [vec![1.0; 4], (0..4).map(f64::from).collect(), vec![1.0, 2.0, 2.0, 4.0]];
+        for pivoting in BOTH {
+            let [offset, slope] = solve(&columns, pivoting).unwrap()[..] else { panic!("two unknowns") };
+            assert!((offset - 0.9).abs() < 1e-14 && (slope - 0.9).abs() < 1e-14, "{offset} {slope}");
+            let residual = dispatch(system(&columns, pivoting)).residual.0[5];
+            assert!((residual - 0.7).abs() < 1e-14, "{residual}");
+        }
+    }
+
+    #[test]
+    fn dependence_is_judged_without_units() {
+        let x: Vec<f64> = (0..9).map(f64::from).collect();
+        let nearly = |off: f64| (0..9).map(|i| f64::from(i) + off * f64::from(i % 2)).collect::<Vec<f64>>();
+        for (unit, pivoting) in
+            [1e-300, 1e-20, 1.0, 1e150].into_iter().flat_map(|unit| BOTH.map(|it| (unit, it)))
+        {
+            let scaled = |column: Vec<f64>| column.into_iter().map(|x| x * unit).collect::<Vec<f64>>();
+            assert_eq!(solve(&[x.clone(), scaled(nearly(0.0)), x.clone()], pivoting), None);
+            assert_eq!(solve(&[x.clone(), scaled(nearly(1e-9)), x.clone()], pivoting), None);
+            let found = solve(&[x.clone(), scaled(nearly(1e-3)), x.clone()], pivoting).unwrap();
+            assert!((found[0] - 1.0).abs() < 1e-9 && (found[1] * unit).abs() < 1e-9);
+        }
+        for pivoting in BOTH {
+            assert_eq!(solve(&[vec![0.0; 3], vec![1.0; 3]], pivoting), None);
+            assert_eq!(solve(&[vec![f64::NAN; 3], vec![1.0; 3]], pivoting), None);
+            assert_eq!(solve(&[vec![1.0; 3], vec![f64::INFINITY; 3]], pivoting), None);
+        }
+    }
+
+    /// Two columns that are nearly parallel, and random systems.
+    #[test]
+    fn pivoting_changes_solutions_by_rounding_only() {
+        let columns = [vec![1.0, 0.0, 0.0], vec![1.0, 1e-3, 0.0], vec![0.0, 0.0, 1.0], vec![3.0, 1e-3, 5.0]];
+        let found = solve(&columns, Pivoting::Columns).unwrap();
+        assert!([2.0, 1.0, 5.0].iter().zip(&found).all(|(a, b)| (a - b).abs() < 1e-11), "{found:?}");
+        let mut numbers = Numbers::new(4);
+        for _ in 0..200 {
+            let mut column = || (0..20).map(|_| 2.0 * numbers.unit() - 1.0).collect::<Vec<f64>>();
+            let columns: Vec<Vec<f64>> = (0..6).map(|_| column()).collect();
+            let [plain, pivoted] = BOTH.map(|pivoting| solve(&columns, pivoting).unwrap());
+            assert!(plain.iter().zip(&pivoted).all(|(a, b)| (a - b).abs() < 1e-13), "{plain:?} {pivoted:?}");
+        }
+    }
+
+    /// The same bits from any instructions, in any lane, next to any systems, with any number of rows of zeros.
+    #[test]
+    fn every_lane_has_the_bits_that_it_has_alone() {
+        let mut numbers = Numbers::new(21);
+        for round in 0..300 {
+            let pivoting = BOTH[round % 2];
+            let mut systems = Systems { columns: vec![[Eight::ZERO; ROWS]; 7], rows: 20, pivoting };
+            let counts: [usize; LANES] = std::array::from_fn(|_| 8 + numbers.below(12));
+            for column in &mut systems.columns {
+                for (row, at) in column.iter_mut().enumerate() {
+                    for lane in 0..LANES {
+                        let x = if numbers.below(5) == 0 { -0.0 } else { 2.0 * numbers.unit() - 1.0 };
+                        at.0[lane] = if row < counts[lane] { x } else { 0.0 };
+                    }
+                }
+            }
+            let bits = |found: &LeastSquares, lane: usize| {
+                let unknowns: Vec<u64> = found.unknowns[..6].iter().map(|it| it.0[lane].to_bits()).collect();
+                (unknowns, found.residual.0[lane].to_bits(), found.solved >> lane & 1)
+            };
+            let found = dispatch(systems.clone());
+            assert_eq!(found.solved, u8::MAX);
+            let plain = systems.clone().run(Plain::<f64, Split>::new());
+            for lane in 0..LANES {
+                let mut alone = Systems { rows: counts[lane], ..systems.clone() };
+                for row in alone.columns.iter_mut().flatten() {
+                    *row = Eight([row.0[lane]; LANES]);
+                }
+                assert_eq!(bits(&found, lane), bits(&plain, lane));
+                assert_eq!(bits(&found, lane), bits(&dispatch(alone), 7 - lane));
+            }
+            #[cfg(target_arch = "x86_64")]
+            if let Some(avx2) = super::super::lanes::Avx2::new() {
+                let narrow = systems.run(avx2);
+                assert!((0..LANES).all(|lane| bits(&found, lane) == bits(&narrow, lane)));
+            }
+        }
+    }
+}

@@ -2,7 +2,7 @@
 
 use crate::io::Part;
 use crate::mesh::Orientation;
-use crate::normals::{CreaseChains, EdgeCounts, Fault, Faults, Selection};
+use crate::normals::{Choice, CreaseChains, EdgeCounts, Fault, Faults, JetFallbacks, Selection};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -97,6 +97,12 @@ pub struct PartOutcome {
     pub orientation: Option<Orientation>,
     /// Quadric fits that fell back to angle weights.
     pub quadric_fallbacks: usize,
+    /// Jets of lower degree, where there were jets.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub jet_fallbacks: Option<JetFallbacks>,
+    /// With [`Weight::Best`](crate::normals::Weight::Best): what it chose, and why.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub best: Option<Choice>,
     /// Fans too large for the cone rule, cut by the fan rule instead.
     pub cone_declined: usize,
     /// Clusters of welded positions wider than twice the welding distance.

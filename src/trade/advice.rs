@@ -61,8 +61,7 @@ pub(super) fn best_sum(points: &[ClassPoint]) -> Option<ClassPoint> {
 fn on_class(trade: &Trade, tiling: Tiling) -> Option<String> {
     let points = trade.of_class(tiling);
     let best = best_sum(&points)?;
-    let others =
-        || points.iter().filter(|point| !point.weight.is_fit() && point.weight != best.weight);
+    let others = || points.iter().filter(|point| !point.weight.is_fit() && point.weight != best.weight);
     let next = others().min_by(|a, b| a.rms.total_cmp(&b.rms))?;
     let worst = others().max_by(|a, b| a.rms.total_cmp(&b.rms))?;
     // The default weight is named where its error is about the smallest, which has to be said.
@@ -80,10 +79,12 @@ fn on_class(trade: &Trade, tiling: Tiling) -> Option<String> {
             ("worst-rms", digits(worst.rms)),
         ],
     );
-    let quadric = frontier(&points).into_iter().find(|point| point.weight == Weight::Quadric);
-    if let Some(quadric) = quadric.filter(|quadric| ALIKE * quadric.rms < best.rms) {
+    let fit = frontier(&points).into_iter().rfind(|point| point.weight.is_fit());
+    if let Some(fit) = fit.filter(|fit| ALIKE * fit.rms < best.rms) {
+        let values =
+            [("ratio", digits(fit.ratio)), ("fit", fit.weight.name().into()), ("rms", digits(fit.rms))];
         text.push(' ');
-        text += &sentence("class-quadric", &[("ratio", digits(quadric.ratio)), ("rms", digits(quadric.rms))]);
+        text += &sentence("class-fit", &values);
     }
     Some(text)
 }

@@ -120,7 +120,7 @@ impl Costs {
         self.row(way, weight).map(|row| row.ratio)
     }
 
-    /// The lowest cost of a weight, faithful: through slices, except for the quadric.
+    /// The lowest cost of a weight, faithful: through slices, except for fits.
     pub fn cheapest(&self, weight: Weight) -> Option<f64> {
         self.ratio(Way::Slices, weight).or_else(|| self.ratio(Way::Mesh, weight))
     }

@@ -12,7 +12,7 @@ use crate::normals::creases::hard_edges::{Marks, applied_angle};
 use crate::normals::creases::smooth_groups::SmoothGroups;
 use crate::normals::creases::triangle_groups::{GroupMemory, TriangleCreases};
 use crate::normals::faces::face_normals::FaceNormals;
-use crate::normals::recipe::{CreaseRule, NormalRecipe, Scope, Weight};
+use crate::normals::recipe::{CreaseRule, NormalRecipe, Scope};
 
 /// Smooth groups, and what was counted on the way; see [`Summary`](crate::normals::Summary).
 pub(in crate::normals) struct Grouping {

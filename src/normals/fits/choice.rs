@@ -5,7 +5,7 @@ use crate::normals::fits::polynomial::{Heights, Neighbourhoods, Polynomial};
 use crate::normals::fits::quadric::QUADRIC;
 use crate::normals::fits::rings::{RingScratch, Rings};
 use crate::normals::recipe::Weight;
-use crate::num::{Column, CompensatedSum, Eight, LANES, Pivoting, ROWS};
+use crate::num::{Column, CompensatedSum, Eight, LANES, ROWS};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
@@ -89,7 +89,8 @@ pub(crate) fn choose(rings: &Rings<'_>, means: &[DVec3]) -> Choice {
         .collect();
     let count = groups.len().min(SAMPLE);
     let sample: Vec<u32> = (0..count).map(|i| groups[i * groups.len() / count]).collect();
-    let estimates = sample.par_chunks(LANES).map_init(Scratch::new, |scratch, eight| scratch.of(rings, means, eight));
+    let estimates =
+        sample.par_chunks(LANES).map_init(Scratch::new, |scratch, eight| scratch.of(rings, means, eight));
     let mut estimates: Vec<Estimate> = estimates.flatten_iter().collect();
     let fitted = estimates.len();
     estimates.sort_by(|a, b| a.jet_error().total_cmp(&b.jet_error()));
@@ -157,7 +158,8 @@ impl Scratch {
             counts[lane] = self.neighbours.len();
             let ring = &self.neighbours[..rings.ring_size(group).min(counts[lane])];
             let scale = self.neighbourhoods.scale(lane);
-            edges[lane] = ring.iter().map(|&at| ((at - centre) * scale).length()).sum::<f64>() / ring.len() as f64;
+            edges[lane] =
+                ring.iter().map(|&at| ((at - centre) * scale).length()).sum::<f64>() / ring.len() as f64;
         }
         let all = [JET[0], QUADRIC, SMOOTH];
         let [jet, quadric, smooth] = all.map(|it| self.neighbourhoods.fit(it, Heights::Positions));

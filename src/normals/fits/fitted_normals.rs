@@ -62,7 +62,7 @@ pub(crate) fn fitted_normals<const N: usize>(
     normals: &mut [DVec3],
 ) -> [FitFailures; N] {
     let means = normals.to_vec();
-    let fewest = polynomials.iter().map(|it| it.fewest).fold(0, usize::max);
+    let fewest = polynomials.iter().filter(|it| it.adds_rings).map(|it| it.fewest).fold(0, usize::max);
     let sum = |a: [FitFailures; N], b: [FitFailures; N]| {
         let mut sum = a;
         sum.iter_mut().zip(b).for_each(|(a, b)| *a += b);

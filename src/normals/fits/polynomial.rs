@@ -19,6 +19,8 @@ pub(crate) struct Polynomial {
     pub(crate) weighted: bool,
     /// Fewest neighbours.
     pub(crate) fewest: usize,
+    /// Whether rings are added to two that have fewer.
+    pub(crate) adds_rings: bool,
     /// The smallest distance of a column of unit length from the span of those before it.
     pub(crate) nearest: f64,
     /// The order of columns.
@@ -131,8 +133,9 @@ impl Neighbourhoods {
         }
     }
 
+    /// At least as many as there are columns, so that lanes of fewer neighbours are dependent and nothing worse.
     fn rows(&self) -> usize {
-        self.counts.into_iter().fold(0, usize::max)
+        self.counts.into_iter().fold(COLUMNS, usize::max)
     }
 }
 

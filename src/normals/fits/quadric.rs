@@ -11,6 +11,7 @@ pub(crate) const QUADRIC: Polynomial = Polynomial {
     degree: 2,
     weighted: false,
     fewest: 6,
+    adds_rings: false,
     // Some millions of roundings, yet far below the angles between the columns of any stretched mesh.
     nearest: 1.0 / (1 << 30) as f64,
     pivoting: Pivoting::None,
@@ -40,6 +41,9 @@ mod tests {
 
     /// The fit at the origin.
     fn fit(neighbours: &[DVec3]) -> Option<DVec3> {
+        if neighbours.len() < QUADRIC.fewest {
+            return None;
+        }
         let mut neighbourhoods = Neighbourhoods::new();
         neighbourhoods.push(DVec3::ZERO, DVec3::Z, neighbours);
         neighbourhoods.normals(QUADRIC)[0]

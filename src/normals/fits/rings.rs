@@ -74,7 +74,8 @@ impl<'a> Rings<'a> {
             let points = rings.places(group).iter().map(|&place| rings.position(place)).collect();
             (group, NearTree::build(points))
         };
-        rings.crowds = crowded.collect::<Vec<_>>().into_par_iter().map(tree).collect::<Vec<_>>().into_iter().collect();
+        rings.crowds =
+            crowded.collect::<Vec<_>>().into_par_iter().map(tree).collect::<Vec<_>>().into_iter().collect();
         rings
     }
 

@@ -13,9 +13,7 @@ use glam::DVec3;
 use std::f64::consts::TAU;
 
 pub(super) fn build(positions: Vec<DVec3>, triangles: Vec<u32>) -> Mesh {
-    MeshBuilder { positions, faces: Faces::triangles(triangles), ..MeshBuilder::default() }
-        .build()
-        .unwrap()
+    MeshBuilder { positions, faces: Faces::triangles(triangles), ..MeshBuilder::default() }.build().unwrap()
 }
 
 /// The angle means of groups of corners: all at a vertex, or by the given numbers.
@@ -76,9 +74,8 @@ pub(super) fn wrapped(m: u32, n: u32, surface: impl Fn(f64, f64) -> (DVec3, DVec
     let (positions, exact) = (0..m * n)
         .map(|v| {
             let (i, j) = (v / n, v % n);
-            let at = |x: u32, c: u32, of: u32| {
-                TAU * (f64::from(x) + 0.5 * (hash(i, j, c) - 0.5)) / f64::from(of)
-            };
+            let at =
+                |x: u32, c: u32, of: u32| TAU * (f64::from(x) + 0.5 * (hash(i, j, c) - 0.5)) / f64::from(of);
             surface(at(i, 1, m), at(j, 2, n))
         })
         .unzip();
@@ -134,6 +131,33 @@ pub(super) fn sphere_cap(n: u32) -> (Mesh, Vec<DVec3>) {
         let z = (1.0 - x * x - y * y).sqrt();
         (z, -x / z, -y / z)
     })
+}
+
+/// The wave z = 0.3 sin 3x cos 3y over [−1, 1]², and which of its vertices are not on the boundary.
+pub(super) fn wave(n: u32) -> (Mesh, Vec<DVec3>, Vec<bool>) {
+    let (mesh, exact) = patch(n, |x, y| {
+        let ((sin_x, cos_x), (sin_y, cos_y)) = (libm::sincos(6.0 * x), libm::sincos(6.0 * y));
+        (0.15 * sin_x * cos_y, 0.9 * cos_x * cos_y, -0.9 * sin_x * sin_y)
+    });
+    let inner = |i: u32| 0 < i && i < n;
+    let is_inner = (0..(n + 1) * (n + 1)).map(|v| inner(v / (n + 1)) && inner(v % (n + 1))).collect();
+    (mesh, exact, is_inner)
+}
+
+/// The rms error in degrees of the normals of some polynomials inside the [`wave`].
+pub(super) fn rms_on_wave<const N: usize>(n: u32, polynomials: [Polynomial; N]) -> f64 {
+    let (mesh, exact, is_inner) = wave(n);
+    let normals = normals_of(&mesh, mesh.faces().corners(), polynomials).0;
+    let inner = |normals: &[DVec3]| -> Vec<DVec3> {
+        normals.iter().zip(&is_inner).filter(|it| *it.1).map(|it| *it.0).collect()
+    };
+    errors(&inner(&normals), &inner(&exact)).0
+}
+
+/// The same on the [`torus`].
+pub(super) fn rms_on_torus<const N: usize>(m: u32, n: u32, polynomials: [Polynomial; N]) -> f64 {
+    let (mesh, exact) = torus(m, n);
+    errors(&normals_of(&mesh, mesh.faces().corners(), polynomials).0, &exact).0
 }
 
 /// Two cones base to base: each rim vertex has both tips for neighbours, and each tip the whole rim.

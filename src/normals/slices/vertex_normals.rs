@@ -8,7 +8,7 @@ use crate::normals::faces::face_normals::face_normals_into;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::fallback::neighbours::{neighbour_normals, vertex_fallbacks};
 use crate::normals::fault::{Fault, FaultReason, Faults};
-use crate::normals::recipe::{Averaging, Precision, Slivers, Weight};
+use crate::normals::recipe::{Averaging, Precision, Slivers};
 use crate::normals::sums::partition::Bounds;
 use crate::normals::sums::request::{SlotState, SumRequest};
 use crate::normals::sums::single_precision::single_sums_into;

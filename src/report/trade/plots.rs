@@ -29,7 +29,7 @@ pub(super) fn frontier_plot(trade: &Trade, tiling: Tiling) -> Plot {
     let points = trade.of_class(tiling);
     Plot {
         title: format!("Error against cost: {}", tiling.about()),
-        x: Axis::log("times the plain f32 loop, one thread; sums by slices, quadric on a mesh"),
+        x: Axis::log("times the plain f32 loop, one thread; sums by slices, fits on a mesh"),
         ..pareto_plot(&points, "")
     }
 }

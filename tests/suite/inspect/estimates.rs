@@ -27,7 +27,8 @@ fn gives_the_same_bits(estimate: &Estimate, mesh: &Mesh) -> bool {
 #[test]
 fn the_recipe_is_estimated() {
     for clean in meshes().into_iter().filter(|clean| clean.is_uneven) {
-        for weight in Weight::ALL {
+        // Of the fits, only quadrics are recognised.
+        for weight in Weight::SUMS.into_iter().chain([Weight::Quadric]) {
             let recipe = NormalRecipe { weight, ..clean.recipe };
             let mesh = with_normals(clean.mesh.clone().with_normals(None), &recipe);
             let estimate = estimate(&mesh);
