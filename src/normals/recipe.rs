@@ -26,7 +26,7 @@ pub enum Weight {
     /// more than twice as far as the means of the neighbours turn in that direction, so that rounding of positions is not
     /// taken for shape: [`Summary::quadric_fallbacks`](crate::normals::Summary::quadric_fallbacks) counts these.
     Quadric,
-    /// The normal of an osculating jet: a polynomial of degree 3 through the vertex, fitted with rows 1/d² to the two-ring, or to
+    /// The normal of an osculating jet: a polynomial of degree 3 through the vertex, fitted with rows of weight 1/d² to the two-ring, or to
     /// more rings where that has fewer than 14 vertices (Cazals & Pouget 2005). Third order on surfaces without noise. Where there
     /// is no fit a polynomial of degree 2 is used, and then the angle mean:
     /// [`Summary::jet_fallbacks`](crate::normals::Summary::jet_fallbacks) counts these by the reason.

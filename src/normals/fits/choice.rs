@@ -13,7 +13,7 @@ use rayon::prelude::*;
 const SAMPLE: usize = 4096;
 
 /// Draws of noise at each of them.
-const DRAWS: usize = 4;
+const DRAWS: usize = 8;
 
 /// The share of groups whose jets are noisiest, which do not count: tips and folds say nothing about the rest.
 const OUTLIERS: f64 = 0.1;
@@ -21,8 +21,8 @@ const OUTLIERS: f64 = 0.1;
 /// Slopes below this are rounding.
 const ROUNDING: f64 = 1.0 / (1_u64 << 40) as f64;
 
-/// The polynomial of degree 3 whose residuals are noise, with equal rows.
-const SMOOTH: Polynomial = Polynomial { weighted: false, ..JET[0] };
+/// The polynomials that are compared.
+const FITS: [Polynomial; 2] = [JET[0], QUADRIC];
 
 /// The estimated errors of the weights that [`Weight::Best`] chooses from.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -64,25 +64,28 @@ impl Estimate {
 
     /// That of the quadric: what noise does to it, and its difference from the jet without what noise adds to that.
     fn quadric_error(&self) -> f64 {
-        let bias = (self.quadric - self.jet).length_squared() - self.variance * self.of_difference;
+        let bias = self.difference() - self.variance * self.of_difference;
         self.variance * self.of_quadric + bias
+    }
+
+    fn difference(&self) -> f64 {
+        (self.quadric - self.jet).length_squared()
     }
 }
 
 /// Chooses by the smallest estimated error.
 ///
-/// At each of a sample of smooth groups, σ² = |r|² / (n − 9 + |r₁|²) estimates the variance of vertex positions along the
-/// normal: r are the residuals of the polynomial of degree 3 through the vertex with equal rows, n is the number of
-/// neighbours, and r₁ are the residuals of the same fit to heights of 1, which stand for the noise of the vertex itself. Let
-/// V(p) be the variance of the slopes of a fit p to noise of variance 1. With slopes j of the jet and q of the quadric over
-/// the plane of the angle mean, the expected squared errors are
+/// At each of a sample of smooth groups, the residuals r of the jet estimate the variance of vertex positions along the normal:
+/// σ² = |r|² / R, where R is the mean |r|² of fits to noise of variance 1. Let V(p) be the variance of the slopes of a fit p
+/// to such noise. With slopes j of the jet and q of the quadric over the plane of the angle mean, the expected squared errors are
 ///
 /// - of the jet σ² V(j),
 /// - of the quadric σ² V(q) + |q − j|² − σ² V(q − j),
-/// - of the angle mean |b|² less the error of b, where b is the better of j and q.
+/// - of the angle mean |b|², where b is the better of j and q.
 ///
-/// Each is averaged over the groups but the tenth with the largest σ² V(j). The angle mean is chosen if fewer than half of
-/// the groups have all fits.
+/// R and V are means over some draws of noise. Each estimate is averaged over the groups but the tenth with the largest
+/// σ² V(j) + |q − j|². So the angle mean is chosen where it differs from the better fit by less than the error of that. It is
+/// also chosen if fewer than half of the groups have both fits.
 pub(crate) fn choose(rings: &Rings<'_>, means: &[DVec3]) -> Choice {
     let groups: Vec<u32> = (0..means.len() as u32)
         .filter(|&group| means[group as usize] != DVec3::ZERO && !rings.groups(group).is_empty())
@@ -93,7 +96,8 @@ pub(crate) fn choose(rings: &Rings<'_>, means: &[DVec3]) -> Choice {
         sample.par_chunks(LANES).map_init(Scratch::new, |scratch, eight| scratch.of(rings, means, eight));
     let mut estimates: Vec<Estimate> = estimates.flatten_iter().collect();
     let fitted = estimates.len();
-    estimates.sort_by(|a, b| a.jet_error().total_cmp(&b.jet_error()));
+    let size = |it: &Estimate| it.jet_error() + it.difference();
+    estimates.sort_by(|a, b| size(a).total_cmp(&size(b)));
     estimates.truncate(fitted - (OUTLIERS * fitted as f64) as usize);
     let mean = |of: &dyn Fn(&Estimate) -> f64| {
         let mut sum = CompensatedSum::default();
@@ -101,21 +105,16 @@ pub(crate) fn choose(rings: &Rings<'_>, means: &[DVec3]) -> Choice {
         sum.value() / estimates.len().max(1) as f64
     };
     let (jet, quadric) = (mean(&Estimate::jet_error), mean(&Estimate::quadric_error));
-    let angle = if jet <= quadric {
-        mean(&|it| it.jet.length_squared()) - jet
-    } else {
-        mean(&|it| it.quadric.length_squared()) - quadric.max(0.0)
-    };
+    let is_jet_better = jet <= quadric;
+    let angle = mean(&|it| if is_jet_better { it.jet } else { it.quadric }.length_squared());
     let [jet, quadric, angle] = [jet, quadric, angle].map(|square| {
         let slope = square.max(0.0).sqrt();
         if slope < ROUNDING { 0.0 } else { slope }
     });
-    let weight = if 2 * fitted < count || angle <= jet.min(quadric) {
-        Weight::Angle
-    } else if jet <= quadric {
-        Weight::Jet
-    } else {
-        Weight::Quadric
+    let weight = match is_jet_better {
+        _ if 2 * fitted < count || angle <= jet.min(quadric) => Weight::Angle,
+        true => Weight::Jet,
+        false => Weight::Quadric,
     };
     let degrees = |slope: f64| libm::atan(slope).to_degrees();
     Choice {
@@ -153,7 +152,7 @@ impl Scratch {
         for (lane, &group) in eight.iter().enumerate() {
             let centre = rings.centre(group);
             self.neighbours.clear();
-            rings.neighbours(group, SMOOTH.fewest, &mut self.rings, &mut self.neighbours);
+            rings.neighbours(group, JET[0].fewest, &mut self.rings, &mut self.neighbours);
             self.neighbourhoods.push(centre, means[group as usize], &self.neighbours);
             counts[lane] = self.neighbours.len();
             let ring = &self.neighbours[..rings.ring_size(group).min(counts[lane])];
@@ -161,30 +160,27 @@ impl Scratch {
             edges[lane] =
                 ring.iter().map(|&at| ((at - centre) * scale).length()).sum::<f64>() / ring.len() as f64;
         }
-        let all = [JET[0], QUADRIC, SMOOTH];
-        let [jet, quadric, smooth] = all.map(|it| self.neighbourhoods.fit(it, Heights::Positions));
-        *self.heights = [Eight([1.0; LANES]); ROWS];
-        let ones = self.neighbourhoods.fit(SMOOTH, Heights::Given(&self.heights));
-        let solved = jet.solved & quadric.solved & smooth.solved & ones.solved;
-        let mut spread = [[0.0; 3]; LANES];
+        let [jet, quadric] = FITS.map(|it| self.neighbourhoods.fit(it, Heights::Positions));
+        let solved = jet.solved & quadric.solved;
+        // Of noise: variances of slopes, of the jet, the quadric and their difference; and the residuals of the jet.
+        let mut spread = [[0.0; 4]; LANES];
         for draw in 0..DRAWS {
             for (lane, &group) in eight.iter().enumerate() {
                 let mut signs = signs(u64::from(group) << 8 | draw as u64);
                 let centre = signs.next().expect("there is no end");
                 self.heights.iter_mut().zip(signs).for_each(|(height, sign)| height.0[lane] = sign - centre);
             }
-            let [jet, quadric] =
-                [JET[0], QUADRIC].map(|it| self.neighbourhoods.fit(it, Heights::Given(&self.heights)));
+            let [jet, quadric] = FITS.map(|it| self.neighbourhoods.fit(it, Heights::Given(&self.heights)));
             for (lane, spread) in spread.iter_mut().enumerate() {
-                let (jet, quadric) = (jet.slopes(lane), quadric.slopes(lane));
-                let squares = [jet, quadric, quadric - jet].map(|it| it.length_squared() / DRAWS as f64);
-                spread.iter_mut().zip(squares).for_each(|(sum, square)| *sum += square);
+                let (residual, jet, quadric) = (jet.residual.0[lane], jet.slopes(lane), quadric.slopes(lane));
+                let [a, b, c] = [jet, quadric, quadric - jet].map(|it| it.length_squared());
+                spread.iter_mut().zip([a, b, c, residual]).for_each(|(sum, it)| *sum += it / DRAWS as f64);
             }
         }
-        let is_usable = |&lane: &usize| counts[lane] >= SMOOTH.fewest && solved >> lane & 1 == 1;
+        let is_usable =
+            |&lane: &usize| counts[lane] >= JET[0].fewest && solved >> lane & 1 == 1 && spread[lane][3] > 0.0;
         let estimate = |lane: usize| {
-            let freedom = counts[lane] as f64 - SMOOTH.unknowns() as f64 + ones.residual.0[lane];
-            let variance = smooth.residual.0[lane] / freedom;
+            let variance = jet.residual.0[lane] / spread[lane][3];
             Estimate {
                 variance,
                 noise: variance / (edges[lane] * edges[lane]),

@@ -15,8 +15,8 @@ const COLUMNS: usize = 10;
 pub(crate) struct Polynomial {
     /// 2 or 3.
     pub(crate) degree: usize,
-    /// Whether rows count by 1/d², d the distance from the vertex, or all the same.
-    pub(crate) weighted: bool,
+    /// Rows have the weight 1/d to this power, with d the distance from the vertex: 0, 1 or 2.
+    pub(crate) row_power: u8,
     /// Fewest neighbours.
     pub(crate) fewest: usize,
     /// Whether rings are added to two that have fewer.
@@ -171,9 +171,10 @@ impl Kernel for Fit<'_> {
             let squared = offset.squared_length();
             // Rows without a neighbour stay zero.
             let is_neighbour = zero.less(squared);
-            let weight = is_neighbour.select(one / squared, zero);
+            let distance = if polynomial.row_power == 1 { squared.sqrt() } else { squared };
+            let weight = is_neighbour.select(one / distance, zero);
             let mut put = |column: usize, term: Scalars<A>| {
-                let term = if polynomial.weighted { term * weight } else { term };
+                let term = if polynomial.row_power > 0 { term * weight } else { term };
                 columns[column][row] = term.store();
             };
             let (xx, xy, yy) = (x * x, x * y, y * y);

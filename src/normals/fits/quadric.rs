@@ -9,7 +9,7 @@ use crate::num::Pivoting;
 /// the vertex, as all of a line do.
 pub(crate) const QUADRIC: Polynomial = Polynomial {
     degree: 2,
-    weighted: false,
+    row_power: 0,
     fewest: 6,
     adds_rings: false,
     // Some millions of roundings, yet far below the angles between the columns of any stretched mesh.
