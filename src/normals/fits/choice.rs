@@ -22,7 +22,7 @@ const OUTLIERS: f64 = 0.1;
 const ROUNDING: f64 = 1.0 / (1_u64 << 40) as f64;
 
 /// The polynomials that are compared.
-const FITS: [Polynomial; 2] = [JET[0], QUADRIC];
+const FITS: [Polynomial; 3] = [JET[0], JET[1], QUADRIC];
 
 /// The estimated errors of the weights that [`Weight::Best`] chooses from.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -75,9 +75,11 @@ impl Estimate {
 
 /// Chooses by the smallest estimated error.
 ///
-/// At each of a sample of smooth groups, the residuals r of the jet estimate the variance of vertex positions along the normal:
-/// σ² = |r|² / R, where R is the mean |r|² of fits to noise of variance 1. Let V(p) be the variance of the slopes of a fit p
-/// to such noise. With slopes j of the jet and q of the quadric over the plane of the angle mean, the expected squared errors are
+/// At each of a sample of smooth groups, s₃² = |r|² / R is the variance of vertex positions along the normal that would explain
+/// the residuals r of the jet: R is the mean |r|² of fits to noise of variance 1. Let s₂² be the same of the jet of degree 2.
+/// Noise gives both the same value. On a smooth surface each degree leaves a part of what the one before leaves, so σ² = s₃² min(1,
+/// s₃²/s₂²) counts as noise. Let V(p) be the variance of the slopes of a fit p to noise of variance 1. With slopes j of the jet and
+/// q of the quadric over the plane of the angle mean, the expected squared errors are
 ///
 /// - of the jet σ² V(j),
 /// - of the quadric σ² V(q) + |q − j|² − σ² V(q − j),
@@ -92,8 +94,9 @@ pub(crate) fn choose(rings: &Rings<'_>, means: &[DVec3]) -> Choice {
         .collect();
     let count = groups.len().min(SAMPLE);
     let sample: Vec<u32> = (0..count).map(|i| groups[i * groups.len() / count]).collect();
-    let estimates =
-        sample.par_chunks(LANES).map_init(Scratch::new, |scratch, eight| scratch.of(rings, means, eight));
+    let estimates = sample
+        .par_chunks(LANES)
+        .map_init(|| Scratch::new(rings), |scratch, eight| scratch.of(rings, means, eight));
     let mut estimates: Vec<Estimate> = estimates.flatten_iter().collect();
     let fitted = estimates.len();
     let size = |it: &Estimate| it.jet_error() + it.difference();
@@ -136,9 +139,9 @@ struct Scratch {
 }
 
 impl Scratch {
-    fn new() -> Self {
+    fn new(rings: &Rings<'_>) -> Self {
         Self {
-            rings: RingScratch::default(),
+            rings: rings.scratch(),
             neighbours: Vec::new(),
             neighbourhoods: Neighbourhoods::new(),
             heights: Box::new([Eight::ZERO; ROWS]),
@@ -160,35 +163,42 @@ impl Scratch {
             edges[lane] =
                 ring.iter().map(|&at| ((at - centre) * scale).length()).sum::<f64>() / ring.len() as f64;
         }
-        let [jet, quadric] = FITS.map(|it| self.neighbourhoods.fit(it, Heights::Positions));
-        let solved = jet.solved & quadric.solved;
-        // Of noise: variances of slopes, of the jet, the quadric and their difference; and the residuals of the jet.
-        let mut spread = [[0.0; 4]; LANES];
+        let [jet, lower, quadric] = FITS.map(|it| self.neighbourhoods.fit(it, Heights::Positions));
+        let solved = jet.solved & lower.solved & quadric.solved;
+        // Of noise: variances of slopes, of the jet, the quadric and their difference; residuals of degree 3 and 2.
+        let mut spread = [[0.0; 5]; LANES];
         for draw in 0..DRAWS {
             for (lane, &group) in eight.iter().enumerate() {
                 let mut signs = signs(u64::from(group) << 8 | draw as u64);
                 let centre = signs.next().expect("there is no end");
                 self.heights.iter_mut().zip(signs).for_each(|(height, sign)| height.0[lane] = sign - centre);
             }
-            let [jet, quadric] = FITS.map(|it| self.neighbourhoods.fit(it, Heights::Given(&self.heights)));
+            let [jet, lower, quadric] =
+                FITS.map(|it| self.neighbourhoods.fit(it, Heights::Given(&self.heights)));
             for (lane, spread) in spread.iter_mut().enumerate() {
-                let (residual, jet, quadric) = (jet.residual.0[lane], jet.slopes(lane), quadric.slopes(lane));
+                let residuals = [jet.residual.0[lane], lower.residual.0[lane]];
+                let (jet, quadric) = (jet.slopes(lane), quadric.slopes(lane));
                 let [a, b, c] = [jet, quadric, quadric - jet].map(|it| it.length_squared());
-                spread.iter_mut().zip([a, b, c, residual]).for_each(|(sum, it)| *sum += it / DRAWS as f64);
+                spread
+                    .iter_mut()
+                    .zip([a, b, c, residuals[0], residuals[1]])
+                    .for_each(|(sum, it)| *sum += it / DRAWS as f64);
             }
         }
         let is_usable =
             |&lane: &usize| counts[lane] >= JET[0].fewest && solved >> lane & 1 == 1 && spread[lane][3] > 0.0;
         let estimate = |lane: usize| {
-            let variance = jet.residual.0[lane] / spread[lane][3];
+            let [of_jet, of_quadric, of_difference, third, second] = spread[lane];
+            let (third, second) = (jet.residual.0[lane] / third, lower.residual.0[lane] / second);
+            let variance = if third < second { third * (third / second) } else { third };
             Estimate {
                 variance,
                 noise: variance / (edges[lane] * edges[lane]),
                 jet: jet.slopes(lane),
                 quadric: quadric.slopes(lane),
-                of_jet: spread[lane][0],
-                of_quadric: spread[lane][1],
-                of_difference: spread[lane][2],
+                of_jet,
+                of_quadric,
+                of_difference,
             }
         };
         (0..eight.len()).filter(is_usable).map(estimate).collect()
@@ -203,4 +213,100 @@ fn signs(seed: u64) -> impl Iterator<Item = f64> {
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         if (z ^ z >> 31) & 1 == 0 { 1.0 } else { -1.0 }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Mesh;
+    use crate::normals::compute::compute;
+    use crate::normals::fits::test_surfaces::{
+        build, errors, hash, means_of, normals_of, patch, torus, with_rings,
+    };
+    use crate::normals::recipe::{Crease, NormalRecipe};
+
+    fn choice(mesh: &Mesh) -> Choice {
+        let corners = mesh.faces().corners();
+        with_rings(mesh, corners, |rings| choose(&rings, &means_of(mesh, corners)))
+    }
+
+    /// The rms errors of jets, quadrics and angle means.
+    fn true_errors(mesh: &Mesh, exact: &[DVec3]) -> [f64; 3] {
+        let corners = mesh.faces().corners();
+        let [jet, quadric] = [normals_of(mesh, corners, JET).0, normals_of(mesh, corners, [QUADRIC]).0];
+        [jet, quadric, means_of(mesh, corners)].map(|normals| errors(&normals, exact).0)
+    }
+
+    /// The torus with vertices off the surface by up to so much either way.
+    fn noisy_torus(m: u32, noise: f64) -> (Mesh, Vec<DVec3>) {
+        let (mesh, exact) = torus(m, m / 2);
+        let off = |v: usize| noise * (2.0 * hash(v as u32, 7, 11) - 1.0);
+        let moved = mesh.positions().iter().zip(&exact).enumerate().map(|(v, (&p, &n))| p + off(v) * n);
+        (build(moved.collect(), mesh.faces().corners().to_vec()), exact)
+    }
+
+    /// From clean to noisy surfaces the choice has an error of at most 1.3 times the smallest, and changes from jets to quadrics.
+    #[test]
+    fn the_choice_is_close_to_the_best() {
+        let mut chosen = Vec::new();
+        for noise in [0.0, 1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2] {
+            let (mesh, exact) = noisy_torus(96, noise);
+            let found = choice(&mesh);
+            let errors = true_errors(&mesh, &exact);
+            let of_choice = match found.weight {
+                Weight::Jet => errors[0],
+                Weight::Quadric => errors[1],
+                _ => errors[2],
+            };
+            let smallest = errors.into_iter().fold(f64::INFINITY, f64::min);
+            assert!(of_choice <= 1.3 * smallest, "{noise}: {errors:?} {found:?}");
+            chosen.push(found.weight);
+        }
+        assert_eq!((chosen[0], chosen[1]), (Weight::Jet, Weight::Jet));
+        assert_eq!(chosen[6], Weight::Quadric);
+    }
+
+    /// Noise of ±0.003, uniform: a standard deviation of 0.003/√3, on edges of about 0.06.
+    #[test]
+    fn estimates_are_close_to_the_errors_of_noise() {
+        let (mesh, exact) = noisy_torus(96, 3e-3);
+        let found = choice(&mesh);
+        let [jet, quadric, _] = true_errors(&mesh, &exact);
+        assert!((found.jet / jet - 1.0).abs() < 0.25, "{jet} {found:?}");
+        assert!((found.quadric / quadric - 1.0).abs() < 0.4, "{quadric} {found:?}");
+        let edges = mesh.faces().iter().map(|face| {
+            let [a, b] = [face[0], face[1]].map(|v| mesh.positions()[v as usize]);
+            (a - b).length()
+        });
+        let edge = edges.sum::<f64>() / mesh.face_count() as f64;
+        let noise = 3e-3 / 3.0_f64.sqrt() / edge;
+        assert!((found.noise / noise - 1.0).abs() < 0.25, "{noise} {found:?}");
+    }
+
+    #[test]
+    fn flat_and_tiny_meshes_have_the_angle_mean() {
+        let plane = patch(12, |x, y| (0.3 * x - 0.7 * y, 0.3, -0.7)).0;
+        let found = choice(&plane);
+        assert_eq!((found.weight, found.jet, found.angle), (Weight::Angle, 0.0, 0.0), "{found:?}");
+        assert_eq!(found.fitted, found.sampled);
+        let square = patch(1, |_, _| (0.0, 0.0, 0.0)).0;
+        let found = choice(&square);
+        assert_eq!((found.weight, found.sampled, found.fitted), (Weight::Angle, 4, 0));
+        assert_eq!(choice(&build(Vec::new(), Vec::new())).weight, Weight::Angle);
+    }
+
+    #[test]
+    fn computing_normals_uses_the_choice() {
+        for (noise, expected) in [(0.0, Weight::Jet), (1e-2, Weight::Quadric)] {
+            let (mesh, _) = noisy_torus(48, noise);
+            let normals = |weight| {
+                let recipe = NormalRecipe { weight, crease: Crease::OFF, ..NormalRecipe::default() };
+                compute(&mesh, &recipe)
+            };
+            let best = normals(Weight::Best);
+            assert_eq!(best.summary.choice.unwrap().weight, expected);
+            assert_eq!(best.normals, normals(expected).normals);
+            assert_eq!(normals(expected).summary.choice, None);
+        }
+    }
 }

@@ -71,15 +71,18 @@ pub(crate) fn fitted_normals<const N: usize>(
     normals
         .par_chunks_mut(CHUNK)
         .enumerate()
-        .map_init(Scratch::new, |scratch, (chunk, normals)| {
-            let first = chunk * CHUNK;
-            scratch.find(rings, fewest, first, normals);
-            let mut failures = [FitFailures::default(); N];
-            for (polynomial, failures) in polynomials.into_iter().zip(&mut failures) {
-                scratch.fit(rings, polynomial, &means, first, normals, failures);
-            }
-            failures
-        })
+        .map_init(
+            || Scratch::new(rings),
+            |scratch, (chunk, normals)| {
+                let first = chunk * CHUNK;
+                scratch.find(rings, fewest, first, normals);
+                let mut failures = [FitFailures::default(); N];
+                for (polynomial, failures) in polynomials.into_iter().zip(&mut failures) {
+                    scratch.fit(rings, polynomial, &means, first, normals, failures);
+                }
+                failures
+            },
+        )
         .reduce(|| [FitFailures::default(); N], sum)
 }
 
@@ -94,9 +97,9 @@ struct Scratch {
 }
 
 impl Scratch {
-    fn new() -> Self {
+    fn new(rings: &Rings<'_>) -> Self {
         Self {
-            rings: RingScratch::default(),
+            rings: rings.scratch(),
             neighbours: Vec::new(),
             open: Vec::new(),
             failed: Vec::new(),

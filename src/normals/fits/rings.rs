@@ -14,6 +14,9 @@ pub(crate) const MOST: usize = 64;
 /// A group of more corners than this has its ring searched by a tree: each of its neighbours asks for it.
 const CROWDED: usize = 128;
 
+/// In rings of fewer neighbours, comparing with all is quicker than sorting.
+const SHORT: usize = 24;
+
 /// Groups whose rings are found by one task.
 const CHUNK: usize = 4096;
 
@@ -49,15 +52,41 @@ struct RingChunk {
 }
 
 /// Memory reused from group to group.
-#[derive(Default)]
 pub(crate) struct RingScratch {
-    /// Positions that are taken or were omitted: those of all rings so far and the group's own. Ascending.
+    /// The number of the last search that met each place.
+    met: Vec<u32>,
+    search: u32,
+    /// The places that this search met, the group's own first.
     known: Vec<u32>,
-    ring: Vec<u32>,
     frontier: Vec<u32>,
     reached: Vec<u32>,
     from_trees: Vec<DVec3>,
     candidates: Vec<Neighbour>,
+}
+
+impl RingScratch {
+    /// Begins a search.
+    fn begin(&mut self) {
+        self.known.clear();
+        self.reached.clear();
+        self.search = self.search.wrapping_add(1);
+        if self.search == 0 {
+            self.met.fill(0);
+            self.search = 1;
+        }
+    }
+
+    /// Whether this search meets a place for the first time.
+    #[inline(always)]
+    fn is_new(&mut self, place: u32) -> bool {
+        let met = &mut self.met[place as usize];
+        let is_new = *met != self.search;
+        if is_new {
+            *met = self.search;
+            self.known.push(place);
+        }
+        is_new
+    }
 }
 
 impl<'a> Rings<'a> {
@@ -90,7 +119,7 @@ impl<'a> Rings<'a> {
         &chunk.places[start as usize..chunk.ends[row][0] as usize]
     }
 
-    /// The groups at the edge neighbours, ascending.
+    /// The groups at the edge neighbours.
     pub(crate) fn groups(&self, group: u32) -> &[u32] {
         let (chunk, row) = (&self.chunks[group as usize / CHUNK], group as usize % CHUNK);
         let start = row.checked_sub(1).map_or(0, |before| chunk.ends[before][1]);
@@ -109,6 +138,19 @@ impl<'a> Rings<'a> {
         self.position(self.chunks[group as usize / CHUNK].centres[group as usize % CHUNK])
     }
 
+    /// Memory for searches. Places that no search meets stay untouched, and cost nothing.
+    pub(crate) fn scratch(&self) -> RingScratch {
+        RingScratch {
+            met: vec![0; self.positions.len()],
+            search: 0,
+            known: Vec::new(),
+            frontier: Vec::new(),
+            reached: Vec::new(),
+            from_trees: Vec::new(),
+            candidates: Vec::new(),
+        }
+    }
+
     /// Appends the neighbours of a group: its two-ring, and further rings while there are fewer than `fewest`; at most 64, the
     /// first ring before the second, near before far, then by coordinates.
     pub(crate) fn neighbours(
@@ -118,74 +160,88 @@ impl<'a> Rings<'a> {
         scratch: &mut RingScratch,
         into: &mut Vec<DVec3>,
     ) {
-        let RingScratch { known, ring, frontier, reached, from_trees, candidates } = scratch;
+        scratch.begin();
         let centre_place = self.chunks[group as usize / CHUNK].centres[group as usize % CHUNK];
         let centre = self.position(centre_place);
-        let offset = |place: u32| (self.position(place) - centre).abs().max_element();
-        let places = self.places(group);
-        let scale = unit_scale(places.iter().fold(0.0, |size, &place| offset(place).max(size)));
-        let mut room = MOST;
-        let mut take_nearest = |candidates: &mut Vec<Neighbour>| {
-            if candidates.len() > room {
-                candidates.select_nth_unstable(room);
-                candidates.truncate(room);
+        scratch.is_new(centre_place);
+        scratch.candidates.clear();
+        let mut size = 0.0_f64;
+        for &place in self.places(group) {
+            if scratch.is_new(place) {
+                let at = self.position(place);
+                size = (at - centre).abs().max_element().max(size);
+                scratch.candidates.push(Neighbour { distance: 0.0, at });
             }
-            candidates.sort_unstable();
-            room -= candidates.len();
-            into.extend(candidates.iter().map(|neighbour| neighbour.at));
-            MOST - room
-        };
-        let seen = |place: u32| Neighbour::new(self.position(place), centre, scale);
-        candidates.clear();
-        candidates.extend(places.iter().filter(|&&place| place != centre_place).map(|&place| seen(place)));
-        let mut taken = take_nearest(candidates);
-        known.clear();
-        known.extend_from_slice(places);
-        if let Err(at) = known.binary_search(&centre_place) {
-            known.insert(at, centre_place);
         }
-        frontier.clear();
-        frontier.extend_from_slice(self.groups(group));
-        reached.clear();
+        let scale = unit_scale(size);
+        for neighbour in &mut scratch.candidates {
+            *neighbour = Neighbour::new(neighbour.at, centre, scale);
+        }
+        let start = into.len();
+        take_nearest(&mut scratch.candidates, MOST, into);
+        scratch.frontier.clear();
+        scratch.frontier.extend_from_slice(self.groups(group));
         let mut rings = 1;
-        while taken < MOST && (rings == 1 || taken < fewest) && !frontier.is_empty() {
-            rings += 1;
-            ring.clear();
-            from_trees.clear();
-            for group in frontier.iter() {
-                match self.crowds.get(group) {
+        while into.len() - start < MOST && (rings == 1 || into.len() - start < fewest) {
+            let known = scratch.known.len();
+            scratch.candidates.clear();
+            scratch.from_trees.clear();
+            for next in 0..scratch.frontier.len() {
+                let next = scratch.frontier[next];
+                // Almost no mesh has any.
+                let tree = if self.crowds.is_empty() { None } else { self.crowds.get(&next) };
+                if let Some(tree) = tree {
                     // More than can be taken, should some be known.
-                    Some(tree) => tree.nearest(centre, scale, MOST + known.len(), from_trees),
-                    None => ring.extend_from_slice(self.places(*group)),
+                    tree.nearest(centre, scale, MOST + known, &mut scratch.from_trees);
+                    continue;
+                }
+                for &place in self.places(next) {
+                    if scratch.is_new(place) {
+                        scratch.candidates.push(Neighbour::new(self.position(place), centre, scale));
+                    }
                 }
             }
-            ring.sort_unstable();
-            ring.dedup();
-            ring.retain(|place| known.binary_search(place).is_err());
-            candidates.clear();
-            candidates.extend(ring.iter().map(|&place| seen(place)));
-            if !from_trees.is_empty() {
-                let is_known = |at: &DVec3| known.iter().any(|&place| self.position(place) == *at);
+            if !scratch.from_trees.is_empty() {
+                let RingScratch { known: places, from_trees, candidates, .. } = scratch;
+                let is_known = |at: &DVec3| places[..known].iter().any(|&place| self.position(place) == *at);
                 let found = from_trees.iter().filter(|at| !is_known(at));
                 candidates.extend(found.map(|&at| Neighbour::new(at, centre, scale)));
                 candidates.sort_unstable();
                 candidates.dedup();
             }
-            taken = take_nearest(candidates);
-            if taken < fewest {
-                known.extend_from_slice(ring);
-                known.sort_unstable();
-                reached.extend_from_slice(frontier);
-                reached.push(group);
-                reached.sort_unstable();
-                let next: Vec<u32> = frontier.iter().flat_map(|&group| self.groups(group)).copied().collect();
-                *frontier = next;
-                frontier.sort_unstable();
-                frontier.dedup();
-                frontier.retain(|group| reached.binary_search(group).is_err());
+            take_nearest(&mut scratch.candidates, MOST - (into.len() - start), into);
+            rings += 1;
+            if into.len() - start < fewest && !self.next_frontier(group, scratch) {
+                break;
             }
         }
     }
+
+    /// Replaces the groups of a ring by those next to them that are in no ring yet. Returns whether there are any.
+    #[cold]
+    fn next_frontier(&self, group: u32, scratch: &mut RingScratch) -> bool {
+        let RingScratch { frontier, reached, .. } = scratch;
+        reached.extend_from_slice(frontier);
+        reached.push(group);
+        let next: Vec<u32> = frontier.iter().flat_map(|&group| self.groups(group)).copied().collect();
+        *frontier = next;
+        for list in [&mut *reached, &mut *frontier] {
+            list.sort_unstable();
+            list.dedup();
+        }
+        frontier.retain(|group| reached.binary_search(group).is_err());
+        !frontier.is_empty()
+    }
+}
+
+/// Appends the nearest candidates in order, at most so many.
+fn take_nearest(candidates: &mut Vec<Neighbour>, most: usize, into: &mut Vec<DVec3>) {
+    if candidates.len() > most {
+        candidates.select_nth_unstable(most);
+        candidates.truncate(most);
+    }
+    candidates.sort_unstable();
+    into.extend(candidates.iter().map(|neighbour| neighbour.at));
 }
 
 impl RingChunk {
@@ -205,11 +261,18 @@ impl RingChunk {
                     centre = own;
                 }
                 for other in [request.topology.next(corner), request.topology.previous(corner)] {
-                    places.push(place(other));
-                    next_groups.push(request.corner_group[other as usize]);
+                    let (place, group) = (place(other), request.corner_group[other as usize]);
+                    // Most rings are short; long ones are sorted.
+                    let is_short = places.len() < SHORT && next_groups.len() < SHORT;
+                    if !is_short || !places.contains(&place) {
+                        places.push(place);
+                    }
+                    if !is_short || !next_groups.contains(&group) {
+                        next_groups.push(group);
+                    }
                 }
             }
-            for list in [&mut places, &mut next_groups] {
+            for list in [&mut places, &mut next_groups].into_iter().filter(|list| list.len() >= SHORT) {
                 list.sort_unstable();
                 list.dedup();
             }
@@ -231,7 +294,7 @@ mod tests {
     fn crowded_rings_are_searched_like_others() {
         let mesh = cones(1000);
         let find = |rings: &Rings<'_>| -> Vec<Vec<DVec3>> {
-            let mut scratch = RingScratch::default();
+            let mut scratch = rings.scratch();
             let mut find = |group| {
                 let mut found = Vec::new();
                 rings.neighbours(group, 0, &mut scratch, &mut found);
