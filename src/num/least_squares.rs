@@ -359,9 +359,9 @@ mod tests {
             let counts: [usize; LANES] = std::array::from_fn(|_| 8 + numbers.below(12));
             for column in &mut systems.columns {
                 for (row, at) in column.iter_mut().enumerate() {
-                    for lane in 0..LANES {
+                    for (lane, &count) in at.0.iter_mut().zip(&counts) {
                         let x = if numbers.below(5) == 0 { -0.0 } else { 2.0 * numbers.unit() - 1.0 };
-                        at.0[lane] = if row < counts[lane] { x } else { 0.0 };
+                        *lane = if row < count { x } else { 0.0 };
                     }
                 }
             }
@@ -372,8 +372,8 @@ mod tests {
             let found = dispatch(systems.clone());
             assert_eq!(found.solved, u8::MAX);
             let plain = systems.clone().run(Plain::<f64, Split>::new());
-            for lane in 0..LANES {
-                let mut alone = Systems { rows: counts[lane], ..systems.clone() };
+            for (lane, &rows) in counts.iter().enumerate() {
+                let mut alone = Systems { rows, ..systems.clone() };
                 for row in alone.columns.iter_mut().flatten() {
                     *row = Eight([row.0[lane]; LANES]);
                 }

@@ -138,7 +138,7 @@ impl EightLanes for Avx2 {
     }
 
     #[inline(always)]
-    fn from_array(self, lanes: &[f64; LANES]) -> [__m256d; 2] {
+    fn load(self, lanes: &[f64; LANES]) -> [__m256d; 2] {
         pulp::cast(*lanes)
     }
 

@@ -120,7 +120,7 @@ impl EightLanes for Avx512 {
     }
 
     #[inline(always)]
-    fn from_array(self, lanes: &[f64; LANES]) -> __m512d {
+    fn load(self, lanes: &[f64; LANES]) -> __m512d {
         pulp::cast(*lanes)
     }
 

@@ -100,7 +100,7 @@ impl EightLanes for AvxSingles {
     }
 
     #[inline(always)]
-    fn from_array(self, lanes: &[f32; LANES]) -> __m256 {
+    fn load(self, lanes: &[f32; LANES]) -> __m256 {
         pulp::cast(*lanes)
     }
 

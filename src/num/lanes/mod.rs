@@ -102,7 +102,7 @@ pub(crate) trait EightLanes: Arithmetic {
     /// The numbers of all lanes, by lane.
     fn to_array(self, a: Self::Number) -> [Self::Element; LANES];
     /// Lanes of these numbers.
-    fn from_array(self, lanes: &[Self::Element; LANES]) -> Self::Number;
+    fn load(self, lanes: &[Self::Element; LANES]) -> Self::Number;
     /// The mask, one bit a lane.
     fn bits(self, mask: Self::Mask) -> u8;
     /// The columns of eight rows.
@@ -174,7 +174,7 @@ mod tests {
             take(arch.sqrt(arch.abs(c)));
             take(arch.product_error(a, b, arch.mul(a, b)));
             take(arch.differences(a, b, c));
-            take(arch.mul(d, arch.from_array(&arch.to_array(a))));
+            take(arch.mul(d, arch.load(&arch.to_array(a))));
             let (first, second) = (arch.less(a, b), arch.less(c, d));
             take(arch.select(first, c, d));
             take(arch.select(arch.and(first, second), c, arch.splat(0.5)));
@@ -263,7 +263,7 @@ mod tests {
             arch.product_error(a, b, arch.mul(a, b)),
             arch.select(first, c, d),
             arch.select(arch.and(first, second), c, arch.splat(0.5)),
-            arch.mul(d, arch.from_array(&arch.to_array(a))),
+            arch.mul(d, arch.load(&arch.to_array(a))),
         ];
         let mut found: Vec<f32> = numbers.into_iter().flat_map(|x| arch.to_array(x)).collect();
         found.extend(arch.rows([d, a, c, b]).0.as_flattened());

@@ -94,7 +94,7 @@ impl<R: Real, P: Product<R>> EightLanes for Plain<R, P> {
     }
 
     #[inline(always)]
-    fn from_array(self, lanes: &[R; LANES]) -> Self::Number {
+    fn load(self, lanes: &[R; LANES]) -> Self::Number {
         *lanes
     }
 

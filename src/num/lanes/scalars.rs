@@ -68,7 +68,7 @@ impl<A: Arithmetic> Scalars<A> {
 impl<A: Lanes> Scalars<A> {
     #[inline(always)]
     pub(crate) fn load(arch: A, lanes: &Eight) -> Self {
-        Self::new(arch, arch.from_array(&lanes.0))
+        Self::new(arch, arch.load(&lanes.0))
     }
 
     #[inline(always)]
