@@ -254,7 +254,10 @@ mod tests {
                 assert!(best <= 1.1 * quadric, "{best} {quadric}");
             } else {
                 let most = if tiling == Tiling::Stretched { 0.3 } else { 0.1 };
-                assert!(jet <= most * angle && best == jet, "{}: {jet} {best} {angle}", tiling.name());
+                assert!(jet <= most * angle, "{}: {jet} {angle}", tiling.name());
+                // At a sliver nothing separates the noise of the near neighbour from shape, so the choice is cautious.
+                let expected = if tiling == Tiling::Slivers { quadric } else { jet };
+                assert_eq!(best, expected, "{}: {jet} {quadric}", tiling.name());
             }
         }
     }
