@@ -92,7 +92,9 @@ impl OwnMesh {
             observe(Progress { stage: "normals", done, total });
             let recipe = NormalRecipe { weight, ..*recipe };
             let computed: Vec<NormalField> = parts.iter().map(|mesh| compute(mesh, &recipe)).collect();
-            without_quadric += computed.iter().map(|field| field.summary.quadric_fallbacks).sum::<usize>();
+            if weight == Weight::Quadric {
+                without_quadric = computed.iter().map(|field| field.summary.quadric_fallbacks).sum();
+            }
             fields.push(computed.into_iter().flat_map(|field| field.normals.values).collect());
         }
         observe(Progress { stage: "cost", done: total - 1, total });
