@@ -151,8 +151,8 @@ impl<'a> Rings<'a> {
         }
     }
 
-    /// Appends the neighbours of a group: its two-ring, and further rings while there are fewer than `fewest`; at most 64, the
-    /// first ring before the second, near before far, then by coordinates.
+    /// Appends the neighbours of a group: its two-ring, and further rings while there are fewer than `fewest` and each ring
+    /// adds some; at most 64, the first ring before the second, near before far, then by coordinates.
     pub(crate) fn neighbours(
         &self,
         group: u32,
@@ -209,9 +209,12 @@ impl<'a> Rings<'a> {
                 candidates.sort_unstable();
                 candidates.dedup();
             }
-            take_nearest(&mut scratch.candidates, MOST - (into.len() - start), into);
+            let before = into.len();
+            take_nearest(&mut scratch.candidates, MOST - (before - start), into);
             rings += 1;
-            if into.len() - start < fewest && !self.next_frontier(group, scratch) {
+            let is_short = into.len() - start < fewest;
+            // A polygon may have a thousand corners at eight positions, and as many groups.
+            if is_short && (into.len() == before || !self.next_frontier(group, scratch)) {
                 break;
             }
         }
@@ -308,6 +311,25 @@ mod tests {
             assert!(found.iter().all(|found| found.len() == MOST));
             rings.crowds.clear();
             assert_eq!(found, find(&rings));
+        });
+    }
+
+    /// A polygon that passes the corners of a square a thousand times: as many groups at four positions, which took seconds.
+    #[test]
+    fn many_groups_at_few_positions_end_the_search() {
+        use crate::mesh::{Faces, MeshBuilder};
+        let square = [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y];
+        let corners: Vec<u32> = (0..4000).map(|corner| corner % 4).collect();
+        let mut faces = Faces::new();
+        faces.push(&corners);
+        let mesh = MeshBuilder { positions: square.into(), faces, ..MeshBuilder::default() }.build().unwrap();
+        let each = Vec::from_iter(0..4000);
+        with_rings(&mesh, &each, |rings| {
+            let (mut scratch, mut found) = (rings.scratch(), Vec::new());
+            rings.neighbours(1, 14, &mut scratch, &mut found);
+            assert_eq!(found, [square[0], square[2], square[3]]);
+            // Two rings, and one that adds nothing.
+            assert!(scratch.reached.len() <= 5, "{}", scratch.reached.len());
         });
     }
 }
