@@ -21,7 +21,7 @@ pub(crate) enum Pivoting {
     /// They keep their order.
     None,
     /// The one farthest from the span of those before it, if it is more than twice as far as the next: then the last of them
-    /// shows the condition. Fewer swaps save a fifth of the time.
+    /// shows the condition, and there are few swaps.
     Columns,
 }
 
