@@ -60,7 +60,7 @@ pub(crate) use rings::{Rings, Scatter};
 pub use topology::Topology;
 pub use transform::{NormalMatrix, TransformFault, normal_matrix};
 pub use triangulate::{Triangulation, triangulate};
-pub(crate) use vertex_merge::place_key;
+pub(crate) use vertex_merge::{first_positions, place_key};
 pub use vertex_split::{VertexSplit, split_vertices};
 pub use weld::Weld;
 pub(crate) use weld::joins_no_edges;

@@ -122,10 +122,15 @@ impl<K: Fn(u32, usize) -> [u64; 3]> PlaceTable<'_, K> {
     }
 }
 
+/// For each position the first equal one.
+pub(crate) fn first_positions(positions: PositionsRef<'_>) -> Vec<u32> {
+    first_at_place(positions.len(), &[positions], |vertex| vertex)
+}
+
 impl Mesh {
     /// For each vertex the first one at the same position.
     pub(crate) fn first_vertices(&self) -> Vec<u32> {
-        first_at_place(self.vertex_count(), &[self.positions()], |vertex| vertex)
+        first_positions(self.positions())
     }
 
     /// Whether each corner has a vertex of its own, numbered like it: the form of STL and of glTF without indices.

@@ -10,7 +10,11 @@ use crate::normals::faces::shape::FaceState;
 use crate::normals::fallback::fallback_normals::{FaceField, FallbackNormals, corner_faults, face_faults};
 use crate::normals::fault::{Fault, FaultReason, Faults};
 use crate::normals::field::{Extras, NearCancellation, NormalField, Summary};
-use crate::normals::fits::quadric::{QuadricRequest, quadric_normals};
+use crate::normals::fits::choice::{Choice, choose};
+use crate::normals::fits::fitted_normals::{FitFailures, fitted_normals};
+use crate::normals::fits::jet::{JET, JetFallbacks};
+use crate::normals::fits::quadric::QUADRIC;
+use crate::normals::fits::rings::{FitRequest, Rings};
 use crate::normals::recipe::{Groups, NormalRecipe, Precision, Weight};
 use crate::normals::sums::corner_sums::TermTable;
 use crate::normals::sums::request::{SlotState, SumRequest, Sums};
@@ -129,14 +133,16 @@ impl<'a> Shape<'a> {
             positions: self.points,
             target: &groups.corner_slots(),
             slots: groups.slots,
-            weight: recipe.weight,
+            weight: if recipe.weight.is_fit() { Weight::Angle } else { recipe.weight },
             slivers: recipe.slivers,
         };
         let fast = recipe.precision == Precision::Fast;
         if let Some(members) = &groups.members {
             return SlotSums { sums: gather_sums(&request, members), is_clean: false, fast_declined: fast };
         }
-        if let Some(sums) = fast.then(|| single_sums(&request)).flatten() {
+        // A fit takes the mean of `faithful` for its frame.
+        let is_fit = recipe.weight.is_fit();
+        if let Some(sums) = (fast && !is_fit).then(|| single_sums(&request)).flatten() {
             return SlotSums { sums, is_clean: true, fast_declined: false };
         }
         let (sums, outcome) = weighted_sums(&request);
@@ -180,8 +186,12 @@ impl<'a> Shape<'a> {
                 summary,
             };
         };
-        let (values, fallbacks, quadric_fallbacks) = self.entries(mesh, topology, recipe, &groups, sums.sums);
-        summary.quadric_fallbacks = quadric_fallbacks;
+        let (values, fallbacks, fits) = self.entries(mesh, topology, recipe, &groups, sums.sums);
+        summary.quadric_fallbacks = fits.quadric.total();
+        summary.jet_fallbacks = fits.jet;
+        summary.choice = fits.choice;
+        // All shapes of a mesh are smoothed alike.
+        let recipe = &NormalRecipe { weight: fits.choice.map_or(recipe.weight, |it| it.weight), ..*recipe };
         let mut morph_normals = Vec::new();
         for target in &mesh.columns().morph_targets {
             let moved: Vec<DVec3> = mesh.positions().iter().zip(target).map(|(p, &by)| p + by).collect();
@@ -212,7 +222,7 @@ impl<'a> Shape<'a> {
     }
 
     /// The normal of every entry, from the sums of slots; the entries with a fallback normal, ascending, with the reason; and
-    /// how many slots have no quadric.
+    /// where fits failed.
     fn entries(
         &self,
         mesh: &Mesh,
@@ -220,12 +230,12 @@ impl<'a> Shape<'a> {
         recipe: &NormalRecipe,
         groups: &SmoothGroups,
         mut sums: Sums,
-    ) -> (Vec<DVec3>, Vec<(u32, FaultReason)>, usize) {
+    ) -> (Vec<DVec3>, Vec<(u32, FaultReason)>, Fits) {
         let target = groups.corner_slots();
-        let quadric_fallbacks = match recipe.weight {
-            Weight::Quadric => self.fit_quadrics(mesh, topology, &target, groups, &mut sums),
-            _ => 0,
-        };
+        let mut fits = Fits::default();
+        if recipe.weight.is_fit() {
+            fits = self.fit(mesh, topology, recipe.weight, (&target, groups), &mut sums);
+        }
         let mut fallbacks = FallbackNormals::new(mesh.faces().view(), topology, &self.faces);
         let fallbacks = fallbacks.for_slots(&target, &sums.state, |slot, normal| sums.unit[slot] = normal);
         let values = groups.of_entries(sums.unit);
@@ -235,18 +245,18 @@ impl<'a> Shape<'a> {
             Some((entry, fallbacks[found].1))
         };
         let fallbacks = entries.filter_map(reason).collect();
-        (values, fallbacks, quadric_fallbacks)
+        (values, fallbacks, fits)
     }
 
-    /// Replaces means by the normals of quadrics where there is a fit. Gives the number of slots without one.
-    fn fit_quadrics(
+    /// Replaces means by the normals of fits where there is one.
+    fn fit(
         &self,
         mesh: &Mesh,
         topology: &Topology,
-        target: &[u32],
-        groups: &SmoothGroups,
+        weight: Weight,
+        (target, groups): (&[u32], &SmoothGroups),
         sums: &mut Sums,
-    ) -> usize {
+    ) -> Fits {
         let by_slot;
         let members = match &groups.members {
             Some(members) => members,
@@ -259,15 +269,39 @@ impl<'a> Shape<'a> {
         for (unit, _) in sums.unit.iter_mut().zip(&sums.state).filter(|(_, state)| !state.has_normal()) {
             *unit = DVec3::ZERO;
         }
-        let request = QuadricRequest {
+        let request = FitRequest {
             corner_vertices: mesh.faces().corners(),
             topology,
             positions: self.points,
             corner_group: target,
             group_corners: members,
         };
-        quadric_normals(request, &mut sums.unit)
+        let rings = Rings::new(request, sums.unit.len());
+        let mut fits = Fits::default();
+        let mut weight = weight;
+        if weight == Weight::Best {
+            let choice = choose(&rings, &sums.unit);
+            weight = choice.weight;
+            fits.choice = Some(choice);
+        }
+        match weight {
+            Weight::Jet => {
+                let [degree_3, degree_2] = fitted_normals(&rings, JET, &mut sums.unit);
+                fits.jet = JetFallbacks { degree_3, degree_2 };
+            }
+            Weight::Quadric => [fits.quadric] = fitted_normals(&rings, [QUADRIC], &mut sums.unit),
+            _ => {}
+        }
+        fits
     }
+}
+
+/// Where fits failed.
+#[derive(Clone, Copy, Debug, Default)]
+struct Fits {
+    quadric: FitFailures,
+    jet: JetFallbacks,
+    choice: Option<Choice>,
 }
 
 /// Sums over explicit lists of corners: the cone rule, where a face counts in several groups.

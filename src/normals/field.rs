@@ -3,6 +3,8 @@
 use crate::mesh::Column;
 use crate::normals::creases::chains::CreaseChains;
 use crate::normals::fault::Faults;
+use crate::normals::fits::choice::Choice;
+use crate::normals::fits::jet::JetFallbacks;
 use glam::DVec3;
 
 /// The normals of a mesh.
@@ -64,6 +66,10 @@ pub struct Summary {
     pub wide_clusters: usize,
     /// Quadric fits that fell back to the angle mean.
     pub quadric_fallbacks: usize,
+    /// Jets of lower degree.
+    pub jet_fallbacks: JetFallbacks,
+    /// With [`Weight::Best`](crate::normals::Weight::Best): what it chose, and why.
+    pub choice: Option<Choice>,
     /// Fans too large for the cone rule, cut by the fan rule instead.
     pub cone_declined: usize,
     /// Entries whose normal in a morph target's shape had to be that of the base shape.

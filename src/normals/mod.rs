@@ -34,6 +34,9 @@ pub use fallback::replace::{Broken, LENGTH_TOLERANCE, When};
 pub use fallback::select::{Selection, select};
 pub use fault::{Fault, FaultReason, Faults};
 pub use field::{EdgeCounts, Extras, NearCancellation, NormalField, Summary};
+pub use fits::choice::Choice;
+pub use fits::fitted_normals::FitFailures;
+pub use fits::jet::JetFallbacks;
 pub use recipe::{
     Averaging, Crease, CreaseRule, Groups, HardEdges, NormalRecipe, Precision, Scope, Slivers, Weight,
 };

@@ -26,11 +26,19 @@ pub enum Weight {
     /// more than twice as far as the means of the neighbours turn in that direction, so that rounding of positions is not
     /// taken for shape: [`Summary::quadric_fallbacks`](crate::normals::Summary::quadric_fallbacks) counts these.
     Quadric,
+    /// The normal of an osculating jet: a polynomial of degree 3 through the vertex, fitted with rows of weight 1/d² to the two-ring, or to
+    /// more rings where that has fewer than 14 vertices (Cazals & Pouget 2005). Third order on surfaces without noise. Where there
+    /// is no fit a polynomial of degree 2 is used, and then the angle mean:
+    /// [`Summary::jet_fallbacks`](crate::normals::Summary::jet_fallbacks) counts these by the reason.
+    Jet,
+    /// [`Jet`](Self::Jet), [`Quadric`](Self::Quadric) or [`Angle`](Self::Angle): whichever has the smallest estimated error on
+    /// the mesh. [`Summary::choice`](crate::normals::Summary::choice) holds the estimates.
+    Best,
 }
 
 impl Weight {
     /// All weights.
-    pub const ALL: [Weight; 7] = [
+    pub const ALL: [Weight; 9] = [
         Weight::Uniform,
         Weight::Area,
         Weight::Angle,
@@ -38,7 +46,19 @@ impl Weight {
         Weight::Max,
         Weight::Edge,
         Weight::Quadric,
+        Weight::Jet,
+        Weight::Best,
     ];
+
+    /// Those that sum face normals, in the order of [`ALL`](Self::ALL).
+    pub const SUMS: [Weight; 6] =
+        [Weight::Uniform, Weight::Area, Weight::Angle, Weight::AngleArea, Weight::Max, Weight::Edge];
+
+    /// Whether it fits a surface to the neighbours of a vertex, rather than sum face normals: it starts from the angle mean, and
+    /// takes a mesh with its topology.
+    pub fn is_fit(self) -> bool {
+        !Self::SUMS.contains(&self)
+    }
 
     /// The name used on the command line and in reports.
     pub fn name(self) -> &'static str {
@@ -50,6 +70,8 @@ impl Weight {
             Weight::Max => "max",
             Weight::Edge => "edge",
             Weight::Quadric => "quadric",
+            Weight::Jet => "jet",
+            Weight::Best => "best",
         }
     }
 }
@@ -119,7 +141,7 @@ pub enum Precision {
     #[default]
     Faithful,
     /// Sums in `f32`, for triangles with edges of 1e-6 to 1e6 and height/length ≥ 1e-3, valence ≤ 1000. Sharp edges are those
-    /// of `Faithful`, and so is everything else: other meshes, `Quadric`, the cone rule.
+    /// of `Faithful`, and so is everything else: other meshes, fits, the cone rule.
     Fast,
 }
 

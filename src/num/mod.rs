@@ -14,7 +14,7 @@ mod dispatch;
 mod exact;
 // Eight numbers at a time, with the instructions that the CPU has.
 mod lanes;
-// Linear least squares by Householder's QR decomposition.
+// Linear least squares by Householder's QR decomposition, eight at a time.
 mod least_squares;
 // Reproducible numbers to test with.
 #[cfg(any(test, feature = "stress"))]
@@ -52,8 +52,8 @@ pub(crate) use corner_angle::{corner_angle, triangle_angles};
 pub(crate) use digits::{Nine, NineEach, superscript};
 pub(crate) use dispatch::{Kernel, dispatch};
 pub(crate) use exact::ExactSum;
-pub(crate) use lanes::{Arithmetic, EightLanes, LANES, Lanes, OneLane, Rows, Scalars, Truth, Vectors};
-pub(crate) use least_squares::least_squares;
+pub(crate) use lanes::{Arithmetic, Eight, EightLanes, LANES, Lanes, OneLane, Rows, Scalars, Truth, Vectors};
+pub(crate) use least_squares::{Column, LeastSquares, Pivoting, ROWS, least_squares};
 pub(crate) use list::{List, list};
 #[cfg(test)]
 pub(crate) use numbers as test_numbers;

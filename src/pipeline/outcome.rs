@@ -2,7 +2,9 @@
 
 use crate::io::Part;
 use crate::mesh::Orientation;
-use crate::normals::{CreaseChains, EdgeCounts, Fault, Faults, NearCancellation, Selection};
+use crate::normals::{
+    Choice, CreaseChains, EdgeCounts, Fault, Faults, JetFallbacks, NearCancellation, Selection,
+};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -100,6 +102,12 @@ pub struct PartOutcome {
     pub orientation: Option<Orientation>,
     /// Quadric fits that fell back to angle weights.
     pub quadric_fallbacks: usize,
+    /// Jets of lower degree, where there were jets.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub jet_fallbacks: Option<JetFallbacks>,
+    /// With [`Weight::Best`](crate::normals::Weight::Best): what it chose, and why.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub best: Option<Choice>,
     /// Fans too large for the cone rule, cut by the fan rule instead.
     pub cone_declined: usize,
     /// Clusters of welded positions wider than twice the welding distance.

@@ -5,7 +5,7 @@ use super::outcome::{FaultCounts, PartOutcome, replaced};
 use super::task::{Degenerate, Task};
 use crate::io::{Emit, Format, Loaded, Part, PartEdit};
 use crate::mesh::{FaceEdit, Mesh, Orient, Orientation, Orientations, Placed, Topology, cavities, orient};
-use crate::normals::{Extras, FaultReason, When, compute_with, select};
+use crate::normals::{Extras, FaultReason, Weight, When, compute_with, select};
 use glam::DVec3;
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -92,6 +92,7 @@ fn revise_part(
     }
     outcome.entries = field.normals.values.len();
     let summary = field.summary;
+    let weight = summary.choice.map_or(task.recipe.weight, |choice| choice.weight);
     let mut selection = select(&edited.mesh, field, task.when);
     outcome.replaced_corners = replaced(&selection);
     if task.when != When::Always {
@@ -112,6 +113,8 @@ fn revise_part(
         crease_chains: summary.crease_chains,
         edges: summary.edges,
         quadric_fallbacks: summary.quadric_fallbacks,
+        jet_fallbacks: (weight == Weight::Jet).then_some(summary.jet_fallbacks),
+        best: summary.choice,
         cone_declined: summary.cone_declined,
         wide_clusters: summary.wide_clusters,
         faces_before_groups: summary.faces_before_groups,

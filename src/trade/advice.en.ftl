@@ -8,7 +8,7 @@ class-best =
 class-default =
     On { $class }: { $best }, the default (rms { $rms }°, { $ratio } times the cost of the plain loop). It is within 10
     % of the best, { $next } with { $next-rms }°; the worst is { $worst } with { $worst-rms }°.
-class-quadric = If accuracy justifies { $ratio } times the cost of the plain loop: quadric, { $rms }°.
+class-fit = If accuracy justifies { $ratio } times the cost of the plain loop: { $fit }, { $rms }°.
 boxes =
     On flat faces with arbitrary triangulation (buildings, machine parts): { $right }. At every corner of a box its
     normal is the diagonal. Only { $invariant } do not depend on the triangulation.

@@ -52,7 +52,7 @@ fn on_effort(trade: &Trade) -> Option<String> {
 
 /// The best weight that sums faces; [`Weight::Angle`], the default, if its error is about as small.
 pub(super) fn best_sum(points: &[ClassPoint]) -> Option<ClassPoint> {
-    let sums = || points.iter().filter(|point| point.weight != Weight::Quadric);
+    let sums = || points.iter().filter(|point| !point.weight.is_fit());
     let best = sums().min_by(|a, b| a.rms.total_cmp(&b.rms))?;
     let usual = sums().find(|point| point.weight == Weight::Angle && point.rms <= ALIKE * best.rms);
     Some(*usual.unwrap_or(best))
@@ -61,8 +61,7 @@ pub(super) fn best_sum(points: &[ClassPoint]) -> Option<ClassPoint> {
 fn on_class(trade: &Trade, tiling: Tiling) -> Option<String> {
     let points = trade.of_class(tiling);
     let best = best_sum(&points)?;
-    let others =
-        || points.iter().filter(|point| point.weight != Weight::Quadric && point.weight != best.weight);
+    let others = || points.iter().filter(|point| !point.weight.is_fit() && point.weight != best.weight);
     let next = others().min_by(|a, b| a.rms.total_cmp(&b.rms))?;
     let worst = others().max_by(|a, b| a.rms.total_cmp(&b.rms))?;
     // The default weight is named where its error is about the smallest, which has to be said.
@@ -80,10 +79,12 @@ fn on_class(trade: &Trade, tiling: Tiling) -> Option<String> {
             ("worst-rms", digits(worst.rms)),
         ],
     );
-    let quadric = frontier(&points).into_iter().find(|point| point.weight == Weight::Quadric);
-    if let Some(quadric) = quadric.filter(|quadric| ALIKE * quadric.rms < best.rms) {
+    let fit = frontier(&points).into_iter().rfind(|point| point.weight.is_fit());
+    if let Some(fit) = fit.filter(|fit| ALIKE * fit.rms < best.rms) {
+        let values =
+            [("ratio", digits(fit.ratio)), ("fit", fit.weight.name().into()), ("rms", digits(fit.rms))];
         text.push(' ');
-        text += &sentence("class-quadric", &[("ratio", digits(quadric.ratio)), ("rms", digits(quadric.rms))]);
+        text += &sentence("class-fit", &values);
     }
     Some(text)
 }
@@ -91,8 +92,7 @@ fn on_class(trade: &Trade, tiling: Tiling) -> Option<String> {
 fn on_boxes(trade: &Trade) -> Option<String> {
     let names = |is_true: fn(&BoxRow) -> bool| {
         let rows = |weight| trade.boxes.iter().filter(move |row| row.weight == weight);
-        let found = Weight::ALL.into_iter().filter(|&weight| weight != Weight::Quadric);
-        let found = found.filter(|&weight| rows(weight).all(is_true));
+        let found = Weight::SUMS.into_iter().filter(|&weight| rows(weight).all(is_true));
         found.map(Weight::name).collect::<Vec<_>>().join(", ")
     };
     let right = names(|row| row.deviations.iter().all(|&deviation| deviation < 1e-9));

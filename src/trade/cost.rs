@@ -78,7 +78,7 @@ impl Costs {
         for weight in Weight::ALL {
             let precisions = [Precision::Faithful, Precision::Fast];
             for (way, precision) in [Way::Slices, Way::SlicesFast].into_iter().zip(precisions) {
-                if weight == Weight::Quadric {
+                if weight.is_fit() {
                     continue;
                 }
                 let (mut scratch, mut normals) = (Scratch::new(), vec![[0.0; 3]; positions.len()]);
@@ -120,7 +120,7 @@ impl Costs {
         self.row(way, weight).map(|row| row.ratio)
     }
 
-    /// The lowest cost of a weight, faithful: through slices, except for the quadric.
+    /// The lowest cost of a weight, faithful: through slices, except for fits.
     pub fn cheapest(&self, weight: Weight) -> Option<f64> {
         self.ratio(Way::Slices, weight).or_else(|| self.ratio(Way::Mesh, weight))
     }

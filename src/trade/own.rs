@@ -92,7 +92,9 @@ impl OwnMesh {
             observe(Progress { stage: "normals", done, total });
             let recipe = NormalRecipe { weight, ..*recipe };
             let computed: Vec<NormalField> = parts.iter().map(|mesh| compute(mesh, &recipe)).collect();
-            without_quadric += computed.iter().map(|field| field.summary.quadric_fallbacks).sum::<usize>();
+            if weight == Weight::Quadric {
+                without_quadric = computed.iter().map(|field| field.summary.quadric_fallbacks).sum();
+            }
             fields.push(computed.into_iter().flat_map(|field| field.normals.values).collect());
         }
         observe(Progress { stage: "cost", done: total - 1, total });
@@ -149,7 +151,7 @@ impl OwnMesh {
             self.reasons.push(sentence("partial", &[estimated_from, of, ("share", share)]));
         }
         let method = |weight: Weight| self.methods.iter().find(|method| method.weight == weight);
-        let sums = self.methods.iter().filter(|method| method.weight != Weight::Quadric);
+        let sums = self.methods.iter().filter(|method| !method.weight.is_fit());
         let closest = sums.min_by(|a, b| a.estimate.rms.total_cmp(&b.estimate.rms));
         let (Some(best), Some(usual), Some(quadric)) =
             (closest, method(Weight::Angle), method(Weight::Quadric))

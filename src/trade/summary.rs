@@ -76,7 +76,7 @@ pub struct ClassPoint {
     pub weight: Weight,
     /// Degrees.
     pub rms: f64,
-    /// Times the plain loop, on one thread, through slices except for the quadric.
+    /// Times the plain loop, on one thread, through slices except for fits.
     pub ratio: f64,
 }
 

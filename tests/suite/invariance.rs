@@ -175,7 +175,7 @@ fn numbering_changes_no_more_than_rounding() {
         .build()
         .unwrap();
         let (other, old_corner) = renumbered(&plain, 2024);
-        for recipe in recipes().filter(|recipe| recipe.weight != Weight::Quadric) {
+        for recipe in recipes().filter(|recipe| !recipe.weight.is_fit()) {
             let (a, b) = (compute(&plain, &recipe), compute(&other, &recipe));
             assert_eq!(a.summary, b.summary, "{name} {recipe:?}");
             let sorted = |field: &NormalField, map: &dyn Fn(u32) -> u32| {

@@ -111,7 +111,7 @@ fn the_report_has_every_part() {
     for part in ["vertex", "boxes", "precision", "encodings", "shading", "approximations"] {
         assert!(surfaces[part].as_array().is_some_and(|rows| !rows.is_empty()), "{part}");
     }
-    assert!(surfaces["costs"]["rows"].as_array().unwrap().len() == 26);
+    assert!(surfaces["costs"]["rows"].as_array().unwrap().len() == 30);
     assert!(report["advice"].as_array().unwrap().len() > 5);
     // The figures that are quoted, in the report as in the library's own tests: jittered torus at 64 × 32.
     let cases = surfaces["vertex"].as_array().unwrap();

@@ -121,18 +121,15 @@ fn measure_angles(
 ) {
     let split_law = if parameters.crease.0 < edge.0 - 0.1 { 0.0 } else { law };
     for (name, rendering, law) in [("averaged", smooth, law), ("split", sharp, split_law)] {
-        // A quadric through the vertices of a fold is not a mean of its faces.
-        let check = match parameters.weight {
-            Weight::Quadric => Check::None,
-            _ => Check::Near(law, 1e-9),
-        };
+        // A surface fitted to the vertices of a fold is not a mean of its faces.
+        let check = if parameters.weight.is_fit() { Check::None } else { Check::Near(law, 1e-9) };
         out.measure(name, "°", rendering.largest(), check);
     }
 }
 
 /// Whether all of the gear is split but its bore: its teeth have edges of more than 60°, its bore of 7.5°.
 fn separates_gear(parameters: &Parameters) -> bool {
-    (8.0..60.0).contains(&parameters.crease.0) && parameters.weight != Weight::Quadric
+    (8.0..60.0).contains(&parameters.crease.0) && !parameters.weight.is_fit()
 }
 
 fn chart(gear: &LitMesh, weight: Weight, out: &mut Recorder) {

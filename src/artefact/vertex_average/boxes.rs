@@ -127,7 +127,7 @@ fn of_face(weight: Weight, a: f64, b: f64) -> Option<[f64; 2]> {
         // (a² + b²)/(ab d²) of both halves.
         Weight::Max => [1.0 / (a * b), 1.0 / (a * b)],
         Weight::Edge => [1.0 / (a * b), (1.0 / a + 1.0 / b) / diagonal],
-        Weight::Quadric => return None,
+        Weight::Quadric | Weight::Jet | Weight::Best => return None,
     })
 }
 

@@ -44,7 +44,7 @@ choices! { Format: "obj" => Obj, "ply" => Ply, "stl" => Stl, "gltf" => Gltf, "gl
 
 choices! { Weight:
     "uniform" => Uniform, "area" => Area, "angle" => Angle, "angle-area" => AngleArea, "max" => Max,
-    "edge" => Edge, "quadric" => Quadric,
+    "edge" => Edge, "quadric" => Quadric, "jet" => Jet, "best" => Best,
 }
 
 choices! { When: "always" => Always, "missing" => Missing, "broken" => Broken }

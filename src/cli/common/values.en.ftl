@@ -147,7 +147,9 @@ weight-angle = angle of the face at the corner (Thürmer & Wüthrich 1998)
 weight-angle-area = angle times area
 weight-max = sin of the angle over the product of the edge lengths; exact on a sphere (Max 1999)
 weight-edge = 1 over the product of the edge lengths
-weight-quadric = least-squares quadric through the two-ring: slow, second order
+weight-quadric = least-squares quadric through the two-ring: second order; for noise
+weight-jet = osculating jet of degree 3 (Cazals & Pouget 2005): third order; for smooth surfaces without noise
+weight-best = jet, quadric or angle, whichever has the smallest estimated error on the mesh
 
 when-always = all
 when-missing = only those of corners without a normal

@@ -7,7 +7,9 @@ use crate::cli::common::numbers::{count, count_of, counts_above_zero, face_kinds
 use crate::cli::common::report::MeshOutput;
 use crease::io::Emit;
 use crease::mesh::Orientation;
-use crease::normals::{CreaseChains, EdgeCounts, NearCancellation, When, crease_slack};
+use crease::normals::{
+    Choice, CreaseChains, EdgeCounts, FitFailures, JetFallbacks, NearCancellation, Weight, When, crease_slack,
+};
 use crease::num::{Degrees, three_digits};
 use crease::pipeline::{Counts, FaultPlace, PartOutcome, Spot};
 use std::fmt::Write;
@@ -258,6 +260,8 @@ fn remarks(report: &Report) -> Vec<(&'static str, String)> {
         ("cone", of(|part| part.cone_declined), "fan", "too large for the cone rule, cut by the fan rule"),
         ("weld", of(|part| part.wide_clusters), "cluster", "of positions wider than twice the distance"),
     ];
+    rows.extend(best(parts).map(|text| ("best", text)));
+    rows.extend(jet(parts).into_iter().map(|text| ("jet", text)));
     for (label, number, what, text) in exceptions.iter().filter(|row| row.1 > 0) {
         rows.push((label, format!("{} {text}", count(*number, what))));
     }
@@ -271,6 +275,51 @@ fn remarks(report: &Report) -> Vec<(&'static str, String)> {
     rows
 }
 
+/// What `--weight best` chose, with its estimates.
+fn best(parts: &[Part]) -> Option<String> {
+    let found = || parts.iter().filter_map(|part| part.outcome.best);
+    let first = found().next()?;
+    if found().nth(1).is_some() {
+        let weights = [Weight::Jet, Weight::Quadric, Weight::Angle];
+        let parts = |weight: Weight| found().filter(|it| it.weight == weight).count();
+        let chosen = weights.map(|weight| (parts(weight), weight.name()));
+        let chosen =
+            chosen.iter().filter(|it| it.0 > 0).map(|it| format!("{} for {}", it.1, count(it.0, "part")));
+        return Some(chosen.collect::<Vec<_>>().join(", "));
+    }
+    let Choice { weight, sampled, fitted, noise, jet, quadric, angle } = first;
+    if 2 * fitted < sampled || sampled == 0 {
+        return Some(format!(
+            "{}: surfaces can be fitted at {fitted} of {sampled} normals only",
+            weight.name()
+        ));
+    }
+    let [noise, jet, quadric, angle] = [noise, jet, quadric, angle].map(three_digits);
+    Some(format!(
+        "{}: estimated rms errors jet {jet}°, quadric {quadric}°, angle {angle}°; noise {noise} of an edge",
+        weight.name()
+    ))
+}
+
+/// Where jets are of lower degree, by the reason.
+fn jet(parts: &[Part]) -> Vec<String> {
+    let all = || parts.iter().filter_map(|part| part.outcome.jet_fallbacks);
+    let of = |failures: fn(JetFallbacks) -> FitFailures| {
+        let failures = || all().map(failures);
+        let reasons = counts_above_zero(&[
+            (failures().map(|it| it.few_neighbours).sum(), "with too few neighbours"),
+            (failures().map(|it| it.ill_conditioned).sum(), "ill-conditioned"),
+            (failures().map(|it| it.unconfirmed).sum(), "not confirmed by the neighbours"),
+        ]);
+        (failures().map(|it| it.total()).sum::<usize>(), reasons.join(", "))
+    };
+    let rows =
+        [(of(|it| it.degree_3), "not of degree 3"), (of(|it| it.degree_2), "fell back to angle weights")];
+    let rows = rows.into_iter().filter(|((number, _), _)| *number > 0);
+    rows.map(|((number, reasons), text)| format!("{} {text}: {reasons}", count(number, "fit"))).collect()
+}
+
+/// What `--orient` found, if it was asked for.
 fn orientation(parts: &[Part]) -> Option<String> {
     let found = || parts.iter().filter_map(|part| part.outcome.orientation.as_ref());
     found().next()?;

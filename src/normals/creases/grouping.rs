@@ -12,7 +12,7 @@ use crate::normals::creases::hard_edges::{Marks, applied_angle};
 use crate::normals::creases::smooth_groups::SmoothGroups;
 use crate::normals::creases::triangle_groups::{GroupMemory, TriangleCreases};
 use crate::normals::faces::face_normals::FaceNormals;
-use crate::normals::recipe::{CreaseRule, NormalRecipe, Scope, Weight};
+use crate::normals::recipe::{CreaseRule, NormalRecipe, Scope};
 
 /// Smooth groups, and what was counted on the way; see [`Summary`](crate::normals::Summary).
 pub(in crate::normals) struct Grouping {
@@ -52,7 +52,7 @@ pub(in crate::normals) fn on_topology(
 
 /// Whether a mesh has only triangles and the recipe asks for nothing that takes a topology.
 pub(in crate::normals) fn can_do_without_topology(mesh: &Mesh, recipe: &NormalRecipe) -> bool {
-    recipe.weight != Weight::Quadric
+    !recipe.weight.is_fit()
         && (recipe.scope, recipe.rule) == (Scope::Corner, CreaseRule::Fan)
         && matches!(recipe.weld, Weld::Exact | Weld::Off)
         && mesh.faces().is_triangles()

@@ -1,6 +1,20 @@
 //! Fits: normals of surfaces fitted to the neighbourhood of a vertex.
 
 // The nearest of many points.
-pub(super) mod nearest;
+mod nearest;
+// The neighbours of a smooth group.
+pub(super) mod rings;
+// Polynomials fitted to eight neighbourhoods at a time.
+mod polynomial;
+// Normals of polynomials at all smooth groups.
+pub(super) mod fitted_normals;
 // Least-squares quadrics.
 pub(super) mod quadric;
+// Osculating jets of degree 3.
+pub(super) mod jet;
+// The one of these with the smallest error on a mesh.
+pub(super) mod choice;
+
+// Meshes of surfaces with exact normals.
+#[cfg(test)]
+mod test_surfaces;

@@ -6,7 +6,7 @@ use crate::normals::creases::triangle_groups::TriangleCreases;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::fallback::fallback_normals::{FallbackNormals, corner_faults, face_faults};
 use crate::normals::fault::Faults;
-use crate::normals::recipe::{Averaging, Precision, Weight};
+use crate::normals::recipe::{Averaging, Precision};
 use crate::normals::slices::vertex_normals::{Coordinate, Scratch, SliceError, check};
 use crate::normals::sums::request::{SlotState, SumRequest};
 use crate::normals::sums::single_precision::single_sums_into;
@@ -60,8 +60,8 @@ pub fn corner_normals<T: Coordinate>(
     index: &mut [u32],
 ) -> Result<Faults, SliceError> {
     let Averaging { weight, slivers, precision } = averaging;
-    if weight == Weight::Quadric {
-        return Err(SliceError::QuadricNeedsMesh);
+    if weight.is_fit() {
+        return Err(SliceError::FitNeedsMesh(weight.name()));
     }
     let corners = 3 * triangles.len();
     if corners > MAX_CORNERS {

@@ -8,7 +8,7 @@ use crate::normals::faces::face_normals::face_normals_into;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::fallback::neighbours::{neighbour_normals, vertex_fallbacks};
 use crate::normals::fault::{Fault, FaultReason, Faults};
-use crate::normals::recipe::{Averaging, Precision, Slivers, Weight};
+use crate::normals::recipe::{Averaging, Precision, Slivers};
 use crate::normals::sums::partition::Bounds;
 use crate::normals::sums::request::{SlotState, SumRequest};
 use crate::normals::sums::single_precision::single_sums_into;
@@ -51,9 +51,9 @@ pub enum SliceError {
         /// How much.
         count: usize,
     },
-    /// [`Weight::Quadric`] looks past the faces of a vertex, which takes a mesh with its topology.
-    #[error("the quadric weight needs a mesh with topology; compute it from a NormalRecipe")]
-    QuadricNeedsMesh,
+    /// A [fit](Weight::is_fit) looks past the faces of a vertex, which takes a mesh with its topology.
+    #[error("the {0} weight needs a mesh with topology; compute it from a NormalRecipe")]
+    FitNeedsMesh(&'static str),
 }
 
 /// Memory for intermediate results: a second call of the same size allocates next to nothing.
@@ -169,8 +169,8 @@ pub fn vertex_normals<T: Coordinate>(
     normals: &mut [[T; 3]],
 ) -> Result<Faults, SliceError> {
     let Averaging { weight, slivers, precision } = averaging;
-    if weight == Weight::Quadric {
-        return Err(SliceError::QuadricNeedsMesh);
+    if weight.is_fit() {
+        return Err(SliceError::FitNeedsMesh(weight.name()));
     }
     check_lengths(positions.len(), triangles, positions.len(), normals.len())?;
     let (faces, points) = (FacesRef::triangles(triangles), T::positions(positions));

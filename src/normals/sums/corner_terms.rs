@@ -110,7 +110,7 @@ impl CornerTerms {
             let sine = num::squared_length(cross).sqrt();
             weights.push(match weight {
                 Weight::Uniform | Weight::Area => 1.0,
-                Weight::Angle | Weight::AngleArea | Weight::Quadric => {
+                Weight::Angle | Weight::AngleArea | Weight::Quadric | Weight::Jet | Weight::Best => {
                     let angle = num::corner_angle(sine, dot(e1, e2));
                     let is_reflex = dot(cross, shape.unit) < 0.0;
                     if is_reflex { TAU - angle } else { angle }

@@ -44,7 +44,7 @@ pub(crate) fn single_sums_into<O: Component>(
     state: &mut [SlotState],
 ) -> bool {
     let SumRequest { faces, target, slots, .. } = *request;
-    if !faces.is_triangles() || request.weight == Weight::Quadric || !valences_are_in_range(target, slots) {
+    if !faces.is_triangles() || !valences_are_in_range(target, slots) {
         return false;
     }
     let mut copied = std::mem::take(&mut scratch.single_positions);
@@ -330,7 +330,7 @@ mod tests {
     /// length, so 3e-5 rad. It must differ from double precision, or it would not be single.
     #[test]
     fn in_range_it_is_close_and_not_the_same() {
-        for weight in Weight::ALL.into_iter().filter(|&weight| weight != Weight::Quadric) {
+        for weight in Weight::SUMS {
             let faithful = compute(&mesh(1.0, 1.0), &NormalRecipe { weight, ..NormalRecipe::default() });
             let fast = compute(&mesh(1.0, 1.0), &fast(weight));
             assert!(!fast.summary.fast_declined, "{weight:?}");
@@ -410,7 +410,7 @@ mod tests {
         let mut far = points.clone();
         far[points.len() / 2] = [1e9; 3];
         for faces in [&faces, &mixed, &shuffled] {
-            for weight in Weight::ALL.into_iter().filter(|&weight| weight != Weight::Quadric) {
+            for weight in Weight::SUMS {
                 let averaging = Averaging { weight, precision: Precision::Fast, ..Averaging::default() };
                 let mut scratch = Scratch::new();
                 let mut run = |points: &[[f32; 3]], threads| {

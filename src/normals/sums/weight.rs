@@ -45,14 +45,14 @@ impl<A: Arithmetic> TriangleMeasures<A> {
         }
     }
 
-    /// The corners' own factors of a weight. A quadric has none of its own: its frame is the angle mean.
+    /// The corners' own factors of a weight. Fits have none of their own: their frame is the angle mean.
     #[inline(always)]
     pub(crate) fn corner_factors(self, weight: Weight) -> [Scalars<A>; 3] {
         let one = Scalars::splat(self.double_area.arch, 1.0);
         let [a, b, c] = self.opposite;
         match weight {
             Weight::Uniform | Weight::Area => [one; 3],
-            Weight::Angle | Weight::AngleArea | Weight::Quadric => {
+            Weight::Angle | Weight::AngleArea | Weight::Quadric | Weight::Jet | Weight::Best => {
                 num::triangle_angles(self.double_area, self.dots)
             }
             Weight::Max => {

@@ -138,6 +138,11 @@ impl EightLanes for Avx2 {
     }
 
     #[inline(always)]
+    fn load(self, lanes: &[f64; LANES]) -> [__m256d; 2] {
+        pulp::cast(*lanes)
+    }
+
+    #[inline(always)]
     fn bits(self, mask: [__m256d; 2]) -> u8 {
         let avx = self.token.avx;
         (avx._mm256_movemask_pd(mask[0]) | avx._mm256_movemask_pd(mask[1]) << 4) as u8

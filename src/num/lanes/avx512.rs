@@ -120,6 +120,11 @@ impl EightLanes for Avx512 {
     }
 
     #[inline(always)]
+    fn load(self, lanes: &[f64; LANES]) -> __m512d {
+        pulp::cast(*lanes)
+    }
+
+    #[inline(always)]
     fn bits(self, mask: u8) -> u8 {
         mask
     }

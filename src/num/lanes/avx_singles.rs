@@ -100,6 +100,11 @@ impl EightLanes for AvxSingles {
     }
 
     #[inline(always)]
+    fn load(self, lanes: &[f32; LANES]) -> __m256 {
+        pulp::cast(*lanes)
+    }
+
+    #[inline(always)]
     fn add_row(self, sum: &mut [f32; 4], row: &[f32; 4]) {
         *sum = pulp::cast(self.token.sse._mm_add_ps(pulp::cast(*sum), pulp::cast(*row)));
     }

@@ -79,6 +79,15 @@ impl<T: Real> Rows<T> {
     pub(crate) const ZERO: Self = Self([[T::ZERO; 4]; LANES]);
 }
 
+/// A number for each lane, in memory.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+pub(crate) struct Eight(pub(crate) [f64; LANES]);
+
+impl Eight {
+    pub(crate) const ZERO: Self = Self([0.0; LANES]);
+}
+
 /// Eight lanes of single or double precision, and the way between them and rows in memory.
 pub(crate) trait EightLanes: Arithmetic {
     /// The number in a lane.
@@ -92,6 +101,8 @@ pub(crate) trait EightLanes: Arithmetic {
 
     /// The numbers of all lanes, by lane.
     fn to_array(self, a: Self::Number) -> [Self::Element; LANES];
+    /// Lanes of these numbers.
+    fn load(self, lanes: &[Self::Element; LANES]) -> Self::Number;
     /// The mask, one bit a lane.
     fn bits(self, mask: Self::Mask) -> u8;
     /// The columns of eight rows.
@@ -163,6 +174,7 @@ mod tests {
             take(arch.sqrt(arch.abs(c)));
             take(arch.product_error(a, b, arch.mul(a, b)));
             take(arch.differences(a, b, c));
+            take(arch.mul(d, arch.load(&arch.to_array(a))));
             let (first, second) = (arch.less(a, b), arch.less(c, d));
             take(arch.select(first, c, d));
             take(arch.select(arch.and(first, second), c, arch.splat(0.5)));
@@ -251,6 +263,7 @@ mod tests {
             arch.product_error(a, b, arch.mul(a, b)),
             arch.select(first, c, d),
             arch.select(arch.and(first, second), c, arch.splat(0.5)),
+            arch.mul(d, arch.load(&arch.to_array(a))),
         ];
         let mut found: Vec<f32> = numbers.into_iter().flat_map(|x| arch.to_array(x)).collect();
         found.extend(arch.rows([d, a, c, b]).0.as_flattened());

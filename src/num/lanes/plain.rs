@@ -94,6 +94,11 @@ impl<R: Real, P: Product<R>> EightLanes for Plain<R, P> {
     }
 
     #[inline(always)]
+    fn load(self, lanes: &[R; LANES]) -> Self::Number {
+        *lanes
+    }
+
+    #[inline(always)]
     fn bits(self, mask: Self::Mask) -> u8 {
         mask.into_iter().enumerate().fold(0, |bits, (lane, yes)| bits | u8::from(yes) << lane)
     }

@@ -1,6 +1,6 @@
 //! Numbers and vectors for formulas, for any number of lanes.
 
-use super::{Arithmetic, EightLanes, Lanes};
+use super::{Arithmetic, Eight, EightLanes, Lanes};
 use std::ops::{Add, BitAnd, Div, Mul, Sub};
 
 /// A number in every lane.
@@ -66,6 +66,16 @@ impl<A: Arithmetic> Scalars<A> {
 }
 
 impl<A: Lanes> Scalars<A> {
+    #[inline(always)]
+    pub(crate) fn load(arch: A, lanes: &Eight) -> Self {
+        Self::new(arch, arch.load(&lanes.0))
+    }
+
+    #[inline(always)]
+    pub(crate) fn store(self) -> Eight {
+        Eight(self.arch.to_array(self.value))
+    }
+
     /// Bits that this has or in which a and b differ.
     #[inline(always)]
     pub(crate) fn differences(self, a: Self, b: Self) -> Self {

@@ -9,7 +9,7 @@ use glam::DVec3;
 use rustc_hash::FxHashMap;
 use std::sync::{Mutex, PoisonError};
 
-/// All weightings but the quadric, which is a fit.
+/// All weightings that sum face normals, in the order in which they are tried.
 pub(crate) const MEANS: [Weight; 6] =
     [Weight::Angle, Weight::Area, Weight::Uniform, Weight::AngleArea, Weight::Max, Weight::Edge];
 
@@ -174,8 +174,8 @@ impl CornerTerm {
                 Weight::AngleArea => angle() * self.area,
                 Weight::Max => libm::sin(angle()) / edges(),
                 Weight::Edge => 1.0 / edges(),
-                // The quadric is a fit; the weighting by angles is the mean that is closest to it.
-                Weight::Angle | Weight::Quadric => angle(),
+                // The weighting by angles is the mean that is closest to a fit.
+                Weight::Angle | Weight::Quadric | Weight::Jet | Weight::Best => angle(),
             }
     }
 }

@@ -6,8 +6,8 @@ lead =
 weights-title = Weights by class of mesh
 weights-lead =
     Each number is the root mean square (rms) error on a surface of about 64 × 32 cells, as the median over all
-    surfaces. The star marks the most accurate sum of face normals. quadric is not a sum of face normals: it fits a
-    surface through the neighbours of each vertex.
+    surfaces. The star marks the most accurate sum of face normals. quadric and jet are not sums of face normals: they
+    fit a surface to the neighbours of each vertex. best chooses between them and angle for each mesh.
 frontier-caption =
     Lower left is better. For each point above the dashed line, another weighting is both cheaper and more accurate.
 
@@ -20,7 +20,7 @@ convergence-title = Convergence
 convergence-lead =
     The order is the slope of the error over the edge length on logarithmic axes. Sums of face normals are of first
     order on irregular meshes. On regular grids they are of second order, because errors of opposite faces cancel.
-    Quadrics are of second order on both.
+    Quadrics are of second order on both, jets of third order.
 convergence-caption = Dotted lines: slopes of order 1 and 2.
 spread-title = Distribution of errors
 spread-caption = Meshes of about 64 × 32 cells. Weightings that are exact here have no outline.

@@ -27,7 +27,7 @@ pub(super) fn frontier_plot(trade: &Trade, tiling: Tiling) -> Plot {
     let points = trade.of_class(tiling);
     Plot {
         title: format!("Error against cost: {}", tiling.about()),
-        x: Axis::log("times the plain f32 loop, one thread; sums by slices, quadric on a mesh"),
+        x: Axis::log("times the plain f32 loop, one thread; sums by slices, fits on a mesh"),
         ..pareto_plot(&points, "")
     }
 }
@@ -182,7 +182,7 @@ pub(super) fn shading_plot(rows: &[ShadingRow], surface: &str) -> Plot {
 
 /// Estimated error against cost on a user mesh, with the Pareto frontier.
 pub(super) fn own_plot(own: &OwnMesh) -> Plot {
-    let sums = own.methods.iter().filter(|method| method.weight != Weight::Quadric);
+    let sums = own.methods.iter().filter(|method| !method.weight.is_fit());
     let points: Vec<ClassPoint> = sums
         .map(|method| ClassPoint { weight: method.weight, rms: method.estimate.rms, ratio: method.ratio })
         .collect();
@@ -197,7 +197,7 @@ pub(super) fn own_plot(own: &OwnMesh) -> Plot {
 
 /// The distribution of the estimated errors on a user mesh.
 pub(super) fn own_histogram_plot(own: &OwnMesh) -> Plot {
-    let spread = own.methods.iter().filter(|method| method.weight != Weight::Quadric);
+    let spread = own.methods.iter().filter(|method| !method.weight.is_fit());
     let spread: Vec<_> = spread.map(|method| (method.weight, &method.estimate, &method.histogram)).collect();
     Plot {
         title: "Estimated errors of normals".into(),

@@ -38,10 +38,10 @@ fn by_tiling(caption: &str, cells: impl Fn(Tiling) -> Vec<String>) -> Table {
 pub fn class_table(trade: &Trade) -> Table {
     by_tiling("Vertex normals: rms error in degrees at 64 × 32, median over surfaces", |tiling| {
         let points = trade.of_class(tiling);
-        let sums = points.iter().filter(|point| point.weight != Weight::Quadric);
+        let sums = points.iter().filter(|point| !point.weight.is_fit());
         let best = sums.map(|point| point.rms).fold(f64::INFINITY, f64::min);
         let cell = |point: &ClassPoint| {
-            let star = if point.weight != Weight::Quadric && point.rms == best { "*" } else { "" };
+            let star = if !point.weight.is_fit() && point.rms == best { "*" } else { "" };
             format!("{}{star}", degrees(point.rms, 3))
         };
         points.iter().map(cell).collect()
@@ -112,7 +112,7 @@ pub fn box_table(trade: &Trade) -> Table {
         values if values.len() <= 3 => values.iter().map(exact).collect::<Vec<_>>().join(", "),
         values => format!("{:.1} to {:.1}", values[0], values[values.len() - 1]),
     };
-    for weight in Weight::ALL.into_iter().filter(|&weight| weight != Weight::Quadric) {
+    for weight in Weight::SUMS {
         let cells = trade.boxes.iter().filter(|row| row.weight == weight).map(cell);
         table.push(std::iter::once(weight.name().to_owned()).chain(cells));
     }

@@ -74,7 +74,7 @@ const CHUNK: usize = 4096;
 /// The unit vector along Σ w n̂ over triangles (centre, a, b); `None` where it is zero. Triangles without area add nothing.
 ///
 /// # Panics
-/// For [`Weight::Quadric`], which is no weight.
+/// For a [fit](Weight::is_fit).
 pub(crate) fn vertex_normal(centre: DVec3, fan: &[[DVec3; 2]], weight: Weight) -> Option<Vector> {
     let chunks: Vec<Option<Vector>> = fan
         .par_chunks(CHUNK)
@@ -102,7 +102,7 @@ fn term(centre: DVec3, a: DVec3, b: DVec3, weight: Weight) -> Option<Vector> {
         Weight::AngleArea => times(angle()),
         Weight::Max => times(inverse(squares())),
         Weight::Edge => times(inverse(area * squares().sqrt())),
-        Weight::Quadric => unreachable!("a fit, not a weight"),
+        Weight::Quadric | Weight::Jet | Weight::Best => unreachable!("a fit, not a sum"),
     })
 }
 

@@ -27,7 +27,7 @@ pub(super) fn vertex_normal(centre: Vec3, fan: &[[Vec3; 2]], weight: Weight) -> 
         let weight = match weight {
             Weight::Uniform => 1.0,
             Weight::Area => cross.length(),
-            Weight::Angle | Weight::Quadric => corner(),
+            Weight::Angle | Weight::Quadric | Weight::Jet | Weight::Best => corner(),
             Weight::AngleArea => corner() * cross.length(),
             Weight::Max => cross.length() / (e1.length_squared() * e2.length_squared()),
             Weight::Edge => 1.0 / (e1.length() * e2.length()),

@@ -17,7 +17,7 @@ fn part(args: &[&str]) -> serde_json::Value {
 fn every_value_of_every_option_runs_on_every_format() {
     let table: &[(&str, &[&str])] = &[
         ("--emit", &["corner", "vertex"]),
-        ("--weight", &["uniform", "area", "angle", "angle-area", "max", "edge", "quadric"]),
+        ("--weight", &["uniform", "area", "angle", "angle-area", "max", "edge", "quadric", "jet", "best"]),
         ("--crease", &["0", "40", "180", "off"]),
         ("--crease-rule", &["fan", "cone"]),
         ("--groups", &["honour", "ignore"]),

@@ -88,11 +88,26 @@ struct Part {
     non_finite_faces: usize,
     orientation: Option<BTreeMap<String, Option<f64>>>,
     quadric_fallbacks: usize,
+    jet_fallbacks: Option<BTreeMap<String, BTreeMap<String, usize>>>,
+    best: Option<Best>,
     cone_declined: usize,
     wide_clusters: usize,
     faces_before_groups: usize,
     fast_declined: bool,
     face_normals: Option<Vec<Option<[f64; 3]>>>,
+}
+
+#[derive(Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(dead_code, reason = "the members are checked by being read")]
+struct Best {
+    weight: String,
+    sampled: usize,
+    fitted: usize,
+    noise: f64,
+    jet: f64,
+    quadric: f64,
+    angle: f64,
 }
 
 #[derive(Debug, PartialEq, Deserialize)]

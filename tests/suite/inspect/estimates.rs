@@ -27,7 +27,8 @@ fn gives_the_same_bits(estimate: &Estimate, mesh: &Mesh) -> bool {
 #[test]
 fn the_recipe_is_estimated() {
     for clean in meshes().into_iter().filter(|clean| clean.is_uneven) {
-        for weight in Weight::ALL {
+        // Of the fits, only quadrics are recognised.
+        for weight in Weight::SUMS.into_iter().chain([Weight::Quadric]) {
             let recipe = NormalRecipe { weight, ..clean.recipe };
             let mesh = with_normals(clean.mesh.clone().with_normals(None), &recipe);
             let estimate = estimate(&mesh);
@@ -154,7 +155,7 @@ fn a_seam_between_groups_is_meant() {
 fn the_recipe_that_made_the_normals_is_among_those_reported() {
     for (name, step) in [("bracket.obj", 1), ("polygons.obj", 1), ("gear.obj", 13)] {
         let mesh = file(name).with_normals(None);
-        for weight in Weight::ALL.into_iter().filter(|&weight| weight != Weight::Quadric) {
+        for weight in Weight::SUMS {
             for angle in (1..180).step_by(step).map(f64::from) {
                 let made = NormalRecipe { groups: Groups::Ignore, ..recipe(weight, angle) };
                 let report = estimate(&with_normals(mesh.clone(), &made)).in_words();
@@ -173,7 +174,7 @@ fn the_recipe_that_made_the_normals_is_among_those_reported() {
 fn normals_by_smoothing_groups_are_attributed_to_them() {
     for name in ["bracket.obj", "gear.obj"] {
         let mesh = file(name).with_normals(None);
-        for weight in Weight::ALL.into_iter().filter(|&weight| weight != Weight::Quadric) {
+        for weight in Weight::SUMS {
             let made = NormalRecipe { weight, ..NormalRecipe::default() };
             let estimate = estimate(&with_normals(mesh.clone(), &made));
             assert!(estimate.groups, "{name}, {weight:?}: {}", estimate.in_words());

@@ -31,7 +31,7 @@ const OPTIONS: &[(&str, &[&str])] = &[
     ("--material", &["MATERIAL"]),
     ("--background", &["COLOUR"]),
     ("--rotate", &["X,Y,Z"]),
-    ("--weight", &["uniform", "area", "angle", "angle-area", "max", "edge", "quadric"]),
+    ("--weight", &["uniform", "area", "angle", "angle-area", "max", "edge", "quadric", "jet", "best"]),
     ("--crease", &["DEG|off"]),
     ("--when", &["always", "missing", "broken"]),
     ("--guard", &["highlight", "diffuse", "spot", "renormalise", "underflow"]),

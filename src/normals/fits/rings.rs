@@ -1,0 +1,337 @@
+//! The neighbours of a smooth group, ring by ring, in an order that numbering does not change.
+
+use crate::mesh::{PositionsRef, Topology, first_positions};
+use crate::normals::creases::smooth_groups::SlotCorners;
+use crate::normals::fits::nearest::{NearTree, Neighbour, by_coordinates};
+use crate::num::unit_scale;
+use glam::DVec3;
+use rayon::prelude::*;
+use rustc_hash::FxHashMap;
+
+/// Most neighbours that one fit takes.
+pub(crate) const MOST: usize = 64;
+
+/// A group of more corners than this has its ring searched by a tree: each of its neighbours asks for it.
+const CROWDED: usize = 128;
+
+/// In rings of fewer neighbours, comparing with all is quicker than sorting.
+const SHORT: usize = 24;
+
+/// Groups whose rings are found by one task.
+const CHUNK: usize = 4096;
+
+/// The surface that polynomials are fitted to.
+#[derive(Clone, Copy)]
+pub(crate) struct FitRequest<'a> {
+    pub(crate) corner_vertices: &'a [u32],
+    pub(crate) topology: &'a Topology,
+    pub(crate) positions: PositionsRef<'a>,
+    /// The smooth group of each corner.
+    pub(crate) corner_group: &'a [u32],
+    /// The corners of each smooth group.
+    pub(crate) group_corners: &'a SlotCorners,
+}
+
+/// What is next to each smooth group: the edge neighbours of its corners in their faces, so no hard edge is crossed. Each
+/// position counts once; it has the number of the first vertex there.
+pub(crate) struct Rings<'a> {
+    positions: PositionsRef<'a>,
+    chunks: Vec<RingChunk>,
+    /// The rings of crowded groups.
+    crowds: FxHashMap<u32, NearTree>,
+}
+
+/// The rings of successive groups, in compressed rows.
+#[derive(Default)]
+struct RingChunk {
+    centres: Vec<u32>,
+    /// Ends of the rows of `places` and `groups`.
+    ends: Vec<[u32; 2]>,
+    places: Vec<u32>,
+    groups: Vec<u32>,
+}
+
+/// Memory reused from group to group.
+pub(crate) struct RingScratch {
+    /// The number of the last search that met each place.
+    met: Vec<u32>,
+    search: u32,
+    /// The places that this search met, the group's own first.
+    known: Vec<u32>,
+    frontier: Vec<u32>,
+    reached: Vec<u32>,
+    from_trees: Vec<DVec3>,
+    candidates: Vec<Neighbour>,
+}
+
+impl RingScratch {
+    /// Begins a search.
+    fn begin(&mut self) {
+        self.known.clear();
+        self.reached.clear();
+        self.search = self.search.wrapping_add(1);
+        if self.search == 0 {
+            self.met.fill(0);
+            self.search = 1;
+        }
+    }
+
+    /// Whether this search meets a place for the first time.
+    #[inline(always)]
+    fn is_new(&mut self, place: u32) -> bool {
+        let met = &mut self.met[place as usize];
+        let is_new = *met != self.search;
+        if is_new {
+            *met = self.search;
+            self.known.push(place);
+        }
+        is_new
+    }
+}
+
+impl<'a> Rings<'a> {
+    pub(crate) fn new(request: FitRequest<'a>, groups: usize) -> Self {
+        let first = first_positions(request.positions);
+        let chunk = |chunk: usize| {
+            let range = chunk * CHUNK..groups.min((chunk + 1) * CHUNK);
+            RingChunk::new(request, &first, range)
+        };
+        let chunks = (0..groups.div_ceil(CHUNK)).into_par_iter().map(chunk).collect();
+        let mut rings = Self { positions: request.positions, chunks, crowds: FxHashMap::default() };
+        let crowded = (0..groups as u32).filter(|&group| request.group_corners.row(group).len() > CROWDED);
+        let tree = |group: u32| {
+            let points = rings.places(group).iter().map(|&place| rings.position(place)).collect();
+            (group, NearTree::build(points))
+        };
+        rings.crowds =
+            crowded.collect::<Vec<_>>().into_par_iter().map(tree).collect::<Vec<_>>().into_iter().collect();
+        rings
+    }
+
+    /// The position of a place, without negative zeros.
+    fn position(&self, place: u32) -> DVec3 {
+        self.positions.at(place) + DVec3::ZERO
+    }
+
+    fn places(&self, group: u32) -> &[u32] {
+        let (chunk, row) = (&self.chunks[group as usize / CHUNK], group as usize % CHUNK);
+        let start = row.checked_sub(1).map_or(0, |before| chunk.ends[before][0]);
+        &chunk.places[start as usize..chunk.ends[row][0] as usize]
+    }
+
+    /// The groups at the edge neighbours.
+    pub(crate) fn groups(&self, group: u32) -> &[u32] {
+        let (chunk, row) = (&self.chunks[group as usize / CHUNK], group as usize % CHUNK);
+        let start = row.checked_sub(1).map_or(0, |before| chunk.ends[before][1]);
+        &chunk.groups[start as usize..chunk.ends[row][1] as usize]
+    }
+
+    /// The number of edge neighbours.
+    pub(crate) fn ring_size(&self, group: u32) -> usize {
+        let own = self.chunks[group as usize / CHUNK].centres[group as usize % CHUNK];
+        self.places(group).iter().filter(|&&place| place != own).count()
+    }
+
+    /// The position of a group with corners: the first by coordinates, should welding have joined vertices that are not quite at
+    /// one position.
+    pub(crate) fn centre(&self, group: u32) -> DVec3 {
+        self.position(self.chunks[group as usize / CHUNK].centres[group as usize % CHUNK])
+    }
+
+    /// Memory for searches. Places that no search meets stay untouched, and cost nothing.
+    pub(crate) fn scratch(&self) -> RingScratch {
+        RingScratch {
+            met: vec![0; self.positions.len()],
+            search: 0,
+            known: Vec::new(),
+            frontier: Vec::new(),
+            reached: Vec::new(),
+            from_trees: Vec::new(),
+            candidates: Vec::new(),
+        }
+    }
+
+    /// Appends the neighbours of a group: its two-ring, and further rings while there are fewer than `fewest` and each ring
+    /// adds some; at most 64, the first ring before the second, near before far, then by coordinates.
+    pub(crate) fn neighbours(
+        &self,
+        group: u32,
+        fewest: usize,
+        scratch: &mut RingScratch,
+        into: &mut Vec<DVec3>,
+    ) {
+        scratch.begin();
+        let centre_place = self.chunks[group as usize / CHUNK].centres[group as usize % CHUNK];
+        let centre = self.position(centre_place);
+        scratch.is_new(centre_place);
+        scratch.candidates.clear();
+        let mut size = 0.0_f64;
+        for &place in self.places(group) {
+            if scratch.is_new(place) {
+                let at = self.position(place);
+                size = (at - centre).abs().max_element().max(size);
+                scratch.candidates.push(Neighbour { distance: 0.0, at });
+            }
+        }
+        let scale = unit_scale(size);
+        for neighbour in &mut scratch.candidates {
+            *neighbour = Neighbour::new(neighbour.at, centre, scale);
+        }
+        let start = into.len();
+        take_nearest(&mut scratch.candidates, MOST, into);
+        scratch.frontier.clear();
+        scratch.frontier.extend_from_slice(self.groups(group));
+        let mut rings = 1;
+        while into.len() - start < MOST && (rings == 1 || into.len() - start < fewest) {
+            let known = scratch.known.len();
+            scratch.candidates.clear();
+            scratch.from_trees.clear();
+            for next in 0..scratch.frontier.len() {
+                let next = scratch.frontier[next];
+                // Almost no mesh has any.
+                let tree = if self.crowds.is_empty() { None } else { self.crowds.get(&next) };
+                if let Some(tree) = tree {
+                    // More than can be taken, should some be known.
+                    tree.nearest(centre, scale, MOST + known, &mut scratch.from_trees);
+                    continue;
+                }
+                for &place in self.places(next) {
+                    if scratch.is_new(place) {
+                        scratch.candidates.push(Neighbour::new(self.position(place), centre, scale));
+                    }
+                }
+            }
+            if !scratch.from_trees.is_empty() {
+                let RingScratch { known: places, from_trees, candidates, .. } = scratch;
+                let is_known = |at: &DVec3| places[..known].iter().any(|&place| self.position(place) == *at);
+                let found = from_trees.iter().filter(|at| !is_known(at));
+                candidates.extend(found.map(|&at| Neighbour::new(at, centre, scale)));
+                candidates.sort_unstable();
+                candidates.dedup();
+            }
+            let before = into.len();
+            take_nearest(&mut scratch.candidates, MOST - (before - start), into);
+            rings += 1;
+            let is_short = into.len() - start < fewest;
+            // A polygon may have a thousand corners at eight positions, and as many groups.
+            if is_short && (into.len() == before || !self.next_frontier(group, scratch)) {
+                break;
+            }
+        }
+    }
+
+    /// Replaces the groups of a ring by those next to them that are in no ring yet. Returns whether there are any.
+    #[cold]
+    fn next_frontier(&self, group: u32, scratch: &mut RingScratch) -> bool {
+        let RingScratch { frontier, reached, .. } = scratch;
+        reached.extend_from_slice(frontier);
+        reached.push(group);
+        let next: Vec<u32> = frontier.iter().flat_map(|&group| self.groups(group)).copied().collect();
+        *frontier = next;
+        for list in [&mut *reached, &mut *frontier] {
+            list.sort_unstable();
+            list.dedup();
+        }
+        frontier.retain(|group| reached.binary_search(group).is_err());
+        !frontier.is_empty()
+    }
+}
+
+/// Appends the nearest candidates in order, at most so many.
+fn take_nearest(candidates: &mut Vec<Neighbour>, most: usize, into: &mut Vec<DVec3>) {
+    if candidates.len() > most {
+        candidates.select_nth_unstable(most);
+        candidates.truncate(most);
+    }
+    candidates.sort_unstable();
+    into.extend(candidates.iter().map(|neighbour| neighbour.at));
+}
+
+impl RingChunk {
+    fn new(request: FitRequest<'_>, first: &[u32], groups: std::ops::Range<usize>) -> Self {
+        let mut chunk = Self::default();
+        let place = |corner: u32| first[request.corner_vertices[corner as usize] as usize];
+        let position = |place: u32| request.positions.at(place) + DVec3::ZERO;
+        let (mut places, mut next_groups) = (Vec::new(), Vec::new());
+        for group in groups {
+            let corners = request.group_corners.row(group as u32);
+            places.clear();
+            next_groups.clear();
+            let mut centre = corners.first().map_or(0, |&corner| place(corner));
+            for &corner in corners {
+                let own = place(corner);
+                if own != centre && by_coordinates(&position(own), &position(centre)).is_lt() {
+                    centre = own;
+                }
+                for other in [request.topology.next(corner), request.topology.previous(corner)] {
+                    let (place, group) = (place(other), request.corner_group[other as usize]);
+                    // Most rings are short; long ones are sorted.
+                    let is_short = places.len() < SHORT && next_groups.len() < SHORT;
+                    if !is_short || !places.contains(&place) {
+                        places.push(place);
+                    }
+                    if !is_short || !next_groups.contains(&group) {
+                        next_groups.push(group);
+                    }
+                }
+            }
+            for list in [&mut places, &mut next_groups].into_iter().filter(|list| list.len() >= SHORT) {
+                list.sort_unstable();
+                list.dedup();
+            }
+            chunk.centres.push(centre);
+            chunk.places.extend_from_slice(&places);
+            chunk.groups.extend_from_slice(&next_groups);
+            chunk.ends.push([chunk.places.len() as u32, chunk.groups.len() as u32]);
+        }
+        chunk
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::normals::fits::test_surfaces::{cones, with_rings};
+
+    #[test]
+    fn crowded_rings_are_searched_like_others() {
+        let mesh = cones(1000);
+        let find = |rings: &Rings<'_>| -> Vec<Vec<DVec3>> {
+            let mut scratch = rings.scratch();
+            let mut find = |group| {
+                let mut found = Vec::new();
+                rings.neighbours(group, 0, &mut scratch, &mut found);
+                found
+            };
+            (0..1002).map(&mut find).collect()
+        };
+        with_rings(&mesh, mesh.faces().corners(), |mut rings| {
+            assert_eq!(rings.crowds.len(), 2);
+            let found = find(&rings);
+            assert!(found.iter().all(|found| found.len() == MOST));
+            rings.crowds.clear();
+            assert_eq!(found, find(&rings));
+        });
+    }
+
+    /// A polygon that passes the corners of a square a thousand times: as many groups at four positions, which took seconds.
+    #[test]
+    fn many_groups_at_few_positions_end_the_search() {
+        use crate::mesh::{Faces, MeshBuilder};
+        let square = [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y];
+        let corners: Vec<u32> = (0..4000).map(|corner| corner % 4).collect();
+        let mut faces = Faces::new();
+        faces.push(&corners);
+        let mesh = MeshBuilder { positions: square.to_vec().into(), faces, ..MeshBuilder::default() }
+            .build()
+            .unwrap();
+        let each = Vec::from_iter(0..4000);
+        with_rings(&mesh, &each, |rings| {
+            let (mut scratch, mut found) = (rings.scratch(), Vec::new());
+            rings.neighbours(1, 14, &mut scratch, &mut found);
+            assert_eq!(found, [square[0], square[2], square[3]]);
+            // Two rings, and one that adds nothing.
+            assert!(scratch.reached.len() <= 5, "{}", scratch.reached.len());
+        });
+    }
+}
