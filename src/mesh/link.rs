@@ -15,8 +15,7 @@ pub enum Link {
     NonManifold,
     /// Boundary by index, and several coincident edges could be joined to it: none is.
     Ambiguous,
-    /// No edge at all: the two ends are one vertex, or two at equal positions that welding takes for one; or the face has
-    /// fewer than three distinct vertices.
+    /// The two ends are one vertex, or the face has fewer than three distinct vertices: no edge at all.
     Collapsed,
 }
 

@@ -23,6 +23,8 @@ pub struct Topology {
     starts: Vec<u32>,
     /// Whether a vertex has a welded half-edge; empty if there is none at all.
     pub(super) welded_vertices: Vec<bool>,
+    /// Whether a half-edge runs between two vertices at equal positions; empty if none does.
+    pub(super) without_length: Vec<bool>,
     pub(super) wide_clusters: usize,
     non_manifold: usize,
     pub(super) ambiguous: usize,
@@ -48,6 +50,7 @@ impl Topology {
             owners,
             starts,
             welded_vertices: Vec::new(),
+            without_length: Vec::new(),
             wide_clusters: 0,
             non_manifold: 0,
             ambiguous: 0,
@@ -111,7 +114,19 @@ impl Topology {
     /// Whether the face of a corner has no edge at all: fewer than three distinct vertices or positions.
     pub(crate) fn is_collapsed(&self, corner: u32) -> bool {
         let next = |&at: &u32| Some(self.next(at)).filter(|&next| next != corner);
-        std::iter::successors(Some(corner), next).all(|half_edge| self.link(half_edge) == Link::Collapsed)
+        std::iter::successors(Some(corner), next).all(|half_edge| self.is_no_edge(half_edge))
+    }
+
+    /// Whether the two ends of a half-edge are different vertices at equal positions that welding takes for one.
+    #[inline]
+    pub(crate) fn has_no_length(&self, half_edge: u32) -> bool {
+        !self.without_length.is_empty() && self.without_length[half_edge as usize]
+    }
+
+    /// Whether fans go on at the other end of a half-edge, within its face.
+    #[inline]
+    pub(crate) fn is_no_edge(&self, half_edge: u32) -> bool {
+        self.has_no_length(half_edge) || self.link(half_edge) == Link::Collapsed
     }
 
     /// The corners at a vertex, ascending.
@@ -241,12 +256,12 @@ mod tests {
         let handing: [&[u32]; 3] = [&[0, 1, 2], &[2, 1, 6], &[5, 4, 3]];
         let topology = Topology::build(&mesh(&positions, &handing), Weld::Exact);
         assert_eq!((topology.link(1), topology.link(5)), (Link::Twin(3), Link::Welded(7)));
-        assert_eq!(topology.link(4), Link::Collapsed, "it has no length");
+        assert_eq!((topology.link(4), topology.has_no_length(4)), (Link::Boundary, true));
         // On its own, it is left out, and the two sides meet.
         let alone: [&[u32]; 3] = [&[0, 1, 2], &[7, 8, 6], &[5, 4, 3]];
         let topology = Topology::build(&mesh(&positions, &alone), Weld::Exact);
         assert_eq!((topology.link(1), topology.link(7)), (Link::Welded(7), Link::Welded(1)));
-        assert_eq!([3, 4, 5].map(|h| topology.link(h)), [Link::Boundary, Link::Boundary, Link::Collapsed]);
+        assert_eq!([3, 4, 5].map(|h| topology.link(h)), [Link::Boundary; 3]);
     }
 
     #[test]

@@ -37,7 +37,7 @@ impl Topology {
     pub fn build(mesh: &Mesh, weld: Weld) -> Self {
         let mut topology = Self::by_index(mesh.faces(), mesh.vertex_count());
         if weld != Weld::Off {
-            topology.collapse_edges_without_length(mesh);
+            topology.find_edges_without_length(mesh);
         }
         topology.weld(mesh, weld);
         topology
@@ -53,7 +53,7 @@ impl Topology {
 
     /// Marks the edges whose two ends are different vertices at equal positions: fans of the two go on into each other. So the
     /// pole of a sphere whose first row is many vertices at one position has one fan.
-    fn collapse_edges_without_length(&mut self, mesh: &Mesh) {
+    fn find_edges_without_length(&mut self, mesh: &Mesh) {
         let (corners, positions) = (mesh.faces().corners(), mesh.positions());
         let targets = &mesh.columns().morph_targets;
         let has_no_length = |&half_edge: &u32| {
@@ -63,7 +63,8 @@ impl Topology {
         };
         let found: Vec<u32> = (0..corners.len() as u32).into_par_iter().filter(has_no_length).collect();
         for half_edge in found {
-            self.links.set(half_edge, PackedLink::new(Link::Collapsed).0);
+            self.without_length.resize(corners.len(), false);
+            self.without_length[half_edge as usize] = true;
             self.mark_welded(mesh, half_edge);
         }
     }

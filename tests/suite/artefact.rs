@@ -137,10 +137,10 @@ fn a_polygon_of_ones_own_is_turned_and_what_does_not_suit_is_refused() {
     assert_eq!(reports(&output)[0]["mesh"], square);
     for (args, exit, says) in [
         (&["orientation", "--mesh", &empty][..], 3, "empty.obj"),
-        (&["orientation", "--mesh", &twice], 3, "twice.obj` has its corners 2 and 4 in one place"),
-        (&["orientation", "--mesh", &crossed], 3, "crossed.obj` crosses itself: its edges 1 and 3 do"),
-        (&["orientation", "--mesh", &tie], 3, "tie.obj` crosses itself: its edges 1 and 3 do"),
-        (&["orientation", "--mesh", &tilted], 3, "tilted.obj` crosses itself: its edges 1 and 3 do"),
+        (&["orientation", "--mesh", &twice], 3, "twice.obj` has corners 1 and 3 at one position"),
+        (&["orientation", "--mesh", &crossed], 3, "crossed.obj` crosses itself at edges 0 and 2"),
+        (&["orientation", "--mesh", &tie], 3, "tie.obj` crosses itself at edges 0 and 2"),
+        (&["orientation", "--mesh", &tilted], 3, "tilted.obj` crosses itself at edges 0 and 2"),
         (
             &["orientation", "--mesh", &needle],
             3,

@@ -101,6 +101,10 @@ impl Tally {
     fn add(&mut self, walker: &MeshWalker, turns: Option<&[f64]>, half_edge: u32) {
         let Self { edges, undecided } = self;
         let counts = &mut edges.counts;
+        if walker.fans.topology.has_no_length(half_edge) {
+            edges.irregular.push(ends(walker, half_edge).into());
+            return;
+        }
         let across = match walker.fans.topology.link(half_edge) {
             Link::Twin(across) => across,
             Link::Welded(across) => {

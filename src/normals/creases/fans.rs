@@ -1,6 +1,6 @@
 //! Walking around a vertex: fans of corners, and where creases cut them.
 
-use crate::mesh::{FacesRef, Link, Topology};
+use crate::mesh::{FacesRef, Topology};
 use crate::normals::creases::dihedral_test::CreaseTest;
 use crate::normals::creases::hard_edges::Marks;
 use crate::normals::faces::face_normals::FaceNormals;
@@ -43,23 +43,23 @@ pub(crate) struct MeshFans<'a> {
 impl Fans for MeshFans<'_> {
     #[inline]
     fn forward(&self, corner: u32) -> Option<u32> {
-        if let Some(across) = self.topology.across(corner) {
-            let crossing = !self.marks.is_marked(self.topology, corner, across);
-            return crossing.then(|| self.topology.next(across));
-        }
         // A face that repeats a vertex, or has two at one position, goes on within itself.
-        let is_collapsed = self.topology.link(corner) == Link::Collapsed && !self.is_isolated(corner);
-        is_collapsed.then(|| self.topology.next(corner))
+        if self.topology.is_no_edge(corner) {
+            return (!self.is_isolated(corner)).then(|| self.topology.next(corner));
+        }
+        let across = self.topology.across(corner)?;
+        let crossing = !self.marks.is_marked(self.topology, corner, across);
+        crossing.then(|| self.topology.next(across))
     }
 
     #[inline]
     fn backward(&self, corner: u32) -> Option<u32> {
         let arriving = self.topology.previous(corner);
-        if let Some(across) = self.topology.across(arriving) {
-            return (!self.marks.is_marked(self.topology, arriving, across)).then_some(across);
+        if self.topology.is_no_edge(arriving) {
+            return (!self.is_isolated(corner)).then_some(arriving);
         }
-        let is_collapsed = self.topology.link(arriving) == Link::Collapsed && !self.is_isolated(corner);
-        is_collapsed.then_some(arriving)
+        let across = self.topology.across(arriving)?;
+        (!self.marks.is_marked(self.topology, arriving, across)).then_some(across)
     }
 
     fn is_isolated(&self, corner: u32) -> bool {

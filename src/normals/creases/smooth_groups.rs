@@ -87,14 +87,12 @@ impl SmoothGroups {
         if topology.has_welds() {
             for half_edge in 0..faces.corners().len() as u32 {
                 let (a, b) = topology.ends(faces.corners(), half_edge);
-                match topology.link(half_edge) {
-                    Link::Welded(across) => {
-                        let (c, d) = topology.ends(faces.corners(), across);
-                        sets.union(a, d);
-                        sets.union(b, c);
-                    }
-                    Link::Collapsed if !topology.is_collapsed(half_edge) => sets.union(a, b),
-                    _ => {}
+                if topology.has_no_length(half_edge) && !topology.is_collapsed(half_edge) {
+                    sets.union(a, b);
+                } else if let Link::Welded(across) = topology.link(half_edge) {
+                    let (c, d) = topology.ends(faces.corners(), across);
+                    sets.union(a, d);
+                    sets.union(b, c);
                 }
             }
         }
