@@ -51,7 +51,7 @@ pub enum SliceError {
         /// How much.
         count: usize,
     },
-    /// A [fit](Weight::is_fit) looks past the faces of a vertex, which takes a mesh with its topology.
+    /// The weights `quadric`, `jet` and `best` fit surfaces past the faces of a vertex, which takes a mesh with its topology.
     #[error("the {0} weight needs a mesh with topology; compute it from a NormalRecipe")]
     FitNeedsMesh(&'static str),
 }
