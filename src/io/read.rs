@@ -134,8 +134,8 @@ pub fn read_bytes(
     Ok(loaded)
 }
 
-/// Whether an error may come from another format than the reader's, if that has no binary signature. Behind the first line, the format is right. A binary STL has
-/// no signature: its reader takes the first bytes for a header, and misses data.
+/// Whether an error may come from another format than the reader's, if that has no binary signature. Behind the first line,
+/// the format is right. A binary STL has no signature: its reader takes the first bytes for a header, and misses data.
 fn is_about_the_start(error: &ReadError) -> bool {
     match error.problem {
         Problem::Syntax => matches!(error.place, Place::File | Place::Line(1) | Place::Byte(0..4)),

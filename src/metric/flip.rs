@@ -312,8 +312,8 @@ mod tests {
         }
     }
 
-    /// Mean and largest value of flip-evaluator 1.7, `evaluate(reference, test, "LDR")`, on the same pictures. It computes in `f32`,
-    /// which shows most where colours differ little: the power 0.7 amplifies the rounding (3.5e-5 at most here).
+    /// Mean and largest value of flip-evaluator 1.7, `evaluate(reference, test, "LDR")`, on the same pictures. It computes in
+    /// `f32`, which shows most where colours differ little: the power 0.7 amplifies the rounding (3.5e-5 at most here).
     #[test]
     fn values_are_those_of_the_authors_tool() {
         let recorded = [

@@ -11,7 +11,8 @@
 //!
 //! All of them read linear samples before any rounding, so pictures are to be drawn with
 //! [`keep_linear`](crate::raster::RenderSettings::keep_linear). All but [`flip`] are numbers of pictures, not of
-//! perception: they do not say that a difference is visible. Places are in pixels from a picture's upper left corner, y down, pixel centres at +½.
+//! perception: they do not say that a difference is visible. Places are in pixels from a picture's upper left corner, y
+//! down, pixel centres at +½.
 
 // Errors, and pixels in pairs.
 mod pairs;

@@ -1,4 +1,4 @@
-//! Text for people (layer 1), kept in files of [Project Fluent](https://projectfluent.org) beside the code that uses it.
+//! User-visible texts (layer 1), in files of [Project Fluent](https://projectfluent.org) next to the code that uses them.
 //!
 //! A source file names its texts once and takes them by key; placeholders are named, numbers follow the language, and
 //! plurals are Fluent's:

@@ -132,8 +132,8 @@ impl Encoding {
     /// Octahedral codes: 0.958° for 8 bits, by the largest code for others; the worst are in the middle of an octant, where
     /// half a step each way moves the normal by 3/√2 of 1/(2^(bits−1) − 1) rad (0.957°; the rest allows for curvature). With
     /// [`Rounding::Nearest`], √2/(2^(bits−1) − 1) rad: in the middle of an octant codes form triangles whose circumradius
-    /// approaches this value from below (0.63799° of 0.63802° for 8 bits). Integers: half a step in each component, at right angles to the normal at
-    /// worst, asin(√3/2 / (2^(bits−1) − 1)). Half and single precision: three components from ½ on, each off by half a unit
+    /// approaches this value from below (0.63799° of 0.63802° for 8 bits). Integers: half a step in each component, at right
+    /// angles to the normal at worst, asin(√3/2 / (2^(bits−1) − 1)). Half and single precision: three components from ½ on, each off by half a unit
     /// u of the last place there; of (±1, ±1, ±1)u at most (1 + √½)u is at right angles to such a normal, at
     /// (√½, ½, ½); a factor 1 + 2⁻¹⁰ allows for the length that rounding changes.
     pub fn worst_angle(self) -> Degrees {

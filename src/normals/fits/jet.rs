@@ -40,7 +40,7 @@ mod tests {
     use crate::normals::fits::polynomial::Neighbourhoods;
     use crate::normals::fits::quadric::QUADRIC;
     use crate::normals::fits::test_surfaces::{
-        angle, build, errors, normals_of, patch, rms_on_torus, rms_on_wave, torus,
+        angle, build, errors, normals_of, patch, rms_on_torus, rms_on_wave, torus, turn_by_numbering,
     };
     use crate::normals::recipe::{Crease, NormalRecipe, Weight};
     use crate::normals::test_meshes::with_threads;
@@ -156,22 +156,7 @@ mod tests {
     /// Numbering reaches a fit only through the last bits of the mean that it starts from.
     #[test]
     fn numbering_turns_normals_by_rounding_only() {
-        let (mesh, _) = torus(64, 32);
-        let (normals, _) = smooth(&mesh);
-        let mut numbers = Numbers::new(5);
-        let mut new_vertex: Vec<u32> = (0..mesh.vertex_count() as u32).collect();
-        numbers.shuffle(&mut new_vertex);
-        let mut positions = vec![DVec3::ZERO; mesh.vertex_count()];
-        new_vertex.iter().zip(mesh.positions().iter()).for_each(|(&new, p)| positions[new as usize] = p);
-        let mut faces: Vec<[u32; 3]> = mesh
-            .faces()
-            .iter()
-            .map(|face| std::array::from_fn(|corner| new_vertex[face[corner] as usize]))
-            .collect();
-        numbers.shuffle(&mut faces);
-        let (renumbered, _) = smooth(&build(positions, faces.concat()));
-        let turn = |(&new, &normal): (&u32, &DVec3)| angle(renumbered[new as usize], normal);
-        let largest = new_vertex.iter().zip(&normals).map(turn).fold(0.0, f64::max);
+        let largest = turn_by_numbering(&torus(64, 32).0, 1, |mesh| smooth(mesh).0);
         assert!(0.0 < largest && largest < 1e-14, "{largest:e}");
     }
 }

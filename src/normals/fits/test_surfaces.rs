@@ -8,6 +8,7 @@ use crate::normals::fits::rings::{FitRequest, Rings};
 use crate::normals::recipe::{Slivers, Weight};
 use crate::normals::sums::request::SumRequest;
 use crate::normals::sums::weighted_sums::weighted_sums;
+use crate::num::test_numbers::Numbers;
 use glam::DVec3;
 use std::f64::consts::TAU;
 
@@ -159,6 +160,27 @@ pub(super) fn rms_on_wave<const N: usize>(n: u32, polynomials: [Polynomial; N]) 
 pub(super) fn rms_on_torus<const N: usize>(m: u32, n: u32, polynomials: [Polynomial; N]) -> f64 {
     let (mesh, exact) = torus(m, n);
     errors(&normals_of(&mesh, mesh.faces().corners(), polynomials).0, &exact).0
+}
+
+/// By how much, in radians, another numbering of vertices and faces turns normals at most.
+pub(super) fn turn_by_numbering(mesh: &Mesh, rounds: usize, normals_of: impl Fn(&Mesh) -> Vec<DVec3>) -> f64 {
+    let normals = normals_of(mesh);
+    let mut numbers = Numbers::new(5);
+    let mut largest = 0.0_f64;
+    for _ in 0..rounds {
+        let mut new_vertex: Vec<u32> = (0..mesh.vertex_count() as u32).collect();
+        numbers.shuffle(&mut new_vertex);
+        let mut positions = vec![DVec3::ZERO; mesh.vertex_count()];
+        new_vertex.iter().zip(mesh.positions().iter()).for_each(|(&new, p)| positions[new as usize] = p);
+        let renumber = |face: &[u32]| std::array::from_fn(|corner| new_vertex[face[corner] as usize]);
+        let mut faces: Vec<[u32; 3]> = mesh.faces().iter().map(renumber).collect();
+        numbers.shuffle(&mut faces);
+        let renumbered = normals_of(&build(positions, faces.concat()));
+        let turns =
+            new_vertex.iter().zip(&normals).map(|(&new, &normal)| angle(renumbered[new as usize], normal));
+        largest = turns.fold(largest, f64::max);
+    }
+    largest
 }
 
 /// Two cones base to base: each rim vertex has both tips for neighbours, and each tip the whole rim.

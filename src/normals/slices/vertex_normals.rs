@@ -22,7 +22,7 @@ pub trait Coordinate: Component {}
 impl Coordinate for f32 {}
 impl Coordinate for f64 {}
 
-/// Why slices do not go together.
+/// The reason why slices do not fit each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SliceError {
     /// A triangle names a vertex that is not there.
@@ -133,9 +133,9 @@ pub fn face_normals<T: Coordinate>(
 /// With `f32` positions everything is computed in double precision and rounded once; with [`Precision::Fast`] in `f32`, with
 /// the range and the error that it names, and everything else falls back to double precision. Triangles of zero area add
 /// nothing; nor do slivers with [`Slivers::Exclude`], unless a vertex has no other triangle. A vertex with one triangle gets
-/// its normal to the bit. Where a sum cancels (see [`FaultReason::CancellingFan`]) or nothing adds to it, the vertex gets the unit
-/// sum of the defined normals at it, else the first of them by lexicographic value, else +Z. Every normal is finite
-/// and unit.
+/// its normal to the bit. Where a sum cancels (see [`FaultReason::CancellingFan`]) or nothing adds to it, the normal is the
+/// unit sum of the defined normals at the vertex, else the first of them by lexicographic value, else +Z. Sums that nearly
+/// cancel are kept, right to 10⁻³ rad or better, and are not listed. Every normal is finite and unit.
 ///
 /// Each sum runs in ascending triangle index on the threads of rayon's current pool: their number does not change a bit.
 /// Multiplying positions by a power of two does not either, as long as they stay normal numbers. Time is linear in
