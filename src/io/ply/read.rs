@@ -147,7 +147,7 @@ impl Reading {
         };
         mesh.positions = match (role.position.into_iter().all(exact), rows.encoding) {
             _ if are_singles => singles.into(),
-            (true, Encoding::Ascii) => {
+            (true, Encoding::Ascii) if !is(&[Scalar::F32]) => {
                 let storage = storage_of_text(&[&doubles]);
                 Positions::rounded(doubles, storage)
             }

@@ -63,7 +63,7 @@ fn ascii_is_read_as_it_comes() {
     let mesh = &loaded.parts[0].mesh;
     assert_eq!(mesh.positions().to_vec(), [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y]);
     assert_eq!(mesh.faces().corners(), [0, 1, 2, 0, 2, 3]);
-    assert_eq!(mesh.storage(), Storage::F64);
+    assert_eq!(mesh.storage(), Storage::F32);
     assert!(loaded.notes.is_empty() && mesh.columns().normals.is_none());
     for line_end in ["\r\n", "\r"] {
         assert_eq!(load(ASCII.replace('\n', line_end)).parts[0].mesh, *mesh, "{line_end:?}");

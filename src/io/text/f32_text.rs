@@ -15,13 +15,19 @@ const DIGITS: i32 = 6;
 /// Finds whether the coordinates of a text were printed from `f32`. If so, round them to `f32`.
 ///
 /// The shortest decimal of an `f32` is a different `f64`, up to half a spacing away, which rotates the normal of a sliver by many
-/// degrees. The coordinates were `f32` if each has the shortest spelling of one, and enough of them end in a digit finer than
-/// single precision or have fewer decimals the larger they are. Numbers with a fixed count of decimals stay unchanged.
+/// degrees. The coordinates were `f32` in two cases:
+///
+/// - each has the shortest spelling of one, and enough of them end in a digit finer than single precision or have fewer
+///   decimals the larger they are;
+/// - each is within half a unit of its last digit of one (as after `%.9g`), and enough of them have digits so fine that most
+///   doubles would not be.
+///
+/// Other numbers with a fixed count of decimals stay unchanged.
 pub fn storage_of_text(parts: &[&[DVec3]]) -> Storage {
     let all = parts.par_iter().flat_map(|part| part.par_iter());
     let spellings = all.try_fold(Spellings::default, Spellings::with);
     let spellings = spellings.try_reduce(Spellings::default, |a, b| Some(a.and(&b)));
-    let are_singles = |spellings: Spellings| spellings.fine >= ENOUGH || spellings.is_floating();
+    let are_singles = |spellings: Spellings| spellings.are_singles();
     if spellings.is_some_and(are_singles) { Storage::F32 } else { Storage::F64 }
 }
 
@@ -29,8 +35,14 @@ pub fn storage_of_text(parts: &[&[DVec3]]) -> Storage {
 const DECADES: usize = 84;
 const LOWEST: i32 = -45;
 
-/// Counts of coordinates that are all the shortest decimals of `f32`.
+/// Counts of coordinates that are all spelled like `f32`, in one of two ways.
 struct Spellings {
+    /// Whether each is the shortest decimal of an `f32`.
+    are_shortest: bool,
+    /// Whether each is within half a unit of its last digit of an `f32`.
+    are_near: bool,
+    /// How many of them need not have been.
+    tested: usize,
     /// How many end in a digit whose unit is at most half the spacing of `f32` there.
     fine: usize,
     /// How many have their first digit at each power of ten, and the most decimals that one of them has.
@@ -39,15 +51,21 @@ struct Spellings {
 
 impl Default for Spellings {
     fn default() -> Self {
-        Self { fine: 0, decades: [(0, i32::MIN); DECADES] }
+        Self { are_shortest: true, are_near: true, tested: 0, fine: 0, decades: [(0, i32::MIN); DECADES] }
     }
 }
 
 impl Spellings {
-    /// Adds a position; `None` if it is not spelled that way.
+    /// Adds a position; `None` if it is spelled in neither way.
     fn with(mut self, position: &DVec3) -> Option<Self> {
         for coordinate in position.to_array().into_iter().filter(|&coordinate| coordinate != 0.0) {
             let spelling = Spelling::of(coordinate)?;
+            self.are_shortest &= spelling.is_shortest;
+            self.are_near &= spelling.is_near;
+            self.tested += usize::from(spelling.is_tested);
+            if !self.are_shortest && !self.are_near {
+                return None;
+            }
             if self.fine < ENOUGH {
                 self.fine += usize::from(spelling.is_fine(coordinate));
             }
@@ -59,11 +77,19 @@ impl Spellings {
     }
 
     fn and(mut self, other: &Self) -> Self {
+        self.are_shortest &= other.are_shortest;
+        self.are_near &= other.are_near;
+        self.tested += other.tested;
         self.fine += other.fine;
         for (own, other) in self.decades.iter_mut().zip(other.decades) {
             *own = (own.0 + other.0, own.1.max(other.1));
         }
         self
+    }
+
+    fn are_singles(&self) -> bool {
+        self.are_near && self.tested >= ENOUGH
+            || self.are_shortest && (self.fine >= ENOUGH || self.is_floating())
     }
 
     /// Whether enough of the largest have all digits of an `f32`, but fewer decimals than smaller ones.
@@ -82,9 +108,15 @@ impl Spellings {
     }
 }
 
-/// The shortest decimal that reads back as an `f32`.
+/// A decimal of few digits, compared with the nearest `f32`.
 #[derive(Debug, PartialEq)]
 struct Spelling {
+    /// Whether it is the shortest decimal that reads back as the `f32`.
+    is_shortest: bool,
+    /// Whether the `f32` is within half a unit of its last digit.
+    is_near: bool,
+    /// Whether most decimals of so many digits are not: the spacing of `f32` is over 4 units.
+    is_tested: bool,
     /// The power of ten of the first digit.
     first: i32,
     /// How many decimals it has; negative if it ends in zeros before the point.
@@ -97,8 +129,15 @@ struct Unclear;
 /// The relative error of a distance: some 2⁻²⁰ of the spacing of `f32`, 2⁹ times the rounding error of an `f64`.
 const MARGIN: f64 = 1e-6;
 
+/// The most decimals that count: nine digits or ten, as the power of two of a number bounds that of ten; and eight decimals, if
+/// an `f64` holds so many digits.
+fn most_decimals(coordinate: f64) -> i32 {
+    let decade = (num::exponent(coordinate) * 1233) >> 12;
+    if (0..=6).contains(&decade) { 8 } else { 8 - decade }
+}
+
 impl Spelling {
-    /// The spelling of a coordinate other than 0; `None` if it is not the shortest decimal of an `f32`.
+    /// The spelling of a coordinate other than 0; `None` if it has more digits, or is out of range.
     fn of(coordinate: f64) -> Option<Self> {
         let single = coordinate as f32;
         if !single.is_finite() || single == 0.0 {
@@ -108,11 +147,9 @@ impl Spelling {
             .unwrap_or_else(|Unclear| Self::by_text(coordinate, single))
     }
 
-    /// The same for a positive coordinate: the decimal with the fewest digits that reads as the `f32`. Much faster than printing.
+    /// The same for a positive coordinate. Much faster than printing.
     fn by_arithmetic(coordinate: f64, single: f64) -> Result<Option<Self>, Unclear> {
-        // No less than the power of ten of the first digit, less one: nine digits or ten come before the point.
-        let decade = (num::exponent(coordinate) * 1233) >> 12;
-        let scale = 8 - decade;
+        let scale = most_decimals(coordinate);
         let power = *EXACT_POWERS.get(scale.unsigned_abs() as usize).ok_or(Unclear)?;
         let (digits, value) = if scale >= 0 {
             let digits = (coordinate * power).round();
@@ -130,10 +167,10 @@ impl Spelling {
             (digits, decimals) = (digits / 10, decimals - 1);
         }
         let first = digits.ilog10() as i32 - decimals;
-        let spelling = Self { first, decimals };
+        let spelling = Self::new(coordinate, single, first, decimals);
         // An f32 keeps all numbers of so few digits, so no other of them reads as the same.
         if first + decimals < DIGITS {
-            return Ok(Some(spelling));
+            return Ok(Some(Self { is_shortest: true, ..spelling }));
         }
         let unit = match usize::try_from(decimals) {
             Ok(decimals) => 1.0 / EXACT_POWERS.get(decimals).ok_or(Unclear)?,
@@ -153,16 +190,26 @@ impl Spelling {
             && is_beyond(off + (10.0 - last) * unit, half_spacing)?
             && !is_beyond(off, half_spacing)?
             && !is_beyond(off, 0.5 * unit)?;
-        Ok(is_shortest.then_some(spelling))
+        Ok(Some(Self { is_shortest, ..spelling }))
     }
 
-    /// The same by printing the single.
+    /// The digits of a coordinate, compared with a single: all but whether they are the fewest.
+    fn new(coordinate: f64, single: f64, first: i32, decimals: i32) -> Self {
+        let unit = match EXACT_POWERS.get(decimals.max(0) as usize) {
+            Some(power) if decimals >= 0 => 1.0 / power,
+            _ => libm::exp10(-f64::from(decimals)),
+        };
+        let spacing = num::power_of_two((num::exponent(single) - 23).max(-149));
+        // The coordinate is itself rounded to f64.
+        let is_near = (coordinate - single).abs() <= 0.5 * unit + f64::EPSILON * coordinate;
+        Self { is_shortest: false, is_near, is_tested: spacing > 4.0 * unit, first, decimals }
+    }
+
+    /// The same by printing.
     fn by_text(coordinate: f64, single: f32) -> Option<Self> {
-        let mut buffer = zmij::Buffer::new();
-        let text = buffer.format_finite(single);
-        if float(text.as_bytes())? != coordinate {
-            return None;
-        }
+        let (mut buffer, mut other) = (zmij::Buffer::new(), zmij::Buffer::new());
+        let is_shortest = float(other.format_finite(single).as_bytes())? == coordinate;
+        let text = buffer.format_finite(coordinate);
         let (digits, power) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
         let digits = digits.trim_start_matches('-').trim_end_matches(".0");
         let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
@@ -170,7 +217,10 @@ impl Spelling {
         let leading = fraction.bytes().take_while(|&digit| digit == b'0').count() as i32;
         let first = if whole == "0" { -1 - leading } else { whole.len() as i32 - 1 };
         let zeros = if fraction.is_empty() { whole.len() - whole.trim_end_matches('0').len() } else { 0 };
-        Some(Self { first: first + power, decimals: fraction.len() as i32 - zeros as i32 - power })
+        let (first, decimals) = (first + power, fraction.len() as i32 - zeros as i32 - power);
+        let (magnitude, single) = (coordinate.abs(), f64::from(single.abs()));
+        (is_shortest || decimals <= most_decimals(magnitude))
+            .then(|| Self { is_shortest, ..Self::new(magnitude, single, first, decimals) })
     }
 
     /// Whether the unit of its last digit is at most half the spacing of `f32`.
@@ -219,9 +269,24 @@ mod tests {
         }
     }
 
+    /// As `%.9g` and `%.8f` print, which are no shortest decimals.
+    #[test]
+    fn nine_digits_and_eight_decimals_of_singles_are_singles() {
+        let spellings: [fn(f64) -> String; 2] =
+            [|x| format!("{:.8e}", x as f32), |x| format!("{:.8}", x as f32)];
+        for spell in spellings {
+            let read = positions(spell);
+            assert_eq!(storage_of_text(&[&read]), Storage::F32, "{}", spell(0.1));
+            assert_eq!(storage_of_text(&[&read[..3]]), Storage::F64, "too few to decide");
+            let mut other = read.clone();
+            other[17].y += 3e-7;
+            assert_eq!(storage_of_text(&[&other]), Storage::F64, "one number is not near");
+        }
+    }
+
     #[test]
     fn decimals_and_doubles_stay_as_they_are() {
-        let spellings: [fn(f64) -> String; 7] = [
+        let spellings: [fn(f64) -> String; 9] = [
             |x| x.to_string(),
             |x| format!("{x:.2}"),
             |x| format!("{x:.4}"),
@@ -229,6 +294,8 @@ mod tests {
             |x| format!("{x:.9}"),
             |x| format!("{x:.4e}"),
             |x| format!("{x:.7e}"),
+            |x| format!("{x:.8e}"),
+            |x| format!("{x:.8}"),
         ];
         for spell in spellings {
             assert_eq!(storage_of_text(&[&positions(spell)]), Storage::F64, "{}", spell(0.1));
@@ -268,7 +335,7 @@ mod tests {
                 }
                 if let Ok(spelling) = Spelling::by_arithmetic(x, f64::from(single)) {
                     told += 1;
-                    shortest += usize::from(spelling.is_some());
+                    shortest += usize::from(spelling.as_ref().is_some_and(|spelling| spelling.is_shortest));
                     assert_eq!(spelling, Spelling::by_text(x, single), "{text}");
                 }
             }
