@@ -151,7 +151,7 @@ fn cause(entry: &Entry, tally: &Tally) -> String {
     let remark = tally.remark.as_ref().map(|remark| remark.text.clone()).or(sum);
     let others = match tally.milder {
         Milder { components: 0, count: count @ 1.. } => {
-            Some(format!("not counted: {count} of lower severity in other parts"))
+            Some(format!("not counted: {count} of lower severity in other submeshes"))
         }
         _ => None,
     };

@@ -1,8 +1,9 @@
 //! README and docs: every command runs and prints what the page shows, every link leads somewhere, every word is plain.
 //!
 //! In a block marked `console`, a line `$ COMMAND` is run by a shell, and the lines after it are what it prints to standard
-//! output. `…` alone stands for any lines, at the end of a line for the rest of it. `? N` is the exit code, 0 if omitted. The
-//! commands of a page run in order, in one folder that has a copy of `data/`.
+//! output. `…` alone matches any lines, at the end of a line the rest of it. `? N` is the exit code, 0 if omitted. An indented
+//! `crease` command has to succeed, whatever it prints. The commands of a page run in order, in one folder that has a copy of
+//! `data/`. Indented `cargo` commands must name what exists, and commands in running text options that their verb has.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -37,6 +38,13 @@ struct Example {
     command: String,
     output: Vec<String>,
     code: i32,
+}
+
+/// The indented commands of a page, outside fenced blocks, that start with a word; a `\` at the end continues a line.
+fn indented(page: &str, program: &str) -> Vec<String> {
+    let text: String = page.replace("\\\n", " ").split("```").step_by(2).collect();
+    let commands = text.lines().filter_map(|line| line.strip_prefix("    "));
+    commands.filter(|line| line.split_whitespace().next() == Some(program)).map(str::to_owned).collect()
 }
 
 fn examples(page: &str) -> Vec<Example> {
@@ -100,7 +108,17 @@ fn commands_print_what_the_pages_show() {
     for (page, text) in pages() {
         let folder = tempfile::tempdir().unwrap();
         copy_folder(&root().join("data"), &folder.path().join("data"));
-        for example in examples(&text) {
+        fs::create_dir_all(folder.path().join("tests/gallery")).unwrap();
+        let any_output = |command: String| {
+            // All surfaces take minutes, and the tests of `trade` check them.
+            let is_long = command.starts_with("crease trade") && !command.contains("data/");
+            let command = command.split('#').next().unwrap().trim_end().to_owned();
+            let command =
+                if is_long && !command.contains("--quick") { command + " --quick" } else { command };
+            Example { command, output: vec!["…".to_owned()], code: 0 }
+        };
+        let indented = indented(&text, "crease").into_iter().map(any_output);
+        for example in examples(&text).into_iter().chain(indented) {
             count += 1;
             let mut shell = Command::new("sh");
             shell.args(["-c", &example.command]).current_dir(folder.path());
@@ -133,6 +151,58 @@ fn patterns_match_what_they_should() {
     assert!(good.iter().all(|lines| matches(&found[0].output, lines)));
     assert!(!bad.iter().any(|lines| matches(&found[0].output, lines)));
     assert!(matches(&found[1].output, &[]) && !matches(&found[1].output, &["x"]));
+}
+
+/// What a page names with `cargo`: benches, tests and packages.
+#[test]
+fn cargo_commands_name_what_exists() {
+    let manifest = fs::read_to_string(root().join("Cargo.toml")).unwrap();
+    let tests: String =
+        sources(&root().join("tests/suite"), ".rs").into_iter().map(|(_, text)| text).collect();
+    let exists = |command: &str| {
+        let words: Vec<&str> = command.split_whitespace().collect();
+        words.windows(2).all(|pair| match pair[0] {
+            "--bench" => manifest.contains(&format!("[[bench]]\nname = \"{}\"\n", pair[1])),
+            "--manifest-path" => root().join(pair[1]).exists(),
+            "suite" => pair[1].starts_with('-') || tests.contains(&format!("fn {}", pair[1])),
+            _ => true,
+        })
+    };
+    let commands: Vec<String> = pages().iter().flat_map(|(_, text)| indented(text, "cargo")).collect();
+    let missing: Vec<&String> = commands.iter().filter(|command| !exists(command)).collect();
+    assert!(missing.is_empty() && commands.len() >= 8, "{missing:?} of {commands:?}");
+    assert!(!exists("cargo bench --bench no_such_bench") && !exists("cargo test --test suite no_such_test"));
+}
+
+/// A command in running text has options of its verb.
+#[test]
+fn commands_in_running_text_have_options_that_exist() {
+    let help = |verb: &str| {
+        let output = Command::new(env!("CARGO_BIN_EXE_crease")).args([verb, "--help"]).output().unwrap();
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let is_known = |command: &str| {
+        let mut words = command.split_whitespace().skip(1).filter(|word| *word != "VERB");
+        let Some(verb) = words.next() else { return true };
+        let help = help(verb);
+        let is_option = |word: &&str| word.starts_with('-') && word.len() > 1;
+        let names = words.filter(is_option).map(|word| word.split('=').next().unwrap());
+        !help.is_empty()
+            && names.into_iter().all(|name| help.split([' ', ',', '\n']).any(|word| word == name))
+    };
+    let (mut unknown, mut count) = (Vec::new(), 0);
+    for (page, text) in pages() {
+        let prose: String = text.split("```").step_by(2).collect();
+        for command in prose.split('`').skip(1).step_by(2).filter(|code| code.starts_with("crease ")) {
+            count += 1;
+            if !is_known(command) {
+                unknown.push(format!("{}: {command}", page.display()));
+            }
+        }
+    }
+    assert!(unknown.is_empty(), "{}", unknown.join("\n"));
+    assert!(count >= 30, "only {count} commands were found");
+    assert!(!is_known("crease normals IN --no-such-option") && is_known("crease normals IN --crease 40"));
 }
 
 #[test]

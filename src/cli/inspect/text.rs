@@ -214,7 +214,7 @@ fn place(site: &Site, report: &InspectReport) -> String {
     match (&site.node, report.parts.get(site.part)) {
         (Some(node), _) if !node.is_empty() => said.push(format!("node {}", escaped(node))),
         (_, Some(part)) if report.parts.len() > 1 => {
-            said.push(format!("part {} {}", site.part, escaped(&part.name)).trim_end().to_owned());
+            said.push(format!("submesh {} {}", site.part, escaped(&part.name)).trim_end().to_owned());
         }
         _ => {}
     }

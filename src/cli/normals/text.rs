@@ -45,7 +45,7 @@ pub fn block(report: &Report, dry_run: bool, console: &Console) -> String {
     if verbose && parts.len() > 1 {
         for part in parts {
             let mesh = mesh(std::slice::from_ref(part));
-            row(&mut out, "part", &format!("{}: {mesh}", escaped(&part.outcome.name)));
+            row(&mut out, "submesh", &format!("{}: {mesh}", escaped(&part.outcome.name)));
         }
     }
     if sum(parts, |part| part.faces) > 0 {
@@ -94,7 +94,11 @@ fn mesh(parts: &[Part]) -> String {
         sum(parts, |part| part.quads),
         sum(parts, |part| part.polygons),
     ]);
-    let number = if parts.len() == 1 { String::new() } else { format!("{}, ", count(parts.len(), "part")) };
+    let number = if parts.len() == 1 {
+        String::new()
+    } else {
+        format!("{}, ", count_of(parts.len(), "submesh", "submeshes"))
+    };
     let vertices = count_of(sum(parts, |part| part.vertices), "vertex", "vertices");
     let faces = count(sum(parts, |part| part.faces), "face");
     let kinds = if kinds.is_empty() { kinds } else { format!(" ({kinds})") };
@@ -191,7 +195,7 @@ fn words(reason: &str) -> &str {
 /// The first places of faults and of broken normals, with numbers as in the file, from 0.
 fn places(parts: &[Part], most: usize) -> Vec<String> {
     let at = |number: usize, FaultPlace { spot, reason }: &FaultPlace, what: &str| {
-        let part = if parts.len() > 1 { format!("part {number}, ") } else { String::new() };
+        let part = if parts.len() > 1 { format!("submesh {number}, ") } else { String::new() };
         let element = match spot {
             Spot::Face(face) => format!("face {face}"),
             Spot::Corner { face, corner, vertex } => {
@@ -283,8 +287,10 @@ fn best(parts: &[Part]) -> Option<String> {
         let weights = [Weight::Jet, Weight::Quadric, Weight::Angle];
         let parts = |weight: Weight| found().filter(|it| it.weight == weight).count();
         let chosen = weights.map(|weight| (parts(weight), weight.name()));
-        let chosen =
-            chosen.iter().filter(|it| it.0 > 0).map(|it| format!("{} for {}", it.1, count(it.0, "part")));
+        let chosen = chosen
+            .iter()
+            .filter(|it| it.0 > 0)
+            .map(|it| format!("{} for {}", it.1, count_of(it.0, "submesh", "submeshes")));
         return Some(chosen.collect::<Vec<_>>().join(", "));
     }
     let Choice { weight, sampled, fitted, noise, jet, quadric, angle } = first;

@@ -129,11 +129,11 @@ fn caption(marks: Marks, diagnosis: &Diagnosis) -> String {
 }
 
 fn weightings(page: &mut Page, diagnosis: &Diagnosis) {
-    let columns = ["part", "faces", "recipe", "median"];
+    let columns = ["submesh", "faces", "recipe", "median"];
     let mut table = Table::new("Recipes that reproduce the stored normals best", &columns);
     for (number, part) in diagnosis.parts.iter().enumerate() {
         let Some(estimate) = part.estimate else { continue };
-        let name = if part.name.is_empty() { format!("part {number}") } else { part.name.clone() };
+        let name = if part.name.is_empty() { format!("submesh {number}") } else { part.name.clone() };
         table.push([
             name,
             part.faces.to_string(),

@@ -426,7 +426,7 @@ fn parts_where_it_matters_less_are_reported_next_to() {
         let (severity, reported, cause, worst) = found(parts).unwrap();
         assert_eq!((severity, reported, worst), (Severity::Warning, count, part));
         assert!(
-            cause.ends_with(&format!("not counted: {others} of lower severity in other parts")),
+            cause.ends_with(&format!("not counted: {others} of lower severity in other submeshes")),
             "{cause}"
         );
     }
