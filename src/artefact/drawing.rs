@@ -142,6 +142,7 @@ pub(super) fn picture(size: [u32; 2], linear: Vec<[f32; 3]>, coverage: Vec<u8>) 
         pixels: Pixels::Eight(linear.iter().map(|colour| colour.map(code)).collect()),
         coverage,
         linear: Some(linear),
+        objects: None,
         statistics: Statistics::default(),
     }
 }

@@ -58,6 +58,7 @@ pub struct Difference {
 ///     pixels: Pixels::Eight(vec![[0; 3]; 2]),
 ///     coverage: vec![1, 0],
 ///     linear: Some(vec![[value; 3], [0.0; 3]]),
+///     objects: None,
 ///     statistics: Statistics::default(),
 /// };
 /// let error = image_error(&picture(0.5), &picture(0.25), 0.5)?;
@@ -185,6 +186,7 @@ mod tests {
             pixels: Pixels::Eight(vec![[0; 3]; colours.len()]),
             coverage: coverage.to_vec(),
             linear: Some(colours.to_vec()),
+            objects: None,
             statistics: Statistics::default(),
         }
     }

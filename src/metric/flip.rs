@@ -308,6 +308,7 @@ mod tests {
             pixels: Pixels::Eight(vec![[0; 3]; linear.len()]),
             coverage: vec![1; linear.len()],
             linear: Some(linear),
+            objects: None,
             statistics: Statistics::default(),
         }
     }

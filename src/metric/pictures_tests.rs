@@ -12,6 +12,7 @@ pub(super) fn grey(size: [u32; 2], value: impl Fn(f64, f64) -> f64) -> Image {
         pixels: Pixels::Eight(vec![[0; 3]; count]),
         coverage: vec![1; count],
         linear: Some((0..count as u32).map(colour).collect()),
+        objects: None,
         statistics: Statistics::default(),
     }
 }

@@ -5,7 +5,7 @@ use crate::num::Degrees;
 
 /// How much each face counts in the mean at a corner. With edges e1, e2 from the corner, the interior angle α
 /// between them and the unit face normal n̂, the mean is the unit vector of Σ w n̂.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Weight {
     /// w = 1 (Gouraud 1971): depends on how the surface happens to be cut into faces.
@@ -135,7 +135,8 @@ pub enum Slivers {
 }
 
 /// How carefully to compute.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Precision {
     /// Right to the last bit of the output at any magnitude, offset or thinness.
     #[default]

@@ -31,12 +31,13 @@ pub use error::RenderError;
 pub use frame::empty_picture::Unseen;
 pub use frame::render::render;
 pub use load::{
-    LoadOptions, Recentring, SceneFile, SceneMesh, SceneObject, SceneShape, default_lights, load, rotation,
+    LoadOptions, NormalSettings, Recentring, SceneFile, SceneMesh, SceneObject, SceneShape, StoredFormat,
+    default_lights, load, rotation,
 };
 pub use picture::{Image, Pixels, Statistics, Times};
 pub use probe::{LitPoint, ProbePoint, probe};
 pub use scene::{LinePath, Lines, Object, Paint, Scene, Shape, Triangles};
 pub use settings::{
-    Bits, Cull, FlatSample, Interpolation, LineStyle, RenderSettings, Samples, Shading, Show,
+    Bits, Cull, FlatSample, Interpolation, LineStyle, ObjectSettings, RenderSettings, Samples, Shading, Show,
 };
 pub use view::camera::{Camera, CameraError, Projection};

@@ -22,6 +22,9 @@ pub struct Image {
     pub coverage: Vec<u8>,
     /// Linear colours, the mean of a pixel's samples, with [`RenderSettings::keep_linear`](crate::raster::RenderSettings::keep_linear).
     pub linear: Option<Vec<[f32; 3]>>,
+    /// With [`RenderSettings::keep_objects`](crate::raster::RenderSettings::keep_objects), a number of each pixel: two pixels have the same
+    /// number if their samples show the same objects. With one sample a pixel: 0 for the background, 1 + the object's number.
+    pub objects: Option<Vec<u32>>,
     /// What was done.
     pub statistics: Statistics,
 }

@@ -123,13 +123,14 @@ fn lit_points(
         return Ok(sources.iter().map(lit).collect());
     };
     let object = point.object;
-    let shade = shade_settings(job.settings, &job.view, job.frame, point.face.is_none());
+    let settings = &job.objects[object].settings;
+    let shade = shade_settings(settings, &job.view, job.frame, point.face.is_none());
     let probe = Probe::new(lights, material, &shade);
     let probe = probe.map_err(|error| RenderError::Shade { object, error })?;
     let lit = |source: &ColourSource| {
         let position = shade.frame.to_local(source.position).to_array();
         let surface = SurfacePoint { position, normal: source.normal.to_array() };
-        let face = (job.settings.asks_faces() && point.face.is_some()).then_some(point.face_normal);
+        let face = (settings.asks_faces() && point.face.is_some()).then_some(point.face_normal);
         let light = probe.explain_on(&surface, face);
         // The picture would be an error, too, had rounding to single precision not moved the point.
         match light.not_finite() {
@@ -142,7 +143,7 @@ fn lit_points(
 
 fn on_surface(job: &Job, object: usize, at: [f64; 2]) -> Option<(ProbePoint, Vec<ColourSource>)> {
     let (hit, distance) = cast(job, object, at)?;
-    let turned = job.settings.two_sided && !hit.front;
+    let turned = job.objects[object].settings.two_sided && !hit.front;
     let normal = hit.normal.get() * if turned { -1.0 } else { 1.0 };
     let point = ProbePoint {
         object,
@@ -166,7 +167,7 @@ fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> (Pr
     let position = |vertex: u32| drawn.map.scene_point(drawn.points.at(vertex));
     let face: Vec<Corner> = face_corners(object, drawn, record).collect();
     let in_triangle = |weights: [f64; 3]| (triangle_corners(drawn, record).to_vec(), weights.to_vec());
-    let (corners, weights): (Vec<Corner>, Vec<f64>) = match job.settings.interpolation {
+    let (corners, weights): (Vec<Corner>, Vec<f64>) = match object.settings.interpolation {
         Interpolation::Scanline if face.len() > 3 => (face.clone(), scanline_weights(job, drawn, &face, at)),
         Interpolation::Perspective => in_triangle(in_scene),
         Interpolation::Affine | Interpolation::Scanline => {
@@ -190,8 +191,8 @@ fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> (Pr
     };
     let is_given = matches!(object.colour, ObjectColour::Given(_));
     let count = face.len() as f64;
-    let sources = match job.settings.shading {
-        Shading::Flat if takes_mean(job, object) => {
+    let sources = match object.settings.shading {
+        Shading::Flat if takes_mean(object) => {
             face.iter().map(|corner| at_corner(corner, 1.0 / count)).collect()
         }
         Shading::Flat => {

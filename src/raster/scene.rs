@@ -3,7 +3,7 @@
 use crate::mesh::Mesh;
 use crate::normals::NormalField;
 use crate::num::LinearRgb;
-use crate::raster::settings::LineStyle;
+use crate::raster::settings::{LineStyle, ObjectSettings};
 use crate::raster::view::camera::Camera;
 use crate::raster::view::project::Points;
 use crate::shade::{Light, Material};
@@ -40,12 +40,20 @@ pub struct Object<'a> {
     /// The analytic surface that the shape approximates, in the same space: what
     /// [`Shading::Exact`](crate::raster::Shading::Exact) draws and deviations are measured from.
     pub surface: Option<Primitive>,
+    /// Settings of its own.
+    pub settings: ObjectSettings,
 }
 
 impl<'a> Object<'a> {
     /// A shape where it is, in a material.
     pub fn new(shape: Shape<'a>, material: Material) -> Self {
-        Self { shape, transform: DMat4::IDENTITY, paint: Paint::Lit(material), surface: None }
+        Self {
+            shape,
+            transform: DMat4::IDENTITY,
+            paint: Paint::Lit(material),
+            surface: None,
+            settings: ObjectSettings::default(),
+        }
     }
 }
 

@@ -226,6 +226,8 @@ pub struct RenderSettings {
     pub bits: Bits,
     /// Keep the linear colours too, at 12 more bytes a pixel.
     pub keep_linear: bool,
+    /// Keep which objects each pixel shows, at 4 more bytes a pixel.
+    pub keep_objects: bool,
     /// The lines of [`Shading::Wireframe`].
     pub wire: LineStyle,
 }
@@ -249,7 +251,32 @@ impl Default for RenderSettings {
             transfer: Transfer::default(),
             bits: Bits::default(),
             keep_linear: false,
+            keep_objects: false,
             wire: LineStyle::default(),
+        }
+    }
+}
+
+/// Settings of one object in place of those of the picture; `None` keeps these. A wireframe is one of all objects.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct ObjectSettings {
+    /// Where its colours are computed; [`Shading::Wireframe`] is an error.
+    pub shading: Option<Shading>,
+    /// How they, or normals, spread over its faces.
+    pub interpolation: Option<Interpolation>,
+    /// Whether its faces are lit on both sides.
+    pub two_sided: Option<bool>,
+}
+
+impl RenderSettings {
+    /// The settings that an object is drawn with.
+    pub(super) fn of(&self, object: &ObjectSettings) -> Self {
+        let shading = object.shading.filter(|_| self.shading != Shading::Wireframe);
+        Self {
+            shading: shading.unwrap_or(self.shading),
+            interpolation: object.interpolation.unwrap_or(self.interpolation),
+            two_sided: object.two_sided.unwrap_or(self.two_sided),
+            ..*self
         }
     }
 }

@@ -4,6 +4,7 @@
 mod bad;
 mod gltf;
 mod lectures;
+mod object_settings;
 mod pictures;
 mod program;
 mod real;

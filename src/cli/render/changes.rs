@@ -2,7 +2,7 @@
 
 use super::args::RenderArgs;
 use super::request::{FileKind, Request, Subject};
-use super::values::ReflectionChoice;
+use super::values::{ReflectionChoice, Variant};
 use super::warnings::contrast;
 use crate::cli::common::failure::Failure;
 use crease::num::{Degrees, LinearRgb, Transfer, UnitVec3};
@@ -71,6 +71,20 @@ fn change_settings(request: &Request, file: &mut SceneFile) {
     set.wire.hide = request.hides_lines(set.wire.hide);
     set.cull = shading.cull.unwrap_or(set.cull);
     set.two_sided |= shading.two_sided;
+    for object in &mut file.objects {
+        let typed = |is_typed: bool, compares: fn(&Variant) -> bool| {
+            is_typed || request.args.output.compare.iter().any(compares)
+        };
+        if typed(shading.shading.is_some(), |it| matches!(it, Variant::Shading(_))) {
+            object.settings.shading = None;
+        }
+        if typed(shading.interpolation.is_some(), |it| matches!(it, Variant::Interpolation(_))) {
+            object.settings.interpolation = None;
+        }
+        if shading.two_sided {
+            object.settings.two_sided = None;
+        }
+    }
     if let Some(show) = shading.show {
         set.show = show;
         // Codes are then proportional to what is shown, as in any normal map.

@@ -5,8 +5,8 @@ use super::values::{HiddenLines, Variant};
 use crate::cli::common::input::Source;
 use crate::cli::common::output::{Target, is_same_file};
 use crease::io::{Format, NonFinite, ReadOptions};
-use crease::normals::{Crease, NormalRecipe, When};
-use crease::raster::{Bits, LoadOptions, RenderSettings, SceneObject, SceneShape, Shading};
+use crease::normals::{Crease, When};
+use crease::raster::{Bits, LoadOptions, NormalSettings, RenderSettings, SceneObject, SceneShape, Shading};
 use crease::report::panels_size;
 use crease::shade::Light;
 use std::path::Path;
@@ -68,12 +68,12 @@ impl<'a> Request<'a> {
             source,
             format: args.output.format,
             load: LoadOptions {
-                recipe: NormalRecipe {
-                    weight: args.normals.weight.unwrap_or(NormalRecipe::default().weight),
-                    crease: args.normals.crease.map_or(Crease::Default, Crease::Angle),
-                    ..NormalRecipe::default()
-                },
                 // Options override a scene.
+                normals: NormalSettings {
+                    weight: args.normals.weight,
+                    crease: args.normals.crease.map(Crease::Angle),
+                    ..NormalSettings::default()
+                },
                 when: args.normals.when.or(args.normals.are_typed().then(When::default)),
                 from_elsewhere: args.scene.camera.is_some(),
                 read: ReadOptions {
@@ -81,6 +81,7 @@ impl<'a> Request<'a> {
                     non_finite: if args.output.force { NonFinite::DropFaces } else { NonFinite::Refuse },
                     ..ReadOptions::default()
                 },
+                ..LoadOptions::default()
             },
             target,
             file,

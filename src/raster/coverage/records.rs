@@ -6,7 +6,7 @@ use crate::raster::coverage::tile_bins::Piece;
 use crate::raster::coverage::triangles::{Corner, DrawnObject, TriangleList};
 use crate::raster::frame::job::{Job, Prepared};
 use crate::raster::scene::Shape;
-use crate::raster::settings::{FlatSample, Interpolation, Shading, Show};
+use crate::raster::settings::{FlatSample, Interpolation, RenderSettings, Shading, Show};
 use crate::raster::shading::surface_colour::ObjectColour;
 use crate::raster::view::clip::Shares;
 use crate::raster::view::project::ScreenVertex;
@@ -53,7 +53,7 @@ impl Record {
             face: object.list.face(triangle),
             object: object.object as u32,
             front,
-            turned: job.settings.two_sided && !front,
+            turned: job.objects[object.object].settings.two_sided && !front,
         }
     }
 
@@ -96,8 +96,8 @@ pub(crate) enum ValueKind {
 }
 
 impl ValueKind {
-    pub(crate) fn new(job: &Job, object: &Prepared) -> Self {
-        let (shading, show) = (job.settings.shading, job.settings.show);
+    pub(crate) fn new(object: &Prepared) -> Self {
+        let RenderSettings { shading, show, .. } = object.settings;
         let flat = shading == Shading::Flat;
         match (show, &object.colour) {
             (Show::Facing | Show::Depth | Show::FaceId, _) => Self::Nothing,
@@ -159,6 +159,6 @@ pub(crate) fn single(colour: LinearRgb) -> Vec3 {
 }
 
 /// Whether flat faces take the mean of what their corners would have.
-pub(crate) fn takes_mean(job: &Job, object: &Prepared) -> bool {
-    job.settings.flat_sample == FlatSample::VertexMean || matches!(object.colour, ObjectColour::Given(_))
+pub(crate) fn takes_mean(object: &Prepared) -> bool {
+    object.settings.flat_sample == FlatSample::VertexMean || matches!(object.colour, ObjectColour::Given(_))
 }

@@ -27,6 +27,8 @@ pub(crate) struct Job<'a> {
 }
 
 pub(crate) struct Prepared<'a> {
+    /// Those of the picture and its own.
+    pub(crate) settings: RenderSettings,
     pub(crate) shape: &'a Shape<'a>,
     /// How normals reach the scene; `None` if they are there already.
     normals: Option<NormalMatrix>,
@@ -143,6 +145,11 @@ impl<'a> Prepared<'a> {
         view: &View,
         frame: Frame,
     ) -> Result<Self> {
+        if object.settings.shading == Some(Shading::Wireframe) {
+            let found = format!("object {number}: a single object cannot be a wireframe");
+            return Err(RenderError::Invalid(found));
+        }
+        let settings = &settings.of(&object.settings);
         check_lists(number, object, settings)?;
         let linear = DMat3::from_mat4(object.transform);
         let singular = RenderError::singular(number);
@@ -174,7 +181,7 @@ impl<'a> Prepared<'a> {
                 "an analytic surface has no vertex colours; use a material, or a mesh with another shading";
             return Err(RenderError::Lacks { object: number, lack });
         }
-        Ok(Self { shape: &object.shape, normals, colour, truth, is_cast })
+        Ok(Self { settings: *settings, shape: &object.shape, normals, colour, truth, is_cast })
     }
 
     /// The normal at a corner, in the scene's axes.

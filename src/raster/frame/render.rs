@@ -93,6 +93,7 @@ fn blank(settings: &RenderSettings) -> Image {
         },
         coverage: vec![0; count],
         linear: settings.keep_linear.then(|| vec![[0.0; 3]; count]),
+        objects: settings.keep_objects.then(|| vec![0; count]),
         statistics: Statistics::default(),
     }
 }
@@ -120,6 +121,7 @@ pub(crate) struct Target<'a> {
     colours: TargetColours<'a>,
     coverage: Vec<&'a mut [u8]>,
     linear: Vec<&'a mut [[f32; 3]]>,
+    objects: Vec<&'a mut [u32]>,
 }
 
 enum TargetColours<'a> {
@@ -135,10 +137,12 @@ pub(crate) fn targets(image: &mut Image) -> Vec<Target<'_>> {
         Pixels::Sixteen(list) => rows_of_tiles(list, size).into_iter().map(TargetColours::Sixteen).collect(),
     };
     let mut linear = image.linear.as_mut().map(|list| rows_of_tiles(list, size).into_iter());
+    let mut objects = image.objects.as_mut().map(|list| rows_of_tiles(list, size).into_iter());
     let coverage = rows_of_tiles(&mut image.coverage, size);
     let targets = colours.into_iter().zip(coverage).enumerate().map(|(number, (colours, coverage))| {
         let linear = linear.as_mut().and_then(Iterator::next).unwrap_or_default();
-        Target { tile: [number % columns, number / columns], colours, coverage, linear }
+        let objects = objects.as_mut().and_then(Iterator::next).unwrap_or_default();
+        Target { tile: [number % columns, number / columns], colours, coverage, linear, objects }
     });
     targets.collect()
 }
@@ -200,6 +204,10 @@ impl Kernel for WriteTile<'_, '_> {
     fn run<A: Lanes>(self, _: A) -> u64 {
         let Self { target, settings, tile } = self;
         let mut covered = 0;
+        for (y, objects) in target.objects.iter_mut().enumerate() {
+            let count = objects.len().min(TILE);
+            objects[..count].copy_from_slice(&row_of_tile(tile.objects, y)[..count]);
+        }
         for (y, coverage) in target.coverage.iter_mut().enumerate() {
             let samples = row_of_tile(tile.covered, y);
             let count = coverage.len().min(TILE);

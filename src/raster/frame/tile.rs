@@ -36,6 +36,7 @@ pub(crate) struct Worker {
     sum: Colours,
     covered: Box<[u8; PIXELS]>,
     edged: Box<[bool; PIXELS]>,
+    objects: Box<[u32; PIXELS]>,
 }
 
 /// Whether faces hide edges, but are not shown themselves.
@@ -52,6 +53,8 @@ pub(crate) struct Finished<'a> {
     pub(crate) covered: &'a [u8; PIXELS],
     /// The pixels that show a wireframe's edge; `None` where faces are shown.
     pub(crate) edged: Option<&'a [bool; PIXELS]>,
+    /// See [`Image::objects`](crate::raster::Image::objects).
+    pub(crate) objects: &'a [u32; PIXELS],
 }
 
 impl Worker {
@@ -71,6 +74,7 @@ impl Worker {
             sum: colours(),
             covered: Box::new([0; PIXELS]),
             edged: Box::new([false; PIXELS]),
+            objects: Box::new([0; PIXELS]),
         }
     }
 
@@ -90,10 +94,14 @@ impl Worker {
         self.list.fill(job, bins, tile);
         self.covered.fill(0);
         self.edged.fill(false);
+        self.objects.fill(0);
         for (number, sample) in job.settings.samples.offsets().enumerate() {
             let origin = tile_origin(tile, sample);
             self.find_visible(job, origin);
             self.collect(job, tile);
+            if job.settings.keep_objects {
+                self.number_objects();
+            }
             self.paint(job, origin)?;
             self.draw_lines(job, lines, tile, sample);
             if count == 1 {
@@ -113,7 +121,7 @@ impl Worker {
 
     fn finished<'a>(&'a self, job: &Job, colours: &'a Colours) -> Finished<'a> {
         let edged = shows_edges_alone(job).then_some(&*self.edged);
-        Finished { colours, covered: &self.covered, edged }
+        Finished { colours, covered: &self.covered, edged, objects: &self.objects }
     }
 
     /// The record that is visible at a sample of a pixel.
@@ -175,6 +183,17 @@ impl Worker {
             count += usize::from(owner != NOTHING);
         }
         self.seen.truncate(count);
+    }
+
+    /// Adds the visible object of each pixel's sample to the pixel's number.
+    fn number_objects(&mut self) {
+        /// Knuth's multiplicative hash (The Art of Computer Programming 3, 6.4), so that orders of samples differ.
+        const SPREAD: u32 = 2_654_435_769;
+        for (number, &owner) in self.objects.iter_mut().zip(self.visible.owner.iter()) {
+            let record = self.record_of.get(owner as usize).map(|&record| &self.records[record as usize]);
+            let object = record.map_or(0, |record| record.object + 1);
+            *number = number.wrapping_mul(SPREAD).wrapping_add(object);
+        }
     }
 
     /// Removes pixels beyond the picture's right and lower border.

@@ -56,6 +56,7 @@ impl SceneFile {
             meshes: Vec::new(),
             objects: Vec::new(),
             lights: None,
+            kept_lights: Vec::new(),
             camera: None,
             background: LinearRgb::BLACK,
             settings: RenderSettings::default(),

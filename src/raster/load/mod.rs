@@ -2,6 +2,8 @@
 
 // Rotation by degrees.
 mod rotation;
+// How the normals of an object are computed and stored.
+mod normal_settings;
 // A scene that owns its meshes, read from a file of any kind.
 mod scene_file;
 // Meshes with their normals, divided by material.
@@ -15,6 +17,7 @@ mod recentre;
 // Scenes written in TOML.
 mod toml;
 
+pub use normal_settings::{NormalSettings, StoredFormat};
 pub use recentre::Recentring;
 pub use rotation::rotation;
 pub use scene_file::{LoadOptions, SceneFile, SceneMesh, SceneObject, SceneShape, default_lights, load};

@@ -4,8 +4,9 @@ use crate::io::{self, Format, Limits, Note, Place, Problem, ReadError, ReadOptio
 use crate::mesh::Mesh;
 use crate::normals::{NormalField, NormalRecipe, When};
 use crate::num::LinearRgb;
+use crate::raster::load::normal_settings::NormalSettings;
 use crate::raster::scene::{Object, Paint, Scene, Shape};
-use crate::raster::settings::RenderSettings;
+use crate::raster::settings::{ObjectSettings, RenderSettings};
 use crate::raster::view::camera::Camera;
 use crate::shade::{Light, Material, Reflectance};
 use crate::surface::Primitive;
@@ -16,8 +17,10 @@ use std::path::Path;
 /// How scenes are read.
 #[derive(Clone, Debug, Default)]
 pub struct LoadOptions {
-    /// What determines the normals of meshes.
+    /// What determines the normals of meshes, unless the scene states something else.
     pub recipe: NormalRecipe,
+    /// What overrides the scene.
+    pub normals: NormalSettings,
     /// Which stored normals are replaced, as by [`pipeline::revise`](crate::pipeline::revise). `None` leaves it to scene files; by
     /// default normals of mesh files are replaced, and those of polygons and surfaces of a scene are kept.
     pub when: Option<When>,
@@ -41,6 +44,8 @@ pub struct SceneFile {
     pub objects: Vec<SceneObject>,
     /// What lights them; `None` for [`default_lights`], which follow the camera.
     pub lights: Option<Vec<Light>>,
+    /// The numbers of lights that plans leave unchanged.
+    pub kept_lights: Vec<usize>,
     /// Where they are seen from; `None` for a camera that frames all of them.
     pub camera: Option<Camera>,
     /// What is seen where there is nothing.
@@ -81,6 +86,10 @@ pub struct SceneObject {
     pub given: bool,
     /// The analytic surface that a mesh approximates.
     pub surface: Option<Primitive>,
+    /// Settings of its own.
+    pub settings: ObjectSettings,
+    /// Whether plans leave it unchanged.
+    pub is_kept: bool,
 }
 
 impl SceneObject {
@@ -93,6 +102,8 @@ impl SceneObject {
             material: plain_material(),
             given: false,
             surface: None,
+            settings: ObjectSettings::default(),
+            is_kept: false,
         }
     }
 }
@@ -148,7 +159,13 @@ impl SceneFile {
             true => Paint::Given(Cow::Borrowed(colours.unwrap_or_default())),
             false => Paint::Lit(object.material),
         };
-        Object { shape, transform: object.transform, paint, surface: object.surface }
+        Object {
+            shape,
+            transform: object.transform,
+            paint,
+            surface: object.surface,
+            settings: object.settings,
+        }
     }
 }
 

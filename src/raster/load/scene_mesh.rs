@@ -2,7 +2,7 @@
 
 use crate::io::{Format, Part};
 use crate::mesh::{Column, Columns, FaceEdit, Faces, MeshBuilder, NONE};
-use crate::normals::{Faults, NormalField, compute};
+use crate::normals::{Faults, NormalField};
 use crate::num::{LinearRgb, Transfer};
 use crate::raster::load::scene_file::{LoadOptions, SceneMesh};
 use rayon::prelude::*;
@@ -17,7 +17,7 @@ impl SceneMesh {
         });
         let mesh = mesh.with_faces(&FaceEdit { dropped: non_finite_faces, reversed: Vec::new() });
         let colours = mesh.columns().colors.as_ref().map(|colours| linear(colours, format));
-        let normals = compute(&mesh, &options.recipe).selected(&mesh, options.when.unwrap_or_default());
+        let normals = options.normals.normals(&mesh, &options.recipe, options.when.unwrap_or_default());
         Self { mesh, normals, colours, source_faces }
     }
 }

@@ -26,8 +26,8 @@ impl Sample<'_> {
     }
 
     /// Whether its normal is that of the other side.
-    fn turned(&self, job: &Job) -> bool {
-        self.hit.map_or(self.record.turned, |hit| job.settings.two_sided && !hit.front)
+    fn turned(&self, object: &Prepared) -> bool {
+        self.hit.map_or(self.record.turned, |hit| object.settings.two_sided && !hit.front)
     }
 
     fn distance(&self, job: &Job) -> f64 {
@@ -67,7 +67,7 @@ pub(crate) fn colour(job: &Job, object: &Prepared, sample: &Sample) -> Vec3 {
 }
 
 fn deviation(job: &Job, object: &Prepared, sample: &Sample) -> Radians {
-    let turned = if sample.turned(job) { -1.0 } else { 1.0 };
+    let turned = if sample.turned(object) { -1.0 } else { 1.0 };
     let truth = match &object.truth {
         Some(surface) => {
             let point = job.frame.to_world(sample.position.as_dvec3());

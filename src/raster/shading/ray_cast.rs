@@ -72,7 +72,7 @@ impl Hits {
             if depth > visible.depth[pixel] {
                 visible.depth[pixel] = depth;
                 visible.owner[pixel] = owner;
-                let turned = job.settings.two_sided && !hit.front;
+                let turned = job.objects[object].settings.two_sided && !hit.front;
                 let position: DVec3 = (hit.position - job.view.origin) / job.frame.unit;
                 self.at[pixel] = CastHit {
                     position: position.as_vec3(),

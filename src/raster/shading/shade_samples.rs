@@ -66,7 +66,7 @@ impl Painter {
         let (object, Some(drawn)) = (&job.objects[run.object], run.drawn) else { return Ok(()) };
         let drawn = &job.drawn[drawn];
         let (records, owners) = (&mut records[run.records.clone()], &owners[run.records.clone()]);
-        let wanted = ValueKind::new(job, object);
+        let wanted = ValueKind::new(object);
         match (wanted, &object.colour) {
             (ValueKind::Nothing, _) => return Ok(()),
             (ValueKind::FaceNormal, _) => {
@@ -106,11 +106,11 @@ impl Painter {
         if !list.pieces.is_empty() {
             for (record, &owner) in records.iter_mut().zip(owners) {
                 if let Some(piece) = list.piece(owner) {
-                    record.values = piece_values(record.values, piece, job.settings.interpolation);
+                    record.values = piece_values(record.values, piece, object.settings.interpolation);
                 }
             }
         }
-        match job.settings.interpolation {
+        match object.settings.interpolation {
             Interpolation::Scanline => self.make_polygons(job, object, drawn, records),
             Interpolation::Affine | Interpolation::Perspective => Ok(()),
         }
@@ -118,7 +118,7 @@ impl Painter {
 
     fn light_faces(&mut self, lit: &Lit, records: &mut [Record]) -> Result<()> {
         let corners = |record: &Record| face_corners(lit.object, lit.drawn, record);
-        if !takes_mean(lit.job, lit.object) {
+        if !takes_mean(lit.object) {
             let normal = |record: &Record| lit.object.face_normal(record.face, record.turned);
             self.light.faces(lit, records.iter().map(|record| (corners(record), normal(record))))?;
             for (at, record) in records.iter_mut().enumerate() {
@@ -150,7 +150,7 @@ impl Painter {
         faces.sort_by_key(|record| record.face);
         faces.dedup_by_key(|record| record.face);
         let corners = || faces.iter().flat_map(|record| face_corners(object, drawn, record));
-        let wants_normals = ValueKind::new(job, object) == ValueKind::CornerNormals;
+        let wants_normals = ValueKind::new(object) == ValueKind::CornerNormals;
         if let (false, ObjectColour::Lit(shaders)) = (wants_normals, &object.colour) {
             self.light.corners(&Lit { job, object, drawn, shaders }, corners())?;
         }
@@ -172,7 +172,7 @@ impl Painter {
 
     pub(crate) fn paint(&mut self, job: &Job, object: usize, tile: &Tile, out: &mut Colours) -> Result<()> {
         let prepared = &job.objects[object];
-        let wanted = ValueKind::new(job, prepared);
+        let wanted = ValueKind::new(prepared);
         let shaders = match (&prepared.colour, job.settings.show) {
             (ObjectColour::Lit(shaders), Show::Shaded)
                 if wanted == ValueKind::CornerNormals || prepared.is_cast =>
@@ -187,7 +187,7 @@ impl Painter {
             match tile.hits.filter(|_| prepared.is_cast) {
                 Some(hits) => self.take_hits(hits, seen),
                 None => {
-                    self.take_values(job, wanted, seen, tile);
+                    self.take_values(job, prepared, wanted, seen, tile);
                     if needs_positions {
                         self.take_positions(job, seen, tile);
                     }
@@ -219,7 +219,7 @@ impl Painter {
         tile: &Tile,
     ) -> Result<()> {
         let prepared = &job.objects[object];
-        let by_faces = job.settings.asks_faces() && !prepared.is_cast;
+        let by_faces = prepared.settings.asks_faces() && !prepared.is_cast;
         if by_faces {
             for (lane, seen) in seen.iter().enumerate() {
                 let record = &tile.records[seen.record as usize];
@@ -266,7 +266,14 @@ impl Painter {
         });
     }
 
-    fn take_values(&mut self, job: &Job, wanted: ValueKind, seen: &[VisibleSample], tile: &Tile) {
+    fn take_values(
+        &mut self,
+        job: &Job,
+        prepared: &Prepared,
+        wanted: ValueKind,
+        seen: &[VisibleSample],
+        tile: &Tile,
+    ) {
         let Tile { records, origin, .. } = *tile;
         if !wanted.varies() {
             let [x, y, z] = &mut *self.values;
@@ -276,7 +283,8 @@ impl Painter {
             return;
         }
         // In a parallel projection the picture is the scene seen from far away: nothing to correct.
-        let perspective = job.settings.interpolation == Interpolation::Perspective && job.view.perspective;
+        let is_perspective = prepared.settings.interpolation == Interpolation::Perspective;
+        let perspective = is_perspective && job.view.perspective;
         num::dispatch(Interpolate { records, seen, origin, perspective, out: &mut self.values });
         if self.polygons.is_empty() {
             return;

@@ -8,7 +8,8 @@ use crease::mesh::{Mesh, Weld};
 use crease::normals::{NormalRecipe, When, compute};
 use crease::num::{Degrees, LinearRgb, Transfer};
 use crease::raster::{
-    Camera, Interpolation, Object, Paint, Projection, RenderSettings, Samples, Scene, Shading, Shape, render,
+    Camera, Interpolation, Object, ObjectSettings, Paint, Projection, RenderSettings, Samples, Scene,
+    Shading, Shape, render,
 };
 use crease::report::{Panel, encode_png, panels};
 use crease::shade::{AreaShape, Attenuation, Cone, Light, Material};
@@ -86,6 +87,7 @@ impl Stage {
         let normals = |mesh: &Mesh| compute(mesh, &recipe).selected(mesh, When::Missing);
         let (ball_normals, floor_normals) = (normals(&self.ball), normals(&self.floor));
         let object = |mesh, normals, transform, material, surface: Primitive| Object {
+            settings: ObjectSettings::default(),
             shape: Shape::Mesh { mesh, normals },
             transform,
             paint: Paint::Lit(material),

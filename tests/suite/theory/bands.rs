@@ -8,7 +8,8 @@ use crease::mesh::{Faces, MeshBuilder};
 use crease::normals::{NormalRecipe, compute};
 use crease::num::{Degrees, LinearRgb};
 use crease::raster::{
-    Camera, Interpolation, Object, Paint, Projection, RenderSettings, Scene, Shading, Shape, render,
+    Camera, Interpolation, Object, ObjectSettings, Paint, Projection, RenderSettings, Scene, Shading, Shape,
+    render,
 };
 use glam::{DMat4, DVec3};
 
@@ -202,6 +203,7 @@ fn wall(ratio: f64, span: f64, interpolation: Interpolation) -> Vec<f32> {
     let normals = compute(&mesh, &NormalRecipe::default());
     let colours = [0.0, span, span, 0.0].map(LinearRgb::grey).to_vec();
     let object = Object {
+        settings: ObjectSettings::default(),
         shape: Shape::Mesh { mesh: &mesh, normals: &normals },
         transform: DMat4::IDENTITY,
         paint: Paint::Given(colours.into()),

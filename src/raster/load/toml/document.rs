@@ -1,7 +1,9 @@
 //! A whole scene file, its settings and its camera.
 
 use crate::io::ReadError;
+use crate::normals::{Precision, Weight};
 use crate::num::{Degrees, LinearRgb, List, Transfer};
+use crate::raster::load::normal_settings::{CreaseValue, StoredFormat, of_keys};
 use crate::raster::load::scene_file::{LoadOptions, SceneFile, SceneObject, SceneShape};
 use crate::raster::load::toml::lighting::{LightTables, ReflectionName, lights};
 use crate::raster::load::toml::objects::{Builder, ObjectTable};
@@ -53,10 +55,12 @@ impl SceneFile {
     pub fn from_toml(text: &str, base: &Path, options: &LoadOptions) -> Result<Self, ReadError> {
         let source = Source(text);
         let document: Document = toml::from_str(text).map_err(|error| source.syntax(&error))?;
+        let (lights, kept_lights) = lights(source, document.light)?;
         let mut scene = SceneFile {
             meshes: Vec::new(),
             objects: Vec::new(),
-            lights: lights(source, document.light)?,
+            lights,
+            kept_lights,
             camera: None,
             background: LinearRgb::BLACK,
             settings: RenderSettings::default(),
@@ -64,7 +68,9 @@ impl SceneFile {
         };
         document.settings.apply(source, &mut scene)?;
         scene.camera = document.camera.map(|camera| CameraTable::camera(source, &camera)).transpose()?;
-        let mut builder = Builder::new(source, base, options, document.settings.reflection, scene);
+        let SettingsTable { reflection, weight, crease, precision, normal_format, .. } = document.settings;
+        let normals = of_keys(weight, crease, precision, normal_format);
+        let mut builder = Builder::new(source, base, options, reflection, normals, scene);
         document.object.into_iter().try_for_each(|object| builder.add(object))?;
         let scene = builder.finish()?;
         document.settings.check_scene(source, &scene)?;
@@ -83,6 +89,10 @@ pub(super) struct SettingsTable {
     flat_sample: FlatSample,
     cull: Cull,
     two_sided: bool,
+    weight: Option<Weight>,
+    crease: Option<CreaseValue>,
+    precision: Option<Precision>,
+    normal_format: Option<StoredFormat>,
     infinite_viewer: bool,
     /// For objects without a reflection.
     pub(super) reflection: Option<ReflectionName>,

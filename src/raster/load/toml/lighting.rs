@@ -11,6 +11,13 @@ use std::f64::consts::PI;
 use std::ops::Range;
 use toml::Spanned;
 
+/// `plan = "keep"`: `crease plan` leaves the object or light unchanged.
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum PlanName {
+    Keep,
+}
+
 /// `[[light.…]]`, by kind.
 #[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
@@ -26,6 +33,7 @@ pub(super) struct LightTables {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct AmbientTable {
+    plan: Option<PlanName>,
     #[serde(alias = "color")]
     colour: Colour,
 }
@@ -33,6 +41,7 @@ struct AmbientTable {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct DirectionalTable {
+    plan: Option<PlanName>,
     towards: List<f64, 3>,
     #[serde(alias = "color", default = "white")]
     colour: Colour,
@@ -41,6 +50,7 @@ struct DirectionalTable {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct PointTable {
+    plan: Option<PlanName>,
     position: Position,
     #[serde(alias = "color", default = "white")]
     colour: Colour,
@@ -51,6 +61,7 @@ struct PointTable {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 struct SpotTable {
+    plan: Option<PlanName>,
     position: List<f64, 3>,
     #[serde(alias = "color", default = "white")]
     colour: Colour,
@@ -67,6 +78,7 @@ struct SpotTable {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct RectangleTable {
+    plan: Option<PlanName>,
     centre: List<f64, 3>,
     u: List<f64, 3>,
     v: List<f64, 3>,
@@ -77,6 +89,7 @@ struct RectangleTable {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct DiscTable {
+    plan: Option<PlanName>,
     centre: List<f64, 3>,
     normal: List<f64, 3>,
     radius: f64,
@@ -126,41 +139,48 @@ impl From<SpotTable> for Light {
     }
 }
 
-/// All lights in the order of the file; `None` if it has none.
-pub(super) fn lights(source: Source, tables: LightTables) -> Result<Option<Vec<Light>>, ReadError> {
-    let ambient = |AmbientTable { colour }| Light::Ambient { colour: colour.0 };
-    let directional = |DirectionalTable { towards, colour }| Light::Directional {
-        towards: towards.into(),
-        colour: colour.0,
+/// All lights in the order of the file, `None` if it has none, and the numbers of those that plans leave unchanged.
+pub(super) fn lights(
+    source: Source,
+    tables: LightTables,
+) -> Result<(Option<Vec<Light>>, Vec<usize>), ReadError> {
+    let ambient = |AmbientTable { plan, colour }| (plan, Light::Ambient { colour: colour.0 });
+    let directional = |DirectionalTable { plan, towards, colour }| {
+        (plan, Light::Directional { towards: towards.into(), colour: colour.0 })
     };
-    let point = |PointTable { position, colour, attenuation }| Light::at(position.0, colour.0, attenuation);
-    let area = |shape, colour: Colour| Light::Area { shape, colour: colour.0 };
-    let rectangle = |RectangleTable { centre, u, v, colour }| {
+    let point = |PointTable { plan, position, colour, attenuation }| {
+        (plan, Light::at(position.0, colour.0, attenuation))
+    };
+    let spot = |table: SpotTable| (table.plan, Light::from(table));
+    let area = |plan, shape, colour: Colour| (plan, Light::Area { shape, colour: colour.0 });
+    let rectangle = |RectangleTable { plan, centre, u, v, colour }| {
         let [centre, u, v] = [centre, u, v].map(DVec3::from);
-        area(AreaShape::Rectangle { centre, u, v }, colour)
+        area(plan, AreaShape::Rectangle { centre, u, v }, colour)
     };
-    let disc = |DiscTable { centre, normal, radius, colour }| {
-        area(AreaShape::Disc { centre: centre.into(), normal: normal.into(), radius }, colour)
+    let disc = |DiscTable { plan, centre, normal, radius, colour }| {
+        area(plan, AreaShape::Disc { centre: centre.into(), normal: normal.into(), radius }, colour)
     };
-    let mut found: Vec<(Range<usize>, Light)> = with_spans(tables.ambient, ambient)
+    let mut found: Vec<(Range<usize>, (Option<PlanName>, Light))> = with_spans(tables.ambient, ambient)
         .chain(with_spans(tables.directional, directional))
         .chain(with_spans(tables.point, point))
-        .chain(with_spans(tables.spot, Light::from))
+        .chain(with_spans(tables.spot, spot))
         .chain(with_spans(tables.rectangle, rectangle))
         .chain(with_spans(tables.disc, disc))
         .collect();
     found.sort_by_key(|(span, _)| span.start);
-    for (number, (span, light)) in found.iter().enumerate() {
+    let mut kept = Vec::new();
+    for (number, (span, (plan, light))) in found.iter().enumerate() {
         light.check(number).map_err(|error| shade_error(source, span, &error))?;
+        kept.extend(plan.map(|PlanName::Keep| number));
     }
-    let lights: Vec<Light> = found.into_iter().map(|(_, light)| light).collect();
-    Ok((!lights.is_empty()).then_some(lights))
+    let lights: Vec<Light> = found.into_iter().map(|(_, (_, light))| light).collect();
+    Ok(((!lights.is_empty()).then_some(lights), kept))
 }
 
-fn with_spans<T>(
+fn with_spans<T, U>(
     tables: Vec<Spanned<T>>,
-    light: impl Fn(T) -> Light,
-) -> impl Iterator<Item = (Range<usize>, Light)> {
+    light: impl Fn(T) -> U,
+) -> impl Iterator<Item = (Range<usize>, U)> {
     tables.into_iter().map(move |table| (table.span(), light(table.into_inner())))
 }
 

@@ -2,25 +2,26 @@
 
 use crate::io::{self, Note, Place, Problem, ReadError, ReadOptions};
 use crate::mesh::{Mesh, normal_matrix};
-use crate::normals::{When, compute};
+use crate::normals::{Precision, Weight, When};
 use crate::num::LinearRgb;
+use crate::raster::load::normal_settings::{CreaseValue, NormalSettings, StoredFormat, of_keys};
 use crate::raster::load::scene_file::{
     LoadOptions, MOST_OBJECTS, MOST_PLACED_CORNERS, SceneFile, SceneMesh, SceneObject, SceneShape,
 };
-use crate::raster::load::toml::lighting::{MaterialTable, ReflectionName};
+use crate::raster::load::toml::lighting::{MaterialTable, PlanName, ReflectionName};
 use crate::raster::load::toml::source::Source;
 use crate::raster::load::toml::values::Step;
 use crate::raster::load::toml::values::{PolygonTable, SurfaceTable};
+use crate::raster::settings::{Interpolation, ObjectSettings, Shading};
 use crate::surface::{Primitive, Surface, Tessellation};
 use glam::{DMat3, DMat4};
 use serde::Deserialize;
-use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(super) struct ObjectTable {
     #[serde(default)]
     name: String,
@@ -29,6 +30,14 @@ pub(super) struct ObjectTable {
     surface: Option<Spanned<SurfaceTable>>,
     tessellation: Option<Spanned<Tessellation>>,
     normals: Option<NormalsName>,
+    weight: Option<Weight>,
+    crease: Option<CreaseValue>,
+    precision: Option<Precision>,
+    normal_format: Option<StoredFormat>,
+    shading: Option<Spanned<ShadingName>>,
+    interpolation: Option<Interpolation>,
+    two_sided: Option<bool>,
+    plan: Option<PlanName>,
     #[serde(default)]
     transform: Vec<Step>,
     material: Option<Spanned<MaterialTable>>,
@@ -51,14 +60,37 @@ impl From<NormalsName> for When {
     }
 }
 
+/// `shading = …` of an object: a wireframe is one of all objects.
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum ShadingName {
+    Flat,
+    Gouraud,
+    Phong,
+    Exact,
+}
+
+impl From<&ShadingName> for Shading {
+    fn from(name: &ShadingName) -> Self {
+        match name {
+            ShadingName::Flat => Self::Flat,
+            ShadingName::Gouraud => Self::Gouraud,
+            ShadingName::Phong => Self::Phong,
+            ShadingName::Exact => Self::Exact,
+        }
+    }
+}
+
 pub(super) struct Builder<'a> {
     source: Source<'a>,
     base: &'a Path,
     options: LoadOptions,
     reflection: Option<ReflectionName>,
+    /// The normals of objects that state nothing themselves.
+    normals: NormalSettings,
     scene: SceneFile,
-    /// Objects of mesh files that are read, by path and by whether all their normals are computed.
-    files: BTreeMap<(PathBuf, bool), Vec<SceneObject>>,
+    /// Objects of mesh files that are read, with their paths and how their normals are computed.
+    files: Vec<(PathBuf, When, NormalSettings, Vec<SceneObject>)>,
     /// Corners of faces of all objects.
     placed: u64,
 }
@@ -69,6 +101,7 @@ impl<'a> Builder<'a> {
         base: &'a Path,
         options: &LoadOptions,
         reflection: Option<ReflectionName>,
+        normals: NormalSettings,
         scene: SceneFile,
     ) -> Self {
         // Files that meshes refer to may lie anywhere in the scene's folder, too.
@@ -76,7 +109,7 @@ impl<'a> Builder<'a> {
         let root = options.read.root.clone().unwrap_or_else(|| folder.to_owned());
         let read = ReadOptions { root: Some(root), ..options.read.clone() };
         let options = LoadOptions { read, ..options.clone() };
-        Self { source, base, options, reflection, scene, files: BTreeMap::new(), placed: 0 }
+        Self { source, base, options, reflection, normals, scene, files: Vec::new(), placed: 0 }
     }
 
     pub(super) fn finish(self) -> Result<SceneFile, ReadError> {
@@ -104,11 +137,25 @@ impl<'a> Builder<'a> {
                 name: if table.name.is_empty() { object.name } else { table.name.clone() },
                 transform: transform * object.transform,
                 material: material.unwrap_or(object.material),
+                settings: ObjectSettings {
+                    shading: table.shading.as_ref().map(|shading| shading.get_ref().into()),
+                    interpolation: table.interpolation,
+                    two_sided: table.two_sided,
+                },
+                is_kept: table.plan.is_some(),
                 ..object
             };
             if let Some(name) = own.or(self.reflection) {
                 object.given = matches!(name, ReflectionName::Given);
                 object.material.reflection = name.reflection().unwrap_or(object.material.reflection);
+            }
+            let is_surface = object.surface.is_some() || matches!(object.shape, SceneShape::Surface(_));
+            if let (Some(shading), false) = (&table.shading, is_surface)
+                && matches!(shading.get_ref(), ShadingName::Exact)
+            {
+                let found = "exact shading of a mesh";
+                let advice = "choose another shading, or give the object a `surface`";
+                return Err(self.source.error(&shading.span(), found, advice));
             }
             self.place(&span, object)?;
         }
@@ -141,14 +188,19 @@ impl<'a> Builder<'a> {
             let found = "a tessellation without a surface";
             return Err(self.source.error(&tessellation.span(), found, "only a surface can be tessellated"));
         }
-        let when = self.options.when.or(table.normals.map(When::from));
+        let own = of_keys(table.weight, table.crease, table.precision, table.normal_format);
+        let normals = self.options.normals.or(own).or(self.normals);
+        let computes = own.computes().then_some(When::Always);
+        let when = self.options.when.or(table.normals.map(When::from)).or(computes);
         match (&table.mesh, &table.polygons, &table.surface) {
-            (Some(name), None, None) => self.file(name, when.unwrap_or_default()),
+            (Some(name), None, None) => self.file(name, when.unwrap_or_default(), normals),
             (None, Some(polygons), None) => {
                 let (mesh, colours) = PolygonTable::mesh(self.source, polygons)?;
-                Ok(vec![self.mesh(mesh, colours, when, None)])
+                Ok(vec![self.mesh(mesh, colours, (when, normals), None)])
             }
-            (None, None, Some(surface)) => self.surface(surface, table.tessellation.as_ref(), when),
+            (None, None, Some(surface)) => {
+                self.surface(surface, table.tessellation.as_ref(), (when, normals))
+            }
             _ => {
                 let advice = "an object has exactly one of `mesh`, `polygons` and `surface`";
                 Err(self.source.error(span, "no shape, or several", advice))
@@ -161,10 +213,10 @@ impl<'a> Builder<'a> {
         &mut self,
         mesh: Mesh,
         colours: Option<Vec<LinearRgb>>,
-        when: Option<When>,
+        (when, normals): (Option<When>, NormalSettings),
         surface: Option<Primitive>,
     ) -> SceneObject {
-        let normals = compute(&mesh, &self.options.recipe).selected(&mesh, when.unwrap_or(When::Missing));
+        let normals = normals.normals(&mesh, &self.options.recipe, when.unwrap_or(When::Missing));
         self.scene.meshes.push(SceneMesh { mesh, normals, colours, source_faces: None });
         SceneObject { surface, ..SceneObject::new(SceneShape::Mesh(self.scene.meshes.len() - 1)) }
     }
@@ -173,7 +225,7 @@ impl<'a> Builder<'a> {
         &mut self,
         table: &Spanned<SurfaceTable>,
         tessellation: Option<&Spanned<Tessellation>>,
-        when: Option<When>,
+        normals: (Option<When>, NormalSettings),
     ) -> Result<Vec<SceneObject>, ReadError> {
         let source = self.source;
         let surface = table.get_ref().surface();
@@ -187,7 +239,7 @@ impl<'a> Builder<'a> {
                 let mesh = surface.tessellate(tessellation.get_ref());
                 let mesh =
                     mesh.map_err(|error| source.error(&tessellation.span(), &error.to_string(), ""))?;
-                Ok(vec![self.mesh(mesh, None, when, primitive)])
+                Ok(vec![self.mesh(mesh, None, normals, primitive)])
             }
             (None, Some(primitive)) => Ok(vec![SceneObject::new(SceneShape::Surface(primitive))]),
             (None, None) => {
@@ -198,7 +250,12 @@ impl<'a> Builder<'a> {
     }
 
     /// The objects of a mesh file, which is read once.
-    fn file(&mut self, name: &Spanned<String>, when: When) -> Result<Vec<SceneObject>, ReadError> {
+    fn file(
+        &mut self,
+        name: &Spanned<String>,
+        when: When,
+        normals: NormalSettings,
+    ) -> Result<Vec<SceneObject>, ReadError> {
         let fault = |error: ReadError| {
             let place = if error.place == Place::File { String::new() } else { format!("{}: ", error.place) };
             let found = format!("{}: {place}{}", name.get_ref(), error.found);
@@ -211,12 +268,14 @@ impl<'a> Builder<'a> {
             ReadError { problem: error.problem, ..self.source.error(&name.span(), &found, advice) }
         };
         let path = io::companion(self.base, name.get_ref(), &self.options.read).map_err(fault)?;
-        let key = (path, when == When::Always);
-        if let Some(objects) = self.files.get(&key) {
+        let is_same = |known: &&(PathBuf, When, NormalSettings, _)| {
+            (&known.0, known.1, known.2) == (&path, when, normals)
+        };
+        if let Some((.., objects)) = self.files.iter().find(is_same) {
             return Ok(objects.clone());
         }
-        let options = LoadOptions { when: Some(when), from_elsewhere: true, ..self.options.clone() };
-        let loaded = io::read(&key.0, None, &options.read).map_err(fault)?;
+        let options = LoadOptions { when: Some(when), normals, from_elsewhere: true, ..self.options.clone() };
+        let loaded = io::read(&path, None, &options.read).map_err(fault)?;
         let mut file = SceneFile::from_loaded(loaded, &options).map_err(fault)?;
         let note =
             |note: Note| Note { text: format!("{}: {note}", name.get_ref()), place: Place::File, ..note };
@@ -232,7 +291,7 @@ impl<'a> Builder<'a> {
                 *number += first;
             }
         }
-        self.files.insert(key, file.objects.clone());
+        self.files.push((path, when, normals, file.objects.clone()));
         Ok(file.objects)
     }
 }
