@@ -69,6 +69,7 @@ pub mod metric;
 pub mod normals;
 pub mod num;
 pub mod pipeline;
+pub mod plan;
 pub mod quality;
 pub mod raster;
 #[cfg(feature = "report")]

@@ -5,6 +5,7 @@ use super::common::choice::one_of;
 use super::common::options::Color;
 use super::inspect::args::InspectArgs;
 use super::normals::args::NormalsArgs;
+use super::plan::args::PlanArgs;
 use super::render::args::RenderArgs;
 use super::stress::args::StressArgs;
 use super::surface::args::SurfaceArgs;
@@ -30,6 +31,7 @@ pub enum Verb {
     Surface(Box<SurfaceArgs>),
     Trade(Box<TradeArgs>),
     Stress(Box<StressArgs>),
+    Plan(Box<PlanArgs>),
     Completions { shell: clap_complete::Shell },
     Man { verb: Option<String> },
 }

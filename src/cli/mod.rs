@@ -14,6 +14,8 @@ mod help;
 mod inspect;
 /// Compute normals and write them.
 mod normals;
+/// Find the cheapest model that a scene requires.
+mod plan;
 /// From the command line to an exit code.
 pub mod program;
 /// Draw a mesh or a scene.

@@ -3,7 +3,7 @@
 use super::args::{Cli, Verb};
 use super::common::failure::Exit;
 use super::common::output::forgive_broken_pipe;
-use super::{artefact, docs, help, inspect, normals, render, stress, surface, trade};
+use super::{artefact, docs, help, inspect, normals, plan, render, stress, surface, trade};
 use clap::Parser;
 use std::io::Write as _;
 use std::process::ExitCode;
@@ -22,6 +22,7 @@ pub fn main() -> ExitCode {
         Verb::Artefact(ref args) => artefact::run::main(args, cli.color),
         Verb::Normals(ref args) => normals::run::main(args, cli.color),
         Verb::Inspect(ref args) => inspect::run::main(args, cli.color),
+        Verb::Plan(ref args) => plan::run::main(args, cli.color),
         Verb::Render(ref args) => render::run::main(args, cli.color),
         Verb::Stress(ref args) => stress::run::main(args, cli.color),
         Verb::Surface(ref args) => surface::run::main(args, cli.color),

@@ -34,6 +34,7 @@ pub use load::{
     LoadOptions, NormalSettings, Recentring, SceneFile, SceneMesh, SceneObject, SceneShape, StoredFormat,
     default_lights, load, rotation,
 };
+pub(crate) use load::{is_scene, read_text};
 pub use picture::{Image, Pixels, Statistics, Times};
 pub use probe::{LitPoint, ProbePoint, probe};
 pub use scene::{LinePath, Lines, Object, Paint, Scene, Shape, Triangles};

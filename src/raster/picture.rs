@@ -29,7 +29,20 @@ pub struct Image {
     pub statistics: Statistics,
 }
 
+/// Knuth's multiplicative hash (The Art of Computer Programming 3, 6.4), so that orders of samples differ.
+const SPREAD: u32 = 2_654_435_769;
+
+/// The number of a pixel with one more sample, of an object or the background.
+pub(super) fn with_sample(number: u32, object: Option<u32>) -> u32 {
+    number.wrapping_mul(SPREAD).wrapping_add(object.map_or(0, |object| object + 1))
+}
+
 impl Image {
+    /// The number in [`objects`](Self::objects) of pixels of which all samples show an object.
+    pub(crate) fn number_of(object: usize, samples: usize) -> u32 {
+        (0..samples).fold(0, |number, _| with_sample(number, Some(object as u32)))
+    }
+
     /// Where in the lists a pixel is; `None` outside the picture.
     pub fn index(&self, x: u32, y: u32) -> Option<usize> {
         (x < self.size[0] && y < self.size[1]).then(|| y as usize * self.size[0] as usize + x as usize)

@@ -72,6 +72,20 @@ impl Cone {
     pub fn of_lectures(axis: DVec3) -> Self {
         Self { axis, cut_off: Radians(PI), soft_edge: Radians(0.0), exponent: 1.0 }
     }
+
+    /// The factor in a direction from the light; 0 without a direction.
+    pub(crate) fn factor(&self, direction: DVec3) -> f64 {
+        let (axis, direction) = (self.axis.normalize_or_zero(), direction.normalize_or_zero());
+        let angle = libm::atan2(axis.cross(direction).length(), axis.dot(direction));
+        let outer = libm::cos(self.cut_off.0);
+        let width = libm::cos(self.cut_off.0 - self.soft_edge.0) - outer;
+        let cosine = libm::cos(angle);
+        let edge = match width > 0.0 {
+            true => ((cosine - outer) / width).clamp(0.0, 1.0),
+            false => f64::from(u8::from(angle <= self.cut_off.0)),
+        };
+        edge * edge * libm::pow(cosine.max(0.0), self.exponent)
+    }
 }
 
 /// A surface that shines to one side only, evenly at every point and in every direction (Lambert).
@@ -124,6 +138,14 @@ impl Attenuation {
             Attenuation::Offset(k) => [k, 1.0, 0.0],
             Attenuation::Quadratic(coefficients) => coefficients,
         }
+    }
+
+    /// The factor at a distance from the light.
+    pub(crate) fn factor(self, distance: f64) -> f64 {
+        let [constant, linear, quadratic] = self.coefficients();
+        let share = distance / self.range();
+        let window = (1.0 - share * share * share * share).max(0.0);
+        window / (constant + distance * (linear + distance * quadratic))
     }
 
     /// The distance beyond which no light arrives.

@@ -54,6 +54,18 @@ impl Progress {
         if count < 2 { Self::hidden() } else { Self::new(console, COUNT, count).with_words(doing, things) }
     }
 
+    /// For one thing whose share done is reported.
+    pub fn of_share(console: &Console, doing: &'static str) -> Self {
+        let progress = Self::new(console, STEPS, 1000);
+        progress.bar.set_message(doing);
+        progress
+    }
+
+    /// The share done, from 0 to 1.
+    pub fn share(&self, share: f64) {
+        self.bar.set_position((1000.0 * share) as u64);
+    }
+
     /// For one thing, whose share done is not known: a spinner and the time it has taken.
     pub fn of_one(console: &Console, doing: &'static str, thing: &'static str) -> Self {
         Self::new(console, ONE, 1).with_words(doing, thing)

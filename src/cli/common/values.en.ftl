@@ -154,3 +154,18 @@ weight-best = jet, quadric or angle, whichever has the smallest estimated error 
 when-always = all
 when-missing = only those of corners without a normal
 when-broken = also normals that are not finite, zero, or against their own face; other lengths are normalised
+
+minimise-work = operations for the pictures
+minimise-bytes = bytes of vertex and index buffers
+minimise-vertices = vertices in buffers
+
+axis-shading = Phong, Gouraud, flat
+axis-weight = how vertex normals are averaged
+axis-creases = normals split at sharp edges, or one for each vertex
+axis-precision = faithful or fast normals
+axis-storage = the format of stored normals
+axis-interpolation = perspective or affine
+axis-reflection = which terms of the material are evaluated
+axis-tessellation = cells of analytic surfaces
+axis-two-sided = light on both sides of faces
+axis-lights = kind, attenuation and presence of lights

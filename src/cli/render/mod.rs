@@ -15,6 +15,6 @@ mod request;
 /// Loading, drawing and storing.
 pub mod run;
 /// Values of options.
-mod values;
+pub mod values;
 /// Options without effect, and pictures that show less than they could.
 mod warnings;

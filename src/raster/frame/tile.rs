@@ -9,6 +9,7 @@ use crate::raster::coverage::visible_triangle::{Colours, NOTHING, PIXELS, Visibl
 use crate::raster::error::Result;
 use crate::raster::frame::job::Job;
 use crate::raster::lines::{LineJob, LineSet, Segment};
+use crate::raster::picture::with_sample;
 use crate::raster::settings::{Shading, Show};
 use crate::raster::shading::interpolate::VisibleSample;
 use crate::raster::shading::ray_cast::{Hits, cast};
@@ -187,12 +188,9 @@ impl Worker {
 
     /// Adds the visible object of each pixel's sample to the pixel's number.
     fn number_objects(&mut self) {
-        /// Knuth's multiplicative hash (The Art of Computer Programming 3, 6.4), so that orders of samples differ.
-        const SPREAD: u32 = 2_654_435_769;
         for (number, &owner) in self.objects.iter_mut().zip(self.visible.owner.iter()) {
             let record = self.record_of.get(owner as usize).map(|&record| &self.records[record as usize]);
-            let object = record.map_or(0, |record| record.object + 1);
-            *number = number.wrapping_mul(SPREAD).wrapping_add(object);
+            *number = with_sample(*number, record.map(|record| record.object));
         }
     }
 

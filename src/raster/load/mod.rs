@@ -21,3 +21,4 @@ pub use normal_settings::{NormalSettings, StoredFormat};
 pub use recentre::Recentring;
 pub use rotation::rotation;
 pub use scene_file::{LoadOptions, SceneFile, SceneMesh, SceneObject, SceneShape, default_lights, load};
+pub(crate) use scene_file::{is_scene, read_text};

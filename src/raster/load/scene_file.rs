@@ -129,7 +129,7 @@ impl SceneFile {
     }
 
     /// What there is to see, without lights and with a camera anywhere.
-    pub(super) fn unframed(&self) -> Scene<'_> {
+    pub(crate) fn unframed(&self) -> Scene<'_> {
         Scene {
             objects: self.objects.iter().map(|object| self.object(object)).collect(),
             lines: Vec::new(),
@@ -210,19 +210,27 @@ pub(super) fn plain_material() -> Material {
 /// What [`io::read`] says, and files without any face. In scene files, with the line and the key: unknown keys, values of
 /// the wrong type or out of range, and what is wrong with meshes that they name. Nothing is silently ignored.
 pub fn load(path: &Path, format: Option<Format>, options: &LoadOptions) -> Result<SceneFile, ReadError> {
-    let is_scene = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"));
-    if format.is_some() || !is_scene {
+    if format.is_some() || !is_scene(path) {
         return SceneFile::from_loaded(io::read(path, format, &options.read)?, options);
     }
+    SceneFile::from_toml(&read_text(path, options)?, path.parent().unwrap_or(path), options)
+}
+
+/// Whether a name is that of a scene file.
+pub(crate) fn is_scene(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
+}
+
+/// The text of a scene file.
+pub(crate) fn read_text(path: &Path, options: &LoadOptions) -> Result<String, ReadError> {
     let limits =
         Limits { bytes: options.read.limits.bytes.min(LARGEST_SCENE), ..options.read.limits.clone() };
     let bytes = io::read_whole(path, &limits)?;
-    let text = String::from_utf8(bytes).map_err(|error| {
+    String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let place = Place::Line(1 + before.iter().filter(|&&byte| byte == b'\n').count() as u64);
         ReadError::new(Problem::Syntax, place, "the text is not UTF-8", "save it as UTF-8")
-    })?;
-    SceneFile::from_toml(&text, path.parent().unwrap_or(path), options)
+    })
 }
 
 /// Most bytes of a scene file, which takes many times that in memory when parsed.

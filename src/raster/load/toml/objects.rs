@@ -190,7 +190,7 @@ impl<'a> Builder<'a> {
         }
         let own = of_keys(table.weight, table.crease, table.precision, table.normal_format);
         let normals = self.options.normals.or(own).or(self.normals);
-        let computes = own.computes().then_some(When::Always);
+        let computes = own.or(self.normals).computes().then_some(When::Always);
         let when = self.options.when.or(table.normals.map(When::from)).or(computes);
         match (&table.mesh, &table.polygons, &table.surface) {
             (Some(name), None, None) => self.file(name, when.unwrap_or_default(), normals),

@@ -1,0 +1,33 @@
+# The help of `crease plan`.
+
+about = Find the cheapest model that a scene requires
+
+    The plan draws like the scene, within a tolerance, with the cheapest shading, normals, storage, lights and tessellation. It is
+    exact: no cheaper combination is within the tolerance. The planned scene is an ordinary scene file with the reason at each
+    change.
+example-1 = crease plan scene.toml -o planned.toml
+example-2 = crease plan scene.toml --tolerance 1 --views 12 --json
+example-3 = crease plan statue.glb --minimise bytes --only storage,shading -o lean.toml
+
+input = Scene file, or a mesh or glTF file
+output = Planned scene file, or `-` for standard output
+tolerance = Largest difference of a pixel, in steps of 1/255 before rounding
+share = Share of the covered pixels that may be beyond the tolerance
+outline = Largest distance of outlines, in pixels
+minimise = What is made as small as possible
+views = Number of views around the scene, in place of its camera; as many others verify the plan
+size = Size of the pictures [default: that of the scene]
+keep = Axes that stay as declared
+only = The only axes that may change
+budget = Most pixels to draw; then the search ends with the best plan so far
+explain = Print how costs and bounds are computed
+
+## What `-h` shows.
+
+output-short = Planned scene file, or `-` for standard output
+tolerance-short = Largest difference of a pixel, in steps of 1/255
+minimise-short = What is made as small as possible
+views-short = Number of views around the scene
+size-short = Size of the pictures
+keep-short = Axes that stay as declared
+only-short = The only axes that may change

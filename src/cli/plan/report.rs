@@ -1,0 +1,116 @@
+//! The report of `crease plan` as JSON and as text.
+
+use super::args::PlanArgs;
+use crate::cli::common::console::{Style, escaped};
+use crate::cli::common::numbers::{count, row, size};
+use crate::cli::common::report::Head;
+use crease::num::three_digits;
+use crease::plan::{Decision, Minimise, Plan};
+use serde::Serialize;
+
+/// How costs are counted, and the formulas of bounds: the head of the module's own documentation.
+pub const EXPLANATION: &str = include_str!("explanation.txt");
+
+#[derive(Debug, Serialize)]
+pub struct Report {
+    #[serde(flatten)]
+    pub head: Head,
+    pub input: String,
+    tolerance: f64,
+    minimise: Minimise,
+    #[serde(flatten)]
+    pub plan: Option<Plan>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub output: Option<String>,
+    pub seconds: f64,
+}
+
+impl Report {
+    pub fn new(args: &PlanArgs) -> Self {
+        Self {
+            head: Head::new("crease-plan/1"),
+            input: args.input.display().to_string(),
+            tolerance: args.tolerance,
+            minimise: args.minimise,
+            plan: None,
+            output: None,
+            seconds: 0.0,
+        }
+    }
+}
+
+/// The report for people: one line a decision, then totals.
+pub fn text(report: &Report, style: Style) -> String {
+    let Some(plan) = &report.plan else { return String::new() };
+    let mut out = style.paint(Style::BOLD, &escaped(&report.input));
+    if let Some(output) = &report.output {
+        out = format!("{out} -> {}", style.paint(Style::BOLD, &escaped(output)));
+    }
+    out.push('\n');
+    if plan.decisions.is_empty() {
+        row(&mut out, "plan", "nothing can be left out within the tolerance");
+    }
+    for decision in &plan.decisions {
+        row(&mut out, "plan", &line(decision, report.tolerance));
+    }
+    let totals = |of: fn(&crease::plan::Cost) -> u64| (of(&plan.declared), of(&plan.planned));
+    row(&mut out, "work", &change(totals(|cost| cost.work), |work| format!("{work} operations")));
+    row(&mut out, "bytes", &change(totals(|cost| cost.bytes), size));
+    row(&mut out, "vertices", &change(totals(|cost| cost.vertices), |count| count.to_string()));
+    let [x, y] = plan.worst.pixel;
+    let view = if plan.views > 1 { format!(" of view {}", plan.worst_view) } else { String::new() };
+    let mut worst = format!(
+        "{} steps of 255 at pixel {x},{y}{view} (tolerance {}); outlines within {} pixels",
+        three_digits(plan.worst.steps),
+        report.tolerance,
+        three_digits(plan.outline)
+    );
+    if let Some(held_out) = &plan.held_out {
+        worst += &format!("; {} in views that the plan was not found with", three_digits(held_out.steps));
+    }
+    if plan.repairs > 0 {
+        worst += &format!("; {} added after failing there", count(plan.repairs, "view"));
+    }
+    row(&mut out, "worst", &worst);
+    let proven = match plan.is_cheapest {
+        true => "the cheapest plan".to_owned(),
+        false => format!("budget used up: no plan costs less than {} {}", plan.proven, name(report.minimise)),
+    };
+    let search = format!(
+        "{proven}; {} of {:.0} combinations drawn and refused, {:.0} Mpixels",
+        plan.refused,
+        plan.combinations,
+        plan.drawn as f64 / 1e6
+    );
+    row(&mut out, "search", &search);
+    row(&mut out, "time", &crate::cli::common::numbers::seconds(report.seconds, &[]));
+    out
+}
+
+fn name(minimise: Minimise) -> &'static str {
+    match minimise {
+        Minimise::Work => "operations",
+        Minimise::Bytes => "bytes",
+        Minimise::Vertices => "vertices",
+    }
+}
+
+fn line(decision: &Decision, tolerance: f64) -> String {
+    let Decision { what, axis, from, to, saved, bound, measured, .. } = decision;
+    let axis = if what.starts_with("light ") { "" } else { axis.name() };
+    let bound = bound.map_or("none".to_owned(), three_digits);
+    format!(
+        "{what}: {axis}{}{from} to {to}; saves {saved}, {} steps alone (bound {bound}, margin {})",
+        if axis.is_empty() { "" } else { " " },
+        three_digits(*measured),
+        three_digits(tolerance - measured)
+    )
+}
+
+fn change((before, after): (u64, u64), format: impl Fn(u64) -> String) -> String {
+    if before == after {
+        return format!("{}, unchanged", format(before));
+    }
+    let share = 100.0 * after as f64 / before.max(1) as f64;
+    format!("{} to {} ({} %)", format(before), format(after), three_digits(share))
+}

@@ -1,0 +1,119 @@
+//! Pictures compared before their values are rounded, and outlines.
+
+use crate::metric::{Contour, MetricError, contour_distance};
+use crate::num::Transfer;
+use crate::raster::{Image, RenderSettings};
+use crate::shade::ToneRule;
+
+/// The largest value of a code.
+const STEPS: f64 = 255.0;
+
+/// The largest difference of two pictures, where it is, and how many pixels are beyond the tolerance.
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
+pub struct Difference {
+    /// In steps of 1/255 of the encoded values, before they are rounded.
+    pub steps: f64,
+    /// Column and row.
+    pub pixel: [u32; 2],
+    /// Pixels whose difference is above the tolerance.
+    pub beyond: u64,
+}
+
+/// The picture of the reference from one view.
+#[derive(Clone, Debug)]
+pub struct Truth {
+    /// The picture.
+    pub image: Image,
+    /// Encoded values of all channels, 0 to 255.
+    codes: Vec<[f64; 3]>,
+    tone: ToneRule,
+    transfer: Transfer,
+}
+
+impl Truth {
+    /// Of a picture with linear colours and objects.
+    pub fn new(image: Image, settings: &RenderSettings) -> Self {
+        let RenderSettings { tone, transfer, .. } = *settings;
+        let linear = image.linear.as_deref().unwrap_or_default();
+        let codes = linear.iter().map(|&colour| encoded(tone, transfer, colour)).collect();
+        Self { image, codes, tone, transfer }
+    }
+
+    /// The difference of a picture over the pixels that `is_compared`. At most `most` pixels beyond the tolerance are counted: with one
+    /// more the search ends.
+    pub fn difference(
+        &self,
+        picture: &Image,
+        tolerance: f64,
+        most: u64,
+        is_compared: impl Fn(usize) -> bool,
+    ) -> Difference {
+        let (ours, theirs) = (self.image.linear.as_deref(), picture.linear.as_deref());
+        let (ours, theirs) = (ours.unwrap_or_default(), theirs.unwrap_or_default());
+        let mut worst = Difference::default();
+        for (pixel, (ours, theirs)) in ours.iter().zip(theirs).enumerate() {
+            if ours == theirs || !is_compared(pixel) {
+                continue;
+            }
+            if self.tone == ToneRule::Clamp && !self.may_exceed(*ours, *theirs, worst.steps.min(tolerance)) {
+                continue;
+            }
+            let other = encoded(self.tone, self.transfer, *theirs);
+            let codes = self.codes[pixel].iter().zip(other);
+            let steps = codes.map(|(code, other)| (code - other).abs()).fold(0.0, f64::max);
+            if steps > worst.steps {
+                let width = picture.size[0] as usize;
+                worst.steps = steps;
+                worst.pixel = [(pixel % width) as u32, (pixel / width) as u32];
+            }
+            worst.beyond += u64::from(steps > tolerance);
+            if worst.beyond > most {
+                break;
+            }
+        }
+        worst
+    }
+
+    /// Whether two colours may differ by more than so many steps. The curve of sRGB is concave but for a step of 10⁻⁷ where its
+    /// pieces meet, so the slope at the smaller value bounds the difference.
+    fn may_exceed(&self, ours: [f32; 3], theirs: [f32; 3], steps: f64) -> bool {
+        (0..3).any(|channel| {
+            let (a, b) = (f64::from(ours[channel]), f64::from(theirs[channel]));
+            let low = a.min(b).max(0.0);
+            STEPS * self.slope(low) * (a - b).abs() + 1e-4 > steps
+        })
+    }
+
+    /// A bound on the slope of the transfer curve at a value and above it.
+    fn slope(&self, value: f64) -> f64 {
+        /// Values, and the slope 1.055/2.4 x^(1/2.4 − 1) there, rounded up.
+        const SLOPES: [(f64, f64); 6] =
+            [(0.5, 0.66), (0.25, 0.99), (0.125, 1.48), (0.0625, 2.22), (0.03125, 3.32), (0.0156, 4.98)];
+        match self.transfer {
+            Transfer::Direct => 1.0,
+            Transfer::Srgb => {
+                SLOPES.iter().find(|(from, _)| value >= *from).map_or(12.93, |(_, slope)| *slope)
+            }
+        }
+    }
+}
+
+fn encoded(tone: ToneRule, transfer: Transfer, colour: [f32; 3]) -> [f64; 3] {
+    tone.apply(colour.map(f64::from)).map(|component| STEPS * transfer.encode(component))
+}
+
+/// How far the outlines of two pictures are from each other, in pixels: 0 if both cover the same.
+///
+/// # Errors
+/// A picture in which nothing is covered, next to one in which something is.
+pub fn outline_distance(
+    picture: &Image,
+    truth: &Image,
+    settings: &RenderSettings,
+) -> Result<f64, MetricError> {
+    if picture.coverage == truth.coverage {
+        return Ok(0.0);
+    }
+    let of = |image: &Image| Contour::of(image, settings.samples);
+    Ok(contour_distance(&of(picture), &of(truth))?.hausdorff)
+}

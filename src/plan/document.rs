@@ -1,0 +1,342 @@
+//! The text of a scene file, and the changes of a plan to it. Everything else of the text stays as it is.
+
+use super::axes::{LightModel, ObjectModel, Source, Terms};
+use crate::io::ReadError;
+use crate::normals::Precision;
+use crate::num::{Degrees, LinearRgb};
+use crate::raster::{Camera, Interpolation, LoadOptions, Projection, Shading, is_scene, load, read_text};
+use crate::shade::{AreaShape, Attenuation, Light, Material, Reflection, blinn_exponent};
+use crate::surface::Tessellation;
+use glam::DVec3;
+use std::path::Path;
+use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, TomlError, Value, value};
+
+/// A scene file that can be changed.
+#[derive(Clone, Debug)]
+pub struct Document(DocumentMut);
+
+/// The kinds of lights, as their tables are called.
+const KINDS: [&str; 6] = ["ambient", "directional", "point", "spot", "rectangle", "disc"];
+
+impl Document {
+    /// From the text of a scene file.
+    ///
+    /// # Errors
+    /// What is no TOML.
+    pub fn parse(text: &str) -> Result<Self, TomlError> {
+        text.parse().map(Self)
+    }
+
+    /// The number of `[[object]]` tables.
+    pub fn objects(&self) -> usize {
+        self.0.get("object").map_or(0, |item| match item {
+            Item::ArrayOfTables(tables) => tables.len(),
+            Item::Value(Value::Array(list)) => list.len(),
+            _ => 0,
+        })
+    }
+
+    /// Whether the table of an object has a key.
+    pub fn has(&self, object: usize, key: &str) -> bool {
+        self.table(object).is_some_and(|table| table.contains_key(key))
+    }
+
+    /// A string or an inner value of the table of an object.
+    pub fn text_of(&self, object: usize, key: &str) -> Option<&str> {
+        self.table(object)?.get(key)?.as_str()
+    }
+
+    /// A string of `[settings]`.
+    pub fn setting(&self, key: &str) -> Option<&str> {
+        self.0.get("settings")?.get(key)?.as_str()
+    }
+
+    /// Whether `[settings]` has a key.
+    pub fn has_setting(&self, key: &str) -> bool {
+        self.0.get("settings").is_some_and(|settings| settings.get(key).is_some())
+    }
+
+    /// The cells of the tessellation of an object.
+    pub fn segments(&self, object: usize) -> Option<[u32; 2]> {
+        let tessellation = self.table(object)?.get("tessellation")?;
+        let Some(list) = tessellation.get("segments") else { return Some(Tessellation::default().segments) };
+        let numbers: Vec<u32> =
+            list.as_array()?.iter().filter_map(|n| u32::try_from(n.as_integer()?).ok()).collect();
+        numbers.try_into().ok()
+    }
+
+    fn table(&self, object: usize) -> Option<&Table> {
+        self.0.get("object")?.as_array_of_tables()?.get(object)
+    }
+
+    /// The scene with this object alone.
+    #[must_use]
+    pub fn only(&self, object: usize) -> Self {
+        let mut document = self.0.clone();
+        let mut tables = ArrayOfTables::new();
+        tables.extend(self.table(object).cloned());
+        document.insert("object", Item::ArrayOfTables(tables));
+        Self(document)
+    }
+
+    /// Makes `[[object]]` tables of objects that are written in a list of inline tables, so that they can be changed.
+    pub fn with_tables(mut self) -> Self {
+        if let Some(Item::Value(Value::Array(list))) = self.0.get("object") {
+            let tables = list.iter().filter_map(|value| value.as_inline_table().cloned());
+            let tables: ArrayOfTables = tables.map(InlineTable::into_table).collect();
+            self.0.insert("object", Item::ArrayOfTables(tables));
+        }
+        self
+    }
+
+    /// Sets a key of an object, with a comment at the end of its line.
+    pub fn set(&mut self, object: usize, key: &str, new: impl Into<Value>, comment: &str) {
+        let tables = self.0.get_mut("object").and_then(Item::as_array_of_tables_mut);
+        let Some(table) = tables.and_then(|tables| tables.get_mut(object)) else { return };
+        let mut new: Value = new.into();
+        if !comment.is_empty() {
+            new.decor_mut().set_suffix(format!(" # {comment}"));
+        }
+        table.insert(key, Item::Value(new));
+    }
+
+    /// Writes an object's model, where it differs from that of the reference. `comment` gives the reason for a key.
+    pub fn apply(
+        &mut self,
+        object: usize,
+        model: &ObjectModel,
+        reference: &ObjectModel,
+        material: Option<&Material>,
+        comment: &dyn Fn(&str) -> String,
+    ) {
+        let mut set = |key: &str, new: Value| self.set(object, key, new, &comment(key));
+        if model.shading != reference.shading {
+            let name = match model.shading {
+                Shading::Flat => "flat",
+                Shading::Gouraud => "gouraud",
+                _ => "phong",
+            };
+            set("shading", name.into());
+        }
+        if model.interpolation != reference.interpolation {
+            let is_affine = model.interpolation == Interpolation::Affine;
+            set("interpolation", if is_affine { "affine" } else { "perspective" }.into());
+        }
+        if model.two_sided != reference.two_sided {
+            set("two-sided", model.two_sided.into());
+        }
+        if let (Some(normals), Some(old)) = (&model.normals, &reference.normals) {
+            if let (Source::Computed(weight), true) = (normals.source, normals.source != old.source) {
+                set("weight", weight.name().into());
+            }
+            if normals.creases != old.creases {
+                set("crease", "none".into());
+            }
+            if normals.precision != old.precision {
+                set(
+                    "precision",
+                    if normals.precision == Precision::Fast { "fast" } else { "faithful" }.into(),
+                );
+            }
+            if let (Some(format), true) = (normals.format, normals.format != old.format) {
+                set("normal-format", format.name().into());
+            }
+        }
+        if model.terms != reference.terms
+            && let Some(material) = material
+        {
+            set("material", material_table(&with_terms(material, model.terms)).into());
+        }
+        if let (Some(segments), true) = (model.segments, model.segments != reference.segments) {
+            self.set_segments(object, segments, &comment("tessellation"));
+        }
+    }
+
+    /// Sets the cells of a tessellation, and keeps its other keys.
+    fn set_segments(&mut self, object: usize, segments: [u32; 2], comment: &str) {
+        let list = Value::from(segments.map(i64::from).into_iter().collect::<Array>());
+        let tables = self.0.get_mut("object").and_then(Item::as_array_of_tables_mut);
+        let Some(table) = tables.and_then(|tables| tables.get_mut(object)) else { return };
+        let tessellation = table.get_mut("tessellation").and_then(Item::as_table_like_mut);
+        match tessellation {
+            Some(tessellation) => drop(tessellation.insert("segments", Item::Value(list))),
+            None => drop(table.insert("tessellation", value(InlineTable::from_iter([("segments", list)])))),
+        }
+        if let Some(Item::Value(tessellation)) = table.get_mut("tessellation") {
+            tessellation.decor_mut().set_suffix(format!(" # {comment}"));
+        }
+    }
+
+    /// Replaces all lights, each with the comment of its table.
+    pub fn set_lights(&mut self, lights: &[(LightModel, String)]) {
+        let mut all = Table::new();
+        all.set_implicit(true);
+        for kind in KINDS {
+            let of_kind = lights.iter().enumerate().filter_map(|(number, (light, comment))| {
+                let light = light.0.as_ref().filter(|light| light.kind() == kind)?;
+                let mut table = light_table(light);
+                // The order of lights, which their sum is formed in.
+                table.set_position(Some(isize::try_from(1000 + number).unwrap_or(isize::MAX)));
+                table.decor_mut().set_prefix(if comment.is_empty() {
+                    "\n".into()
+                } else {
+                    format!("\n# {comment}\n")
+                });
+                Some(table)
+            });
+            let tables: ArrayOfTables = of_kind.collect();
+            if !tables.is_empty() {
+                all.insert(kind, Item::ArrayOfTables(tables));
+            }
+        }
+        self.0.insert("light", Item::Table(all));
+    }
+
+    /// Sets the camera.
+    pub fn set_camera(&mut self, camera: &Camera) {
+        let mut table = Table::new();
+        for (key, vector) in [("eye", camera.eye), ("target", camera.target), ("up", camera.up)] {
+            table.insert(key, value(list(vector)));
+        }
+        match camera.projection {
+            Projection::Perspective(angle) => table.insert("angle", value(Degrees::from(angle).0)),
+            Projection::Orthographic(height) => table.insert("height", value(height)),
+        };
+        table.insert("near", value(camera.near));
+        self.0.insert("camera", Item::Table(table));
+    }
+
+    /// Writes a comment before everything else.
+    pub fn set_head(&mut self, comment: &str) {
+        let lines: String = comment.lines().map(|line| format!("# {line}\n")).collect();
+        let decor = self.0.decor_mut();
+        let old = decor.prefix().and_then(|prefix| prefix.as_str()).unwrap_or_default().to_owned();
+        decor.set_prefix(format!("{lines}{old}"));
+    }
+}
+
+/// The text of a scene file; of a mesh file, that of a scene that shows it with the camera and the lights that it has.
+///
+/// # Errors
+/// What makes the file unreadable.
+pub fn scene_text(path: &Path, options: &LoadOptions) -> Result<String, ReadError> {
+    if is_scene(path) {
+        return read_text(path, options);
+    }
+    let file = load(path, None, options)?;
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let mut document = Document(DocumentMut::new());
+    let mut table = Table::new();
+    table.insert("mesh", value(name));
+    document.0.insert("object", Item::ArrayOfTables([table].into_iter().collect()));
+    if let Some(camera) = &file.camera {
+        document.set_camera(camera);
+    }
+    if let Some(lights) = &file.lights {
+        let lights: Vec<_> = lights.iter().map(|light| (LightModel(Some(*light)), String::new())).collect();
+        document.set_lights(&lights);
+    }
+    Ok(document.to_string())
+}
+
+/// The text of a scene file with another size of its picture.
+///
+/// # Errors
+/// What is no TOML.
+pub fn with_size(text: &str, size: [u32; 2]) -> Result<String, TomlError> {
+    let mut document: DocumentMut = text.parse()?;
+    document["settings"]["size"] = value(size.map(i64::from).into_iter().collect::<Array>());
+    Ok(document.to_string())
+}
+
+impl std::fmt::Display for Document {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+/// A material with some of its terms.
+pub fn with_terms(material: &Material, terms: Terms) -> Material {
+    use crate::shade::Reflectance;
+    match terms {
+        Terms::Declared => *material,
+        Terms::Blinn => Material {
+            reflection: Reflection::Blinn,
+            exponent: blinn_exponent(material.exponent),
+            ..*material
+        },
+        Terms::Diffuse => Material { specular: Reflectance::NONE, ..*material },
+        Terms::Ambient => Material { diffuse: Reflectance::NONE, specular: Reflectance::NONE, ..*material },
+    }
+}
+
+fn list(vector: DVec3) -> Array {
+    vector.to_array().into_iter().collect()
+}
+
+fn colour(colour: LinearRgb) -> Array {
+    colour.to_array().into_iter().collect()
+}
+
+fn material_table(material: &Material) -> InlineTable {
+    let mut table = InlineTable::new();
+    let reflectances =
+        [("ambient", material.ambient), ("diffuse", material.diffuse), ("specular", material.specular)];
+    for (key, reflectance) in reflectances {
+        table.insert(key, colour(reflectance.merged()).into());
+    }
+    table.insert("exponent", material.exponent.into());
+    let is_blinn = material.reflection == Reflection::Blinn;
+    table.insert("reflection", if is_blinn { "blinn" } else { "phong" }.into());
+    table
+}
+
+fn light_table(light: &Light) -> Table {
+    let mut table = Table::new();
+    let mut add = |key: &str, new: Value| drop(table.insert(key, Item::Value(new)));
+    match *light {
+        Light::Ambient { .. } => {}
+        Light::Directional { towards, .. } => add("towards", list(towards).into()),
+        Light::Point { position, attenuation, .. } => {
+            add("position", list(position).into());
+            add("attenuation", attenuation_value(attenuation));
+        }
+        Light::Spot { position, attenuation, cone, .. } => {
+            add("position", list(position).into());
+            add("axis", list(cone.axis).into());
+            add("attenuation", attenuation_value(attenuation));
+            add("cut-off", degrees(cone.cut_off.0));
+            add("soft-edge", degrees(cone.soft_edge.0));
+            add("exponent", cone.exponent.into());
+        }
+        Light::Area { shape: AreaShape::Rectangle { centre, u, v }, .. } => {
+            add("centre", list(centre).into());
+            add("u", list(u).into());
+            add("v", list(v).into());
+        }
+        Light::Area { shape: AreaShape::Disc { centre, normal, radius }, .. } => {
+            add("centre", list(centre).into());
+            add("normal", list(normal).into());
+            add("radius", radius.into());
+        }
+    }
+    add("colour", colour(light.colour()).into());
+    table
+}
+
+fn degrees(radians: f64) -> Value {
+    Degrees::from(crate::num::Radians(radians)).0.into()
+}
+
+fn attenuation_value(attenuation: Attenuation) -> Value {
+    let of = |key: &str, inner: Value| InlineTable::from_iter([(key, inner)]).into();
+    match attenuation {
+        Attenuation::None => "none".into(),
+        Attenuation::InverseSquare => "inverse-square".into(),
+        Attenuation::InverseSquareWithin(range) => of("inverse-square-within", range.into()),
+        Attenuation::Offset(k) => of("offset", k.into()),
+        Attenuation::Quadratic(coefficients) => {
+            of("quadratic", Value::Array(coefficients.into_iter().collect()))
+        }
+    }
+}
