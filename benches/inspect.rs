@@ -142,7 +142,7 @@ fn loaded(mesh: &Mesh) -> Loaded {
     }
 }
 
-/// A number of bytes that the system tells of this process; 0 where it does not.
+/// A number of bytes that the system reports for this process; 0 if it does not.
 fn status(name: &str) -> f64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix(name));

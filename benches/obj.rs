@@ -1,4 +1,4 @@
-//! Reading OBJ: ours on one thread and on all, beside `tobj` on the same bytes, and writing it again.
+//! Reading OBJ on one thread and on all, compared with `tobj` on the same bytes, and writing it again.
 //!
 //! `cargo bench --bench obj`. Only ratios between rows of one run mean anything. The meshes are displaced grids of a
 //! million triangles: positions and faces alone, and with texture coordinates and normals.

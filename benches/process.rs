@@ -1,16 +1,16 @@
-//! Programs run as processes of their own, with what they take.
+//! Programs run as processes of their own, with the time and memory that they take.
 
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// What one process took.
+/// The time and memory of one process.
 pub struct Run {
     pub seconds: f64,
-    /// Bytes of resident memory at the peak; 0 where the system does not tell.
+    /// Bytes of resident memory at the peak; 0 if the system does not report it.
     pub peak: u64,
 }
 
-/// Runs a program to its good end.
+/// Runs a program, which has to succeed.
 pub fn run(mut command: Command) -> Run {
     let start = Instant::now();
     let mut child = command.stdin(Stdio::null()).spawn().expect("the program starts");
@@ -27,7 +27,7 @@ pub fn run(mut command: Command) -> Run {
     Run { seconds, peak }
 }
 
-/// The peak so far, where the system tells it in `/proc`; 0 elsewhere.
+/// The peak so far, if the system reports it in `/proc`; 0 otherwise.
 fn high_water_mark(process: u32) -> u64 {
     let status = std::fs::read_to_string(format!("/proc/{process}/status")).unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));

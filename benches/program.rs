@@ -1,4 +1,4 @@
-//! The whole program beside only loading the same file: `crease normals big.obj --crease off -o out.glb` against `tobj`.
+//! The whole program compared with only loading the file: `crease normals big.obj --crease off -o out.glb` against `tobj`.
 //!
 //!     cargo bench --bench program -- [ROUNDS] [TRIANGLES]
 //!

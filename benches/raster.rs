@@ -73,7 +73,7 @@ struct Model {
     face_normals: Vec<[f32; 3]>,
 }
 
-/// A torus of about so many triangles, in rows round the tube.
+/// A torus of about this many triangles, in rows around the tube.
 fn torus(triangles: usize) -> Model {
     let around = ((triangles as f64).sqrt() as usize).next_multiple_of(2);
     let across = (triangles / 2).div_ceil(around);

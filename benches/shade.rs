@@ -57,7 +57,7 @@ fn main() {
     for (name, with, without) in [
         ("a highlight of coefficient 0", "sun, k_s = 0", "sun, matte"),
         ("a black point light", "sun, matte, and a black point light", "sun, matte"),
-        ("a viewer near by, nobody asks for him", "sun, matte, viewer near", "sun, matte"),
+        ("a near viewer that nothing uses", "sun, matte, viewer near", "sun, matte"),
     ] {
         println!("| {name} | {:.2}× |", of(with) / of(without));
     }

@@ -1,4 +1,4 @@
-//! What everybody writes first: a rasterizer in one thread, a pixel at a time.
+//! The plain code to compare with: a rasterizer in one thread, a pixel at a time.
 
 use crease::raster::{Camera, Projection};
 use crease::shade::Material;
@@ -21,7 +21,7 @@ pub struct Baseline {
     turn: Mat3,
     scale: f32,
     towards: Vec3,
-    /// Ambient is left out: the scene has none. Diffuse and specular for each component.
+    /// Ambient is omitted: the scene has none. Diffuse and specular for each component.
     reflect: [Vec3; 2],
     vertices: Vec<Vertex>,
     depth: Vec<f32>,

@@ -218,7 +218,7 @@ pub(super) enum Diagonal {
 }
 
 impl TriangleMesh {
-    /// Triangles with area only: others have no normal and are left out.
+    /// Triangles with area only: others have no normal and are omitted.
     pub(super) fn new(positions: &[DVec3], triangles: Vec<[u32; 3]>, normals: &[DVec3]) -> Self {
         let single = |v: &DVec3| v.as_vec3().to_array();
         let area = |t: &[u32; 3]| {

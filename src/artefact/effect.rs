@@ -15,15 +15,15 @@ pub struct Effect {
     pub name: Text,
     /// Its unit; empty for none.
     pub unit: &'static str,
-    /// With the artefact.
+    /// The number with the artefact.
     pub bad: f64,
     /// The size above which there is an artefact.
     pub present: Threshold,
-    /// What was done about it.
+    /// How the artefact is removed.
     pub cure: Text,
-    /// After that.
+    /// The number after that.
     pub cured: f64,
-    /// How many times smaller the cure has to make it.
+    /// The factor by which the cure has to reduce the number.
     pub factor: f64,
 }
 
@@ -101,7 +101,7 @@ pub(super) fn judged<S: Serializer>(effect: &Effect, serializer: S) -> Result<S:
 pub enum Role {
     /// The artefact.
     Bad,
-    /// The same without, or with little of it.
+    /// The same without the artefact, or with little of it.
     Cured,
     /// A cure that does too little.
     Attempt,
@@ -122,9 +122,9 @@ pub struct Amount {
     pub name: Text,
     /// Its unit; empty for none.
     pub unit: &'static str,
-    /// What was found.
+    /// The measured value.
     pub value: f64,
-    /// From what size on it is seen.
+    /// The size above which it is visible.
     pub present: Threshold,
 }
 
@@ -135,11 +135,11 @@ pub struct Shot {
     pub name: &'static str,
     /// What it shows.
     pub role: Role,
-    /// What stands below it, in a few words.
+    /// The label below it, in a few words.
     pub label: Text,
-    /// What there is to see in it, in a sentence: also for those who cannot see it.
+    /// What it shows, in a sentence: its alternative text.
     pub caption: Text,
-    /// What its role follows from; none of differences and of the surface itself.
+    /// The amount that determines its role; `None` for differences and for the surface itself.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub measured: Option<Amount>,
     /// The picture, with its linear samples.

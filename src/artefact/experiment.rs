@@ -19,11 +19,11 @@ pub struct Experiment {
     /// `formula-N-says` (closed forms), `own-mesh` (what is measured on a user's mesh) and `shown-by` (how to show the
     /// artefact where it is absent: the end of a sentence).
     pub(super) texts: &'static Catalogue,
-    /// What may be changed about it.
+    /// The parameters that it takes.
     pub takes: &'static [ParameterName],
-    /// How many segments it makes sense with, if it takes [`ParameterName::Segments`].
+    /// The valid numbers of segments, if it takes [`ParameterName::Segments`].
     pub segments: RangeInclusive<u32>,
-    /// Its own settings.
+    /// The default parameters.
     pub defaults: Parameters,
     pub(super) run: fn(&Setup) -> Result<Outcome, ArtefactError>,
     pub(super) frame: Option<FrameFn>,
@@ -31,12 +31,12 @@ pub struct Experiment {
 
 pub(super) type FrameFn = fn(&Setup, u32, u32) -> Result<Image, ArtefactError>;
 
-/// A formula in LaTeX notation, and what it says.
+/// A formula in LaTeX notation, and its meaning.
 #[derive(Debug, Serialize)]
 pub struct Formula {
     /// The formula.
     pub notation: Text,
-    /// What it gives.
+    /// Its meaning in words.
     pub says: Text,
 }
 
@@ -51,12 +51,12 @@ impl Experiment {
         self.texts.get("claim")
     }
 
-    /// Who makes the claim and who denies it.
+    /// The publications that make the claim or deny it.
     pub fn sources(&self) -> Vec<Text> {
         self.texts.list("source")
     }
 
-    /// What a user's mesh is examined for; `None` if it takes none.
+    /// What is measured on a user's mesh; `None` if it takes none.
     pub fn own_mesh(&self) -> Option<Text> {
         self.takes.contains(&ParameterName::Mesh).then(|| self.texts.get("own-mesh"))
     }
@@ -67,7 +67,7 @@ impl Experiment {
     /// [`Verdict::Absent`].
     ///
     /// # Errors
-    /// Parameters out of range, a mesh that does not suit, or what cannot be drawn.
+    /// Parameters out of range, a mesh that does not suit, or a picture that cannot be drawn.
     pub fn run(&self, setup: &Setup) -> Result<Outcome, ArtefactError> {
         self.check(setup)?;
         let mut outcome = (self.run)(setup)?;
@@ -146,7 +146,7 @@ impl Experiment {
         Err(ArtefactError::request("own-segments", &values))
     }
 
-    /// The least and the most of a number that it takes; `None` for what is no number, and for what it does not take.
+    /// The range of a number that it takes; `None` for parameters that are no numbers, and for those that it does not take.
     pub fn range(&self, name: ParameterName) -> Option<RangeInclusive<f64>> {
         match name {
             _ if !self.takes.contains(&name) => None,

@@ -48,7 +48,7 @@ pub fn experiment(id: &str) -> Result<&'static Experiment, ArtefactError> {
 }
 
 impl Experiment {
-    /// Draws one frame, counted from 0, of an animation of so many.
+    /// Draws one frame, counted from 0, of an animation of `count` frames.
     ///
     /// # Errors
     /// As [`run`](Self::run), and if it has no animation.

@@ -5,7 +5,7 @@ use super::effect::{Role, Shot};
 use crate::text::Text;
 use serde::{Serialize, Serializer};
 
-/// Everything that came of a run.
+/// The results of a run.
 #[derive(Clone, Debug, Serialize)]
 pub struct Outcome {
     /// Whether the claim holds here.
@@ -67,14 +67,14 @@ impl Outcome {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "verdict", content = "condition", rename_all = "kebab-case")]
 pub enum Verdict {
-    /// Wherever it was tested: under these conditions.
+    /// It holds under the tested conditions, which are these.
     Holds(Text),
-    /// Under this condition; it fails without.
+    /// It holds only under this condition.
     HoldsOnlyIf(Text),
-    /// Not here, for this reason.
+    /// It fails here, for this reason.
     Fails(Text),
-    /// It is not put to the test: with these parameters nothing of its artefact is seen ([`Effect::is_present`]). These would
-    /// show it.
+    /// It is not tested, because the artefact is not visible with these parameters ([`Effect::is_present`]). The text names
+    /// parameters that show it.
     Absent(Text),
 }
 
@@ -90,36 +90,36 @@ impl Verdict {
     }
 }
 
-/// A measured number. As JSON it has one member more where something is known about it: `agrees`.
+/// A measured number. In JSON it has one more member if an expected value is known: `agrees`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measure {
     /// What it measures.
     pub name: Text,
     /// Its unit; empty for none.
     pub unit: &'static str,
-    /// What was found.
+    /// The measured value.
     pub value: f64,
-    /// What it is held against.
+    /// The expected value.
     pub expected: Option<Expected>,
-    /// Why it is held against nothing, where with other parameters it is.
+    /// The reason why it has no expected value, if it has one with other parameters.
     pub beyond: Option<Text>,
 }
 
-/// What a number should be, and who says so.
+/// The expected value of a number, and its source.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Expected {
-    /// Where it has to lie.
+    /// The range in which the number has to be.
     #[serde(flatten)]
     pub range: Range,
     /// The closed form or the other way to compute it, and why the tolerance is what it is.
     pub by: Text,
 }
 
-/// Where a number has to lie.
+/// The range in which a number has to be.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Range {
-    /// About the value of a closed form, or of an independent computation.
+    /// Near the value of a closed form, or of an independent computation.
     Near {
         /// That value.
         value: f64,
@@ -134,7 +134,7 @@ pub enum Range {
 }
 
 impl Range {
-    /// Whether a number lies there; what is not a number lies nowhere.
+    /// Whether a number is in the range; NaN never is.
     fn contains(self, found: f64) -> bool {
         match self {
             Range::Near { value, tolerance } => (found - value).abs() <= tolerance,
@@ -144,7 +144,7 @@ impl Range {
 }
 
 impl Measure {
-    /// Whether it is what it should be; `None` where nothing is known.
+    /// Whether it is in the expected range; `None` if none is known.
     pub fn agrees(&self) -> Option<bool> {
         Some(self.expected.as_ref()?.range.contains(self.value))
     }
@@ -179,9 +179,9 @@ pub struct Chart {
     pub title: Text,
     /// What it shows, in words.
     pub caption: Text,
-    /// Across.
+    /// The horizontal axis.
     pub x: Scale,
-    /// Upwards.
+    /// The vertical axis.
     pub y: Scale,
     /// What is drawn.
     pub curves: Vec<Curve>,
@@ -217,7 +217,7 @@ pub enum Drawn {
     Points,
     /// Signs, and lines between them.
     Line,
-    /// A dotted line: what theory says, or a border.
+    /// A dotted line: a prediction of theory, or a border.
     Guide,
 }
 

@@ -8,7 +8,7 @@ pub const NONE: u32 = u32::MAX;
 /// How the corners of a mesh refer to the values of a [`Column`].
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum ColumnIndex {
-    /// Value `v` belongs to vertex `v`, whichever corner asks.
+    /// Value `v` belongs to vertex `v`, at all of its corners.
     #[default]
     PerVertex,
     /// One index a corner, [`NONE`] where there is no value.
@@ -20,7 +20,7 @@ pub enum ColumnIndex {
 pub struct Column<T> {
     /// The values, in the order of the file that they came from.
     pub values: Vec<T>,
-    /// Which corner has which.
+    /// Which corner has which value.
     pub index: ColumnIndex,
 }
 

@@ -123,7 +123,7 @@ impl Topology {
         !self.without_length.is_empty() && self.without_length[half_edge as usize]
     }
 
-    /// Whether fans go on at the other end of a half-edge, within its face.
+    /// Whether fans continue at the other end of a half-edge, within its face.
     #[inline]
     pub(crate) fn is_no_edge(&self, half_edge: u32) -> bool {
         self.has_no_length(half_edge) || self.link(half_edge) == Link::Collapsed
@@ -252,12 +252,12 @@ mod tests {
     fn a_flat_triangle_hands_an_edge_on_and_stands_in_no_way() {
         let seam = [[0., 0., 0.], [0., 1., 0.]];
         let positions = [&[[-1., 0., 0.]][..], &seam, &seam, &[[1., 0., 0.]], &seam[..1], &seam].concat();
-        // It shares an edge with the left side by index: its other edge goes on to the right side's.
+        // It shares an edge with the left side by index: its other edge continues to the right side's.
         let handing: [&[u32]; 3] = [&[0, 1, 2], &[2, 1, 6], &[5, 4, 3]];
         let topology = Topology::build(&mesh(&positions, &handing), Weld::Exact);
         assert_eq!((topology.link(1), topology.link(5)), (Link::Twin(3), Link::Welded(7)));
         assert_eq!((topology.link(4), topology.has_no_length(4)), (Link::Boundary, true));
-        // On its own, it is left out, and the two sides meet.
+        // On its own, it is ignored, and the two sides meet.
         let alone: [&[u32]; 3] = [&[0, 1, 2], &[7, 8, 6], &[5, 4, 3]];
         let topology = Topology::build(&mesh(&positions, &alone), Weld::Exact);
         assert_eq!((topology.link(1), topology.link(7)), (Link::Welded(7), Link::Welded(1)));

@@ -34,7 +34,7 @@ pub struct Triangulation {
 ///   corners on a circle, a rectangle above all) the shorter diagonal is taken; where these agree too, the
 ///   diagonal that ends at the corner whose position is the smallest in lexicographic order, so that a grid of
 ///   rectangles is cut along parallel diagonals. The choice does not depend on where the list of corners starts.
-/// - A polygon of five corners or more gets the constrained Delaunay triangulation of its projection along its
+/// - A polygon of five corners or more has the constrained Delaunay triangulation of its projection along its
 ///   vector area, summed relative to the first corner. Corners on a straight edge, holes joined to the outside
 ///   by a bridge of two coincident edges, and repeated positions are right.
 ///

@@ -51,7 +51,7 @@ impl Topology {
         (topology, near)
     }
 
-    /// Marks the edges whose two ends are different vertices at equal positions: fans of the two go on into each other. So the
+    /// Marks the edges whose two ends are different vertices at equal positions: fans of the two continue into each other. So the
     /// pole of a sphere whose first row is many vertices at one position has one fan.
     fn find_edges_without_length(&mut self, mesh: &Mesh) {
         let (corners, positions) = (mesh.faces().corners(), mesh.positions());

@@ -55,8 +55,8 @@ impl Profile {
     }
 }
 
-/// Pixels in a degree of sight: a monitor 0.7 m wide with 3840 pixels, seen from 0.7 m (the viewing conditions of FLIP,
-/// Andersson et al. 2020).
+/// Pixels in a degree of the field of view: a monitor 0.7 m wide with 3840 pixels, seen from 0.7 m (the viewing conditions of
+/// FLIP, Andersson et al. 2020).
 pub const PIXELS_PER_DEGREE: f64 = 67.0;
 
 /// A receptive field with an exciting centre and an inhibiting surround: the Gaussian of the centre less that of the surround,

@@ -585,7 +585,7 @@ mod tests {
             let field = compute(&floor_and_wall(gap), &NormalRecipe::default());
             // The floor meets the wall across the face between them, at every edge of that face.
             assert_eq!((field.summary.edges.smooth, field.summary.edges.crease), (0, 3), "{gap:e}");
-            // At both ends the floor, the wall and the face between them go apart.
+            // At both ends the floor, the wall and the face between them have separate normals.
             assert_eq!(field.summary.splits, 4);
         }
         let flat = NormalRecipe { crease: Crease::Angle(Degrees(100.0)), ..NormalRecipe::default() };
@@ -595,8 +595,8 @@ mod tests {
         assert_eq!(compute(&floor_and_wall(0.0), &near).summary.near_crease, 3);
     }
 
-    /// In text of two decimals the right angle of floor and wall is off by up to a degree: the edges between them are near
-    /// it all the same, also across the face without a say.
+    /// In text of two decimals the right angle of floor and wall is off by up to a degree. The edges between them are still near
+    /// the crease angle, also across the face that is not counted.
     #[test]
     fn edges_next_to_a_face_without_a_say_are_near_within_what_digits_allow() {
         let exact = floor_and_wall(0.0);
@@ -609,7 +609,7 @@ mod tests {
             let mut positions: Vec<DVec3> = exact.positions().iter().map(|p| turn * (p * 3.0)).collect();
             positions.iter_mut().for_each(|p| *p = DVec3::from(p.to_array().map(round)));
             positions[4] = (positions[1] + positions[2]) * 0.5;
-            // Digits enough to tell that there are two decimals.
+            // Enough digits to show that there are two decimals.
             positions.extend((1..9).map(|n| DVec3::splat(0.11 * f64::from(n))));
             let (faces, storage) = (exact.faces().clone(), Storage::F64);
             let rounded = MeshBuilder {

@@ -188,7 +188,7 @@ fn coordinates_at_the_ends_of_f64_are_right_or_reported() {
             .collect();
         assert_eq!(check_angles(&polygons, Storage::F64), 0, "2^{exponent}");
     }
-    // Every coordinate anywhere: what cannot be told is reported, and what is not is right.
+    // Every coordinate has a magnitude of its own: normals are right, or reported as out of range.
     let polygons: Vec<Vec<DVec3>> = (0..2000)
         .map(|i| (0..3 + i % 3).map(|_| DVec3::from(std::array::from_fn(|_| numbers.spread(1020)))).collect())
         .collect();

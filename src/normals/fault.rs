@@ -1,11 +1,11 @@
 //! Why elements have fallback normals, and how often.
 
-/// Why a face or a corner has no normal of its own. It got a documented unit fallback instead.
+/// Why a face or a corner has no normal of its own, but a documented unit fallback.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum FaultReason {
     /// A face whose area is exactly zero.
     ZeroArea,
-    /// A face lower than the rounding of its own coordinates: its direction is noise.
+    /// A face whose height is below the rounding of its own coordinates: its direction is noise.
     BelowStorage,
     /// Weighted face normals that cancel: with κ = Σ|w| / |Σ w n̂|, the error bound 2⁻⁵³ (n + 20) κ of a sum of n faces is
     /// above 10⁻³ rad. That is κ above 3·10¹¹ for six faces.

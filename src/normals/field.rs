@@ -51,10 +51,10 @@ pub struct Summary {
     pub referenced_vertices: usize,
     /// Entries minus referenced vertices.
     pub splits: usize,
-    /// Edges, each counted once, by what they are.
+    /// Edges, each counted once, by kind.
     pub edges: EdgeCounts,
-    /// Edges whose dihedral angle is within 0.1° of the crease angle, or within what the digits allow where positions were
-    /// rounded to few decimals: as far as the normals of the two faces can have turned by that.
+    /// Edges whose dihedral angle is within 0.1° of the crease angle. If positions were rounded to few decimals, the tolerance is
+    /// the angle by which that can rotate the normals of the two faces.
     pub near_crease: usize,
     /// Normals kept although the weighted normals of their faces nearly cancel, and the bound on their error.
     pub near_cancellation: NearCancellation,
@@ -86,7 +86,7 @@ pub struct Summary {
 pub struct NearCancellation {
     /// How many.
     pub normals: usize,
-    /// No error is larger, in radians: 10⁻⁵, 10⁻⁴ or 10⁻³.
+    /// The largest possible error, in radians: 10⁻⁵, 10⁻⁴ or 10⁻³.
     pub bound: f64,
 }
 
@@ -109,7 +109,7 @@ impl std::ops::Add for NearCancellation {
     }
 }
 
-/// Edges by what they are. An edge that is hard for several reasons is counted under the first that applies.
+/// Edges by kind. An edge that is hard for several reasons is counted under the first that applies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub struct EdgeCounts {
     /// Smooth edges between two faces.
@@ -118,7 +118,7 @@ pub struct EdgeCounts {
     pub boundary: usize,
     /// Edges of more than two faces.
     pub non_manifold: usize,
-    /// Edges that two faces run through the same way.
+    /// Edges that two faces run through in the same direction: one of the two is reversed.
     pub inconsistent: usize,
     /// Coincident edges that could be joined in several ways, and were not.
     pub ambiguous: usize,

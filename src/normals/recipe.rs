@@ -109,7 +109,7 @@ pub enum Groups {
     /// They decide which edges are hard.
     #[default]
     Honour,
-    /// They are left aside.
+    /// They are ignored.
     Ignore,
 }
 
@@ -124,17 +124,17 @@ pub struct HardEdges {
     pub authored: bool,
 }
 
-/// What faces thinner than the rounding of their coordinates count.
+/// The weight of slivers: faces whose height is below the rounding of their coordinates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Slivers {
-    /// Nothing, unless a smooth group has no other face.
+    /// None, unless a smooth group has no other face.
     #[default]
     Exclude,
-    /// As any other face.
+    /// The same as that of any other face.
     Keep,
 }
 
-/// How carefully to compute.
+/// The precision of the computation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Precision {
@@ -151,9 +151,9 @@ pub enum Precision {
 pub struct Averaging {
     /// How much each face counts.
     pub weight: Weight,
-    /// What slivers count.
+    /// The weight of slivers.
     pub slivers: Slivers,
-    /// How carefully to compute.
+    /// The precision of the computation.
     pub precision: Precision,
 }
 
@@ -182,9 +182,9 @@ pub struct NormalRecipe {
     pub hard_edges: HardEdges,
     /// Which coincident edges are joined.
     pub weld: Weld,
-    /// What slivers count.
+    /// The weight of slivers.
     pub slivers: Slivers,
-    /// How carefully to compute.
+    /// The precision of the computation.
     pub precision: Precision,
     /// Whether hard edges give a vertex several normals.
     pub scope: Scope,

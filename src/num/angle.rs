@@ -36,7 +36,7 @@ impl Degrees {
 }
 
 /// The angle between two vectors by atan2(|a×b|, a·b): exact to the last digits for angles of any size, where an arc cosine
-/// is blind below 1.5·10⁻⁸ rad.
+/// has no accuracy below 1.5·10⁻⁸ rad.
 pub fn angle_between(a: DVec3, b: DVec3) -> Radians {
     Radians(libm::atan2(a.cross(b).length(), a.dot(b)))
 }

@@ -11,7 +11,7 @@ const LARGEST_SQUARED: f64 = 128.0;
 const LANES: usize = 16;
 
 /// log2 m = Σ c_k s^(2k+1) with s = (m−1)/(m+1), |s| ≤ 0.1716: c_k = 2/((2k+1) ln 2).
-/// The first term left out is below 2^-28 of the sum with 5 terms (`f32`) and below 2^-55 with 10 (`f64`).
+/// The first omitted term is below 2^-28 of the sum with 5 terms (`f32`) and below 2^-55 with 10 (`f64`).
 const LOG2: [f64; 10] = {
     let mut c = [0.0; 10];
     let mut k = 0;
@@ -23,7 +23,7 @@ const LOG2: [f64; 10] = {
 };
 
 /// 2^r = Σ c_k r^k with |r| ≤ ½: c_k = (ln 2)^k / k!.
-/// The first term left out is below 2^-27 with 8 terms (`f32`) and below 2^-57 with 14 (`f64`).
+/// The first omitted term is below 2^-27 with 8 terms (`f32`) and below 2^-57 with 14 (`f64`).
 const EXP2: [f64; 14] = {
     let mut c = [1.0; 14];
     let mut k = 1;

@@ -77,13 +77,13 @@ pub struct PartOutcome {
     /// Chains of crease edges.
     #[serde(skip)]
     pub crease_chains: CreaseChains,
-    /// Edges by what they are.
+    /// Edges by kind.
     pub edges: EdgeCounts,
     /// Faults of the computation.
     pub faults: FaultCounts,
     /// Corners that keep their stored normal.
     pub kept_corners: usize,
-    /// Corners that got a computed normal although not all were to be replaced.
+    /// Corners with a computed normal, if not all were to be replaced.
     pub replaced_corners: Counts,
     /// Where the first faults are: of faces, of corners, of vertices, at most [`MOST_PLACES`] of each.
     #[serde(skip_serializing_if = "Vec::is_empty")]

@@ -21,7 +21,8 @@ pub struct Revision {
 
 /// Computes what a task changes in a file that will be written as `target`; `None` if it will not be written.
 ///
-/// `done` gets the number of faces of each finished part, from any thread. Parts without faces do not change. The result is the same for any number of threads.
+/// `done` is called with the number of faces of each finished part, from any thread. Parts without faces do not change. The
+/// result is the same for any number of threads.
 pub fn revise(
     loaded: &Loaded,
     task: &Task,

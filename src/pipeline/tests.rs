@@ -8,8 +8,8 @@ use crate::mesh::{Column, ColumnIndex, Faces, MeshBuilder, NONE};
 use crate::normals::{self, When};
 use glam::DVec3;
 
-/// A tetrahedron with its third face turned round, a face without area, and a face that stands for one with
-/// a position that is not finite.
+/// A tetrahedron with its third face reversed, a face without area, and a face that represents one with a position that is not
+/// finite.
 fn part(normals: Option<Column<DVec3>>) -> Part {
     let positions = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z, DVec3::X * 2.0, DVec3::ONE];
     let mut faces = Faces::new();
@@ -36,7 +36,7 @@ fn revise_one(part: &Part, task: &Task, target: Option<Format>) -> (PartEdit, Pa
     (revision.edits.pop().unwrap(), revision.parts.pop().unwrap())
 }
 
-/// The normal at each corner of the output, found in the way of a writer.
+/// The normal at each corner of the output, found as a writer does.
 fn written(part: &Part, edit: &PartEdit) -> Vec<DVec3> {
     let (_, order) = edit.faces.corner_order(part.mesh.faces());
     let normals = edit.normals.as_ref().unwrap();
@@ -44,7 +44,7 @@ fn written(part: &Part, edit: &PartEdit) -> Vec<DVec3> {
     order.iter().map(|&c| *normals.get(c as usize, corners[c as usize]).expect("a normal")).collect()
 }
 
-/// What the library computes on the mesh as it stands in the output.
+/// The normals that the library computes for the mesh of the output.
 fn expected(part: &Part, edit: &PartEdit, task: &Task) -> Vec<DVec3> {
     let mesh = part.mesh.with_faces(&edit.faces);
     let field = normals::compute(&mesh, &task.recipe);
@@ -184,8 +184,8 @@ fn good_stored_normals_stay_and_turned_ones_are_new() {
     assert_eq!(written(&turned, &edit)[12], -outward[4]);
 }
 
-/// Faces 1 and 2 are told by the numbers of the file although face 0 is dropped, and corners by the order of
-/// the file although a face is turned round.
+/// Faces have their numbers in the file although face 0 is dropped, and corners have the order of the file although a face is
+/// reversed.
 #[test]
 fn places_are_those_of_the_file() {
     let positions = vec![DVec3::NAN, DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::X * 2.0];
@@ -199,7 +199,7 @@ fn places_are_those_of_the_file() {
         let task = Task { flip, when: When::Broken, ..Task::default() };
         let (_, outcome) = revise_one(&part, &task, None);
         assert!(outcome.fault_places.contains(&FaultPlace { spot: Spot::Face(1), reason: "ZeroArea" }));
-        // Turned values become new ones, so what is no unit vector has been left out before.
+        // Flipping makes new values and omits those that are no unit vectors.
         let broken = FaultPlace { spot: Spot::Corner { face: 2, corner: 2, vertex: 3 }, reason: "Length" };
         let expected = if flip { vec![] } else { vec![broken] };
         assert_eq!(outcome.broken_places, expected);

@@ -33,7 +33,7 @@ impl Family {
     }
 }
 
-/// What the catalogue says of a kind of finding.
+/// The entry of a kind of finding.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
     /// The kind.
@@ -180,7 +180,7 @@ impl Kind {
         }
     }
 
-    /// What the catalogue says of it.
+    /// Its entry in the catalogue.
     pub fn entry(self) -> &'static Entry {
         &ENTRIES[self as usize]
     }

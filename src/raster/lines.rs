@@ -287,7 +287,7 @@ mod tests {
     use crate::shade::Material;
     use crate::surface::Sphere;
 
-    /// The columns that are looked at hold every pixel that the line touches.
+    /// The columns that are checked contain every pixel that the line touches.
     #[test]
     fn no_touched_pixel_is_left_out() {
         let mut numbers = Numbers::new(9);
@@ -398,7 +398,7 @@ mod tests {
         assert_eq!(long.count(), 0);
     }
 
-    /// Faces that are left out take with them the edges that only they have, on either side of a mirror and of the eye, at
+    /// Faces that are not drawn hide the edges that only they have, on either side of a mirror and of the eye, at
     /// any size. All faces of the octahedron look away from its middle.
     #[test]
     fn faces_that_are_left_out_have_no_edges() {

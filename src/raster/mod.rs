@@ -1,12 +1,11 @@
 //! Polygons to pixels (layer 3).
 //!
-//! [`render`] takes a [`Scene`] and [`RenderSettings`] and gives an [`Image`]. On the way vertices are placed on the
-//! picture and snapped, triangles are clipped and sorted into tiles of 64 × 64 pixels, and tile by tile it is found out
-//! what is seen; only that is shaded.
+//! [`render`] takes a [`Scene`] and [`RenderSettings`] and returns an [`Image`]. Vertices are placed on the picture and snapped,
+//! triangles are clipped and sorted into tiles of 64 × 64 pixels, and each tile finds and shades the visible ones.
 
 // Why a scene cannot be drawn.
 mod error;
-// Everything that changes the picture, apart from the scene.
+// Everything that changes the picture, except the scene.
 mod settings;
 // Objects, lights and lines.
 mod scene;

@@ -19,9 +19,9 @@ pub struct Scene<'a> {
     pub objects: Vec<Object<'a>>,
     /// Lines in addition to those of [`Shading::Wireframe`](crate::raster::Shading::Wireframe): overlays.
     pub lines: Vec<Lines>,
-    /// What lights them.
+    /// The lights.
     pub lights: Vec<Light>,
-    /// Where they are seen from.
+    /// The camera.
     pub camera: Camera,
     /// The colour where no object is visible.
     pub background: LinearRgb,
@@ -45,7 +45,7 @@ pub struct Object<'a> {
 }
 
 impl<'a> Object<'a> {
-    /// A shape where it is, in a material.
+    /// A shape at its own position, in a material.
     pub fn new(shape: Shape<'a>, material: Material) -> Self {
         Self {
             shape,

@@ -205,7 +205,7 @@ pub struct RenderSettings {
     pub samples: Samples,
     /// Faces that are not drawn.
     pub cull: Cull,
-    /// Light faces seen from behind on that side: their normals are turned round.
+    /// Light faces seen from behind on that side: their normals are flipped.
     pub two_sided: bool,
     /// What is shown.
     pub show: Show,
@@ -218,11 +218,11 @@ pub struct RenderSettings {
     pub terminator: Terminator,
     /// Fading with the distance to the viewer.
     pub depth_cue: Option<DepthCue>,
-    /// What becomes of colours out of range.
+    /// The treatment of colours out of range.
     pub tone: ToneRule,
     /// How linear colours become numbers.
     pub transfer: Transfer,
-    /// How many numbers there are.
+    /// The bits of each component.
     pub bits: Bits,
     /// Keep the linear colours too, at 12 more bytes a pixel.
     pub keep_linear: bool,

@@ -192,17 +192,17 @@ impl Animation {
     /// Bytes of frames that are kept.
     pub const KEPT: usize = 32 << 20;
 
-    /// One picture that stands still.
+    /// A single picture.
     pub const STILL: Animation = Animation { frames: 1, hundredths: 0 };
 
-    /// How many times a frame of this size is asked for: each once, and those that are not kept once more.
+    /// How often a frame of this size is drawn in all: each once, and those that are not kept once more.
     pub fn drawings(&self, size: [u32; 2]) -> usize {
         let bytes = size.iter().map(|&side| side as usize).product::<usize>() * size_of::<[u8; 3]>();
         2 * self.frames - (Self::KEPT / bytes.max(1)).min(self.frames)
     }
 
-    /// Writes the animation as a GIF file. `draw` gives the frame of a number, the same whenever it is asked; of 16-bit
-    /// components the upper half is taken. GIF has no way to say what its numbers mean; viewers take them as sRGB.
+    /// Writes the animation as a GIF file. `draw` returns the frame of a number, the same at each call; of 16-bit components the
+    /// upper half is taken. GIF cannot specify the meaning of its numbers; viewers take them as sRGB.
     ///
     /// # Errors
     /// Those of drawing. If there is no frame, one has not the size of the first, or no size that a GIF can have, and if the

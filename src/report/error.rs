@@ -5,7 +5,7 @@ pub(super) type Result<T, E = ReportError> = std::result::Result<T, E>;
 /// Why a picture cannot be made into a file.
 #[derive(Debug, thiserror::Error)]
 pub enum ReportError {
-    /// The pixels are not as many as the size says.
+    /// The number of pixels does not match the size.
     #[error("a picture of {0} by {1} pixels has {2} of them")]
     Pixels(u32, u32, usize),
     /// A side that the format has no room for.
@@ -38,7 +38,7 @@ pub enum ReportError {
         "a node moves positions beyond the range of numbers, where nothing can be drawn; correct its transform"
     )]
     Range,
-    /// The encoder's own complaint.
+    /// The error of the encoder.
     #[error("could not encode the picture: {0}")]
     Encoder(String),
 }

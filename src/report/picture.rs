@@ -109,9 +109,9 @@ const DIRECT: &str = "Codes are the computed numbers themselves: no transfer cur
 
 /// A picture as a PNG file of 8 or 16 bits a component.
 ///
-/// [`Transfer::Srgb`] marks it as sRGB. Under [`Transfer::Direct`] codes are numbers that no curve was applied to, to be
-/// sent to the screen as they are: the file makes no claim about colour, which viewers would act upon, but says so in a
-/// comment. The same picture gives the same bytes on any machine.
+/// [`Transfer::Srgb`] marks it as sRGB. Under [`Transfer::Direct`] no curve is applied to codes, which are to be sent to the
+/// screen unchanged: the file specifies no colour space, which viewers would apply, but a comment explains this. The same picture
+/// gives the same bytes on any machine.
 ///
 /// # Errors
 /// Sizes that do not fit the pixels or the format.

@@ -14,7 +14,7 @@ pub struct ShadeError {
     pub place: Place,
     /// Which number.
     pub field: &'static str,
-    /// What it is.
+    /// The value that was found.
     pub found: String,
     /// What it should be.
     pub expected: &'static str,

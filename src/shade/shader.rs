@@ -178,7 +178,7 @@ impl<R: Real> Shader<R> {
         }
     }
 
-    /// The shading sum. `record` gets each light with its diffuse and specular terms; `directions` says whether it also
+    /// The shading sum. `record` receives each light with its diffuse and specular terms; `directions`: whether it also
     /// needs L and the attenuation of lights that do not use them.
     pub(super) fn sum(
         &self,

@@ -51,7 +51,7 @@ fn normals_are_cross_products_of_tangents_to_second_order() {
             }
         }
         if errors[0] < 1e-11 {
-            // Central differences of sine and cosine are parallel to their derivatives: what is left is rounding.
+            // Central differences of sine and cosine are parallel to their derivatives: the rest is rounding.
             assert!(
                 matches!(name, "plane" | "cone" | "cylinder" | "sphere" | "ellipsoid" | "torus"),
                 "{name}"
@@ -180,7 +180,7 @@ fn normals_on_collapsed_sides_are_the_limits() {
             assert!((at(1e-9) - at(0.0)).length() < 1e-8, "{number}: {}", at(1e-9));
         }
     }
-    // A side at v = 1 and one at u = 0 or 1: a patch turned round keeps its surface.
+    // A side at v = 1 and one at u = 0 or 1: a rotated patch keeps its surface.
     let lid = teapot()[20].points();
     let turned = BezierPatch::new(std::array::from_fn(|row| lid[3 - row])).unwrap();
     assert_eq!(turned.at(0.3, 1.0).unwrap().normal.get(), DVec3::NEG_Y);

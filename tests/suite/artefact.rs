@@ -112,7 +112,7 @@ fn a_polygon_of_ones_own_is_turned_and_what_does_not_suit_is_refused() {
     let twice = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3 2\n";
     let crossed = "v 0 0 0\nv 3 3 0\nv 3 0 0\nv 0 1 0\nf 1 2 3 4\n";
     let thin = "v 0 0 0\nv 9 0 0\nv 9 0.01 0\nv 0 0.01 0\nf 1 2 3 4\n";
-    // Bow ties whose halves are the same: their areas cancel, in the second but for rounding.
+    // Bow ties with equal halves: their areas cancel, in the second one up to rounding.
     let tie = "v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n";
     let tilted = "v 0.1 0.2 0.3\nv 0.8 1.3 1.1\nv 0.8 0.2 0.7\nv 0.1 1.3 0.7\nf 1 2 3 4\n";
     let needle = "v 0 0 0\nv 0.1 0.3 0.2\nv 0.2 0.6 0.4\nv 0.3 0.9 0.6\nf 1 2 3 4\n";
@@ -180,7 +180,7 @@ fn a_polygon_of_ones_own_is_turned_and_what_does_not_suit_is_refused() {
     }
 }
 
-/// What some experiments have no use for stops none of the others.
+/// A value out of the range of some experiments omits these, and the others run.
 #[test]
 fn all_leaves_out_what_does_not_take_a_value() {
     let output = artefact(&["all", "--segments", "3", "--size", "32", "--json"]);
@@ -199,7 +199,7 @@ fn all_leaves_out_what_does_not_take_a_value() {
     assert!((1..14).contains(&left_out), "{left_out}");
 }
 
-/// An option that only some take is told with their names.
+/// A note names the experiments that an option changes if not all of them take it.
 #[test]
 fn all_reports_what_an_option_changes() {
     let output = artefact(&["all", "--crease", "30", "--exponent", "9", "--size", "32", "--json"]);
@@ -238,7 +238,7 @@ fn the_list_reports_parameters_and_their_ranges() {
     }
 }
 
-/// Wherever the list says that a mesh of one's own is looked at, it is.
+/// Every experiment that takes a user mesh according to the list uses it.
 #[test]
 fn a_mesh_of_ones_own_works_where_the_list_says_so() {
     let gear = path(Path::new(env!("CARGO_MANIFEST_DIR")).join("data/gear.obj"));
@@ -253,7 +253,7 @@ fn a_mesh_of_ones_own_works_where_the_list_says_so() {
         let report = &reports(&output)[0];
         assert_eq!(report["mesh"], gear);
         assert!(report["command"].as_str().unwrap().contains(" --mesh "), "{id}: {}", report["command"]);
-        // Those of a cube or a ball are not true of a gear.
+        // The formulas of a cube or a ball do not hold for a gear.
         assert_eq!(report["formulas"].as_array().map(Vec::len), Some(0), "{id}");
         assert!(!report["outcome"]["verdict"]["verdict"].is_null(), "{id}");
     }
@@ -278,8 +278,8 @@ fn outlines_are_held_against_a_finer_mesh_or_the_mesh_itself() {
     assert_eq!((own["finer"].is_null(), &finer["finer"]), (true, &fine.clone().into()));
     assert!(finer["command"].as_str().unwrap().contains(" --finer "));
     let moved = |report: &Value, case: &str| report["outcome"]["moved"][case].as_f64().unwrap();
-    // The curved triangles come as close to the ball as the finer mesh does: both ways of measuring agree to a fifth of a
-    // pixel of over one.
+    // The curved triangles are as close to the ball as the finer mesh: the two measures exceed one pixel and agree within a fifth
+    // of a pixel.
     assert!(moved(&finer, "bad") > 1.0, "{}", finer["outcome"]["moved"]);
     assert!((moved(&own, "bad") - moved(&finer, "bad")).abs() < 0.2, "{}", own["outcome"]["moved"]);
     assert!(moved(&finer, "cured") < 0.5 * moved(&finer, "bad"), "{}", finer["outcome"]["moved"]);

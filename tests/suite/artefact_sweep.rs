@@ -1,5 +1,5 @@
-//! Every experiment over the whole range of each of its numbers: what is legal is measured right, or says why it is held
-//! against nothing.
+//! Every experiment over the whole range of each of its parameters: the measurement is right for all valid values, or the report
+//! says why there is no expected value.
 
 use crease::artefact::{
     EXPERIMENTS, Experiment, Language, Outcome, ParameterName, Parameters, Role, Setup, Shot, Verdict,
@@ -11,10 +11,10 @@ use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
-/// Small pictures, so that numbers have to know what pixels leave open.
+/// Small pictures, so that measurements must allow for the size of pixels.
 const SIZE: u32 = 40;
 
-/// One setting after the other is changed; the ends of its range are among them.
+/// One parameter at a time is changed, also to the ends of its range.
 fn cases(experiment: &'static Experiment) -> Vec<Parameters> {
     let usual = Parameters { size: SIZE, ..experiment.defaults };
     let (fewest, most) = (*experiment.segments.start(), (*experiment.segments.end()).min(256));
@@ -40,7 +40,7 @@ fn cases(experiment: &'static Experiment) -> Vec<Parameters> {
     experiment.takes.iter().flat_map(of).collect()
 }
 
-/// Settings that were once held against a law that does not cover both of them.
+/// Pairs of parameters that were once compared with a law that does not cover both.
 fn pairs() -> Vec<(&'static Experiment, Parameters)> {
     let flat = [(90.0, 0.0), (91.0, 1.0), (91.0, 5.0), (89.99, 0.5), (-90.0, 0.9), (71.0, 0.5)];
     let flat = flat.map(|(light, exponent)| ("flat-validity", 12, light, exponent));
@@ -57,10 +57,10 @@ fn pairs() -> Vec<(&'static Experiment, Parameters)> {
     .collect()
 }
 
-/// A run and what came of it.
+/// A run and its outcome.
 type Run = (&'static Experiment, Parameters, Outcome);
 
-/// All of them, once for all tests.
+/// All runs, made once for all tests.
 static RUNS: LazyLock<Vec<Run>> = LazyLock::new(|| {
     let of = |experiment| cases(experiment).into_iter().map(move |parameters| (experiment, parameters));
     let mut all: Vec<_> = EXPERIMENTS.into_iter().flat_map(of).collect();
@@ -76,7 +76,7 @@ static RUNS: LazyLock<Vec<Run>> = LazyLock::new(|| {
 fn no_legal_parameter_contradicts_a_closed_form() {
     let wrong = |(experiment, parameters, outcome): &Run| {
         let bad = outcome.measures.iter().filter(|measure| {
-            // What is not a number agrees with nothing.
+            // A value that is not finite disagrees.
             measure.agrees() == Some(false) || !measure.value.is_finite()
         });
         let reported = |measure: &crease::artefact::Measure| {
@@ -89,14 +89,14 @@ fn no_legal_parameter_contradicts_a_closed_form() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// What captions say where nothing of the artefact is seen, or the cure does too little, in both languages.
+/// The words of captions if the artefact is not visible or the cure does too little, in both languages.
 const NOTHING: [[&str; 3]; 2] = [
     ["No artefact is measured here", "Nothing is lit here", "There is no artefact to cure here"],
     ["Nenhum artefato é medido aqui", "Nada está iluminado aqui", "Não há artefato a curar aqui"],
 ];
 const TOO_LITTLE: [&str; 2] = ["The cure does too little here", "A cura não basta aqui"];
 
-/// A picture's role, its number and its caption say the same.
+/// The contradiction between a picture's role, number and caption, if there is one.
 fn disagreement(shot: &Shot) -> Option<String> {
     let is_measured = !matches!(shot.role, Role::Difference | Role::Truth | Role::Seen);
     let Some(measured) = &shot.measured else {
@@ -134,7 +134,7 @@ fn roles_captions_and_verdicts_agree_with_what_was_measured() {
         if !is_absent && !is_shown {
             wrong.push(reported(format!("a verdict on nothing: {:?}", outcome.verdict)));
         }
-        // What is black is told to be so, cured or not.
+        // A cure needs a picture; if nothing is lit, its role is `Absent`.
         if !is_absent && moved.is_cured() && !has(Role::Cured) && !has(Role::Absent) {
             wrong.push(reported("a cure without a picture".into()));
         }
@@ -148,12 +148,11 @@ fn roles_captions_and_verdicts_agree_with_what_was_measured() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Settings at which captions and roles once said other than what was measured: what pictures show there, and what is no more
-/// said of them.
+/// Parameters for which roles and captions once contradicted the measurement.
 #[test]
 fn pictures_are_reported_as_they_are() {
     type Change = fn(&mut Parameters);
-    /// A picture's name, its role, and what is not said of it.
+    /// A picture's name, its role, and words that its caption must not contain.
     type Reported = (&'static str, Role, &'static str);
     let reported: &[(&str, Change, &[Reported])] = &[
         (
@@ -192,7 +191,7 @@ fn pictures_are_reported_as_they_are() {
             |p| p.exponent = 2.0,
             &[("plate-gouraud", Role::Bad, "is lost"), ("sphere-gouraud", Role::Bad, "all that is left")],
         ),
-        // The highlight is narrower than a pixel, and falls between them whatever the shading: nothing is put to the test.
+        // The highlight is narrower than a pixel and falls between pixels with any shading: nothing is visible.
         (
             "lost-highlight",
             |p| p.exponent = 1e6,
@@ -226,7 +225,7 @@ fn pictures_are_reported_as_they_are() {
     }
 }
 
-/// The cure of an outline is finer than what it cures, whatever the size.
+/// The cure of an outline has more segments than the outline, whatever the size.
 #[test]
 fn outlines_are_cured_by_more_segments() {
     let experiment = crease::artefact::experiment("silhouette").unwrap();
@@ -266,14 +265,14 @@ fn verdicts_follow_from_what_is_measured() {
     assert!(sharp.effect.is_present() && !sharp.effect.is_cured(), "{:?}", sharp.effect);
 }
 
-/// Round numbers beside pictures that no parameter moves, and the law that keeps them.
+/// Round numbers next to pictures that no parameter changes, and the reason for each.
 const KEPT: [(&str, &str, &str); 14] = [
     ("attenuation-and-overflow", "clamped", "the colours of exercise 1.6.17"),
     ("attenuation-and-overflow", "cured", "nothing is brighter than white"),
     ("attenuation-and-overflow", "offset", "nothing is brighter than white"),
     ("attenuation-and-overflow", "quadratic", "nothing is brighter than white"),
     ("false-smoothing", "zigzag", "the error is the slope, which is no parameter"),
-    ("orientation", "cured", "barycentric coordinates do not turn; roundings are told as none"),
+    ("orientation", "cured", "barycentric coordinates do not rotate; rounding counts as zero"),
     ("orientation", "diagonal-13", "the same"),
     ("orientation", "diagonal-24", "the same"),
     ("orientation", "halves-triangles", "the same"),
@@ -284,7 +283,7 @@ const KEPT: [(&str, &str, &str); 14] = [
     ("vertex-average", "cube-angle", "angles do not depend on how a face is cut"),
 ];
 
-/// A number that was written and not measured would be round, and the same with all parameters.
+/// A number that is not measured would be round and the same for all parameters.
 #[test]
 fn what_is_reported_next_to_pictures_is_measured() {
     let mut values: BTreeMap<(&str, String), BTreeSet<u64>> = BTreeMap::new();

@@ -19,7 +19,7 @@ pub(crate) fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("data").join(name)
 }
 
-/// The program, with an environment that does not speak of colour.
+/// The program, without environment variables that control colour.
 pub(crate) fn crease() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_crease"));
     for name in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE"] {
@@ -28,12 +28,12 @@ pub(crate) fn crease() -> Command {
     command
 }
 
-/// Runs `crease normals` and takes what it says.
+/// Runs `crease normals` and returns its output.
 fn normals<A: AsRef<OsStr>>(args: impl IntoIterator<Item = A>) -> Output {
     crease().arg("normals").args(args).output().unwrap()
 }
 
-/// As [`normals`], which has to succeed.
+/// Runs `crease normals`, which has to succeed.
 fn succeed<A: AsRef<OsStr>>(args: impl IntoIterator<Item = A>) -> Output {
     let output = normals(args);
     assert!(output.status.success(), "{}", text(&output.stderr));

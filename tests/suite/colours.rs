@@ -1,4 +1,4 @@
-//! Colours that tell things apart do so without full colour vision too.
+//! Colours that distinguish things do so without full colour vision too.
 //!
 //! Protanopia, deuteranopia and tritanopia as G. M. Machado, M. M. Oliveira and L. A. F. Fernandes simulate them (*A
 //! physiologically-based model for simulation of color vision deficiency*, IEEE TVCG 15(6), 2009, severity 1.0, on linear
@@ -63,7 +63,7 @@ fn difference(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
 }
 
-/// Every two of these colours differ by so much, whoever looks.
+/// Every two of these colours differ by at least `least` for every kind of colour vision.
 fn assert_distinct(what: &str, colours: &[[f64; 3]], least: f64) {
     for (name, sight) in &SIGHT {
         let seen: Vec<[f64; 3]> = colours.iter().map(|&colour| lab(colour, sight)).collect();
@@ -80,7 +80,7 @@ fn hexadecimal(text: &str) -> [f64; 3] {
     LinearRgb::from(Srgb8([code(1), code(3), code(5)])).to_array()
 }
 
-/// Figures computed apart from this program: red is L* 53.2, a* 80.1, b* 67.2; white stays white for everyone.
+/// Figures computed independently: red is L* 53.2, a* 80.1, b* 67.2; white stays white for every kind of colour vision.
 #[test]
 fn simulations_are_right() {
     let red = lab([1.0, 0.0, 0.0], &SIGHT[0].1);
@@ -89,13 +89,13 @@ fn simulations_are_right() {
         // Rows of the published matrices add up to 1 to their last digit.
         assert!(difference(lab([1.0; 3], sight), [100.0, 0.0, 0.0]) < 0.02, "{name}");
     }
-    // A red and a green that the green-blind take for one another.
+    // A red and a green that look alike to people with deuteranopia.
     let [red, green] = [[0.4, 0.05, 0.0], [0.06, 0.2, 0.0]];
     let seen = |k: usize| difference(lab(red, &SIGHT[k].1), lab(green, &SIGHT[k].1));
     assert!(seen(0) > 60.0 && seen(2) < 12.0, "{} {}", seen(0), seen(2));
 }
 
-/// Lines differ in dashes and signs as well, so that five times what is just noticed side by side is enough apart.
+/// Lines also differ in dashes and markers, so five times the just noticeable difference is enough.
 #[test]
 fn lines_of_plots_are_distinguished() {
     let series = |k: u32, mark| Series {
@@ -121,7 +121,7 @@ fn lines_of_plots_are_distinguished() {
     assert_distinct("lines", &colours, 11.0);
 }
 
-/// Lines over a picture have nothing but their colour.
+/// Lines over a picture differ in colour only.
 #[test]
 fn overlays_are_distinguished() {
     let mesh = Surface::from(Sphere::default()).tessellate(&Tessellation::default()).unwrap();
@@ -154,7 +154,7 @@ fn colours_of(image: &Image) -> Vec<[f64; 3]> {
     colours.into_iter().map(|colour| colour.map(f64::from)).collect()
 }
 
-/// The squares of the board, and maps: what is larger is lighter, whoever looks.
+/// The squares of the checkerboard, and colour maps: larger values are lighter for every kind of colour vision.
 #[test]
 fn maps_and_squares_are_distinguished() {
     let experiment = experiment("perspective-distortion").unwrap();
@@ -169,7 +169,7 @@ fn maps_and_squares_are_distinguished() {
     map.sort_by(|a, b| lab(*a, &SIGHT[0].1)[0].total_cmp(&lab(*b, &SIGHT[0].1)[0]));
     for (name, sight) in &SIGHT {
         let seen: Vec<f64> = map.iter().map(|&colour| lab(colour, sight)[0]).collect();
-        // Neighbours may be hardly apart; no step goes back by a noticeable one.
+        // Neighbouring steps may look alike, but no step is noticeably darker than the one before.
         let back = seen.windows(2).map(|pair| pair[0] - pair[1]).fold(0.0, f64::max);
         assert!(back < 1.0 && seen[seen.len() - 1] - seen[0] > 60.0, "{name}: {back} {seen:?}");
     }

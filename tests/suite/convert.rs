@@ -16,7 +16,7 @@ fn write(loaded: &Loaded, to: Format) -> Loaded {
         .unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Triangles that the file shows: those of each part as often as a node shows it.
+/// The number of triangles that a file shows: those of a part count once for each of its nodes.
 fn shown_triangles(loaded: &Loaded) -> usize {
     let triangles = |mesh: &Mesh| mesh.faces().ranges().map(|range| range.len() - 2).sum::<usize>();
     match loaded.nodes.is_empty() {
@@ -25,9 +25,8 @@ fn shown_triangles(loaded: &Loaded) -> usize {
     }
 }
 
-/// Every corner has a unit normal. Returns how many faces run the other way round than a normal of theirs says.
-///
-/// Faces whose height is less than what rounding to `f32` can move their corners by have no say.
+/// Asserts that every corner has a unit normal. Returns the number of faces whose winding is opposite to one of their normals,
+/// without faces whose height is below the rounding of their corners to `f32`.
 fn check_normals(name: &str, loaded: &Loaded) -> usize {
     let mut turned = 0;
     for mesh in loaded.parts.iter().map(|part| &part.mesh) {
@@ -51,7 +50,7 @@ fn check_normals(name: &str, loaded: &Loaded) -> usize {
     turned
 }
 
-/// Triangles that are the fan of a polygon that crosses itself, which may run any way.
+/// The number of triangles in fans of polygons that cross themselves; these may have any winding.
 fn fan_triangles(loaded: &Loaded) -> usize {
     let fans = |mesh: &Mesh| {
         triangulate(mesh).failed.iter().map(|&face| mesh.faces().face(face as usize).len() - 2).sum::<usize>()
@@ -69,7 +68,7 @@ fn own_files() -> Vec<PathBuf> {
 
 fn convert_all(paths: &[PathBuf]) {
     for path in paths {
-        // Some are refused by name for their extensions.
+        // Some need extensions that crease refuses.
         let Ok(loaded) = io::read(path, None, &ReadOptions::default()) else { continue };
         for to in Format::ALL
             .into_iter()
@@ -95,7 +94,7 @@ fn real_files_to_every_format() {
     let all = rows("", &["obj", "ply", "stl", "STL", "gltf", "glb"]);
     let good =
         all.iter().filter(|row| !row.name().starts_with("bad/") && row.text("expect").starts_with("load"));
-    // The largest ones only take long.
+    // The largest ones would only take long.
     let small = good.filter(|row| row.number("bytes") < 1_000_000);
     convert_all(&small.map(|row| row.path.clone()).collect::<Vec<_>>());
 }
@@ -127,7 +126,7 @@ fn a_mirrored_node_turns_faces_and_normals_together() {
     }
 }
 
-/// A node takes a few bytes, a copy of its mesh takes many: the formats without nodes cannot follow for ever.
+/// A node takes a few bytes and a copy of its mesh takes many, so formats without nodes limit the number of copies.
 #[test]
 fn instances_are_copied_within_reason() {
     let corners = 3000;
@@ -161,7 +160,7 @@ fn notes(loaded: &Loaded, to: Format) -> Vec<String> {
     written.notes.iter().map(ToString::to_string).collect()
 }
 
-/// What `glb` says as JSON.
+/// The JSON of a GLB.
 fn json(glb: &[u8]) -> serde_json::Value {
     let length = u32::from_le_bytes(glb[12..16].try_into().unwrap()) as usize;
     serde_json::from_slice(&glb[20..20 + length]).unwrap()
@@ -176,7 +175,7 @@ fn objects_and_materials_of_obj_become_those_of_gltf() {
     for name in ["a.png", "b.png"] {
         fs::write(work.path().join(name), "").unwrap();
     }
-    // Two squares that meet at an edge and bend there by 30 degrees, in two objects.
+    // Two squares in two objects, which share an edge with a dihedral angle of 30°.
     let obj = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv -0.866 0 0.5\nv -0.866 1 0.5\nv 9 9 9\n\
                o one\nusemtl red\nf 1 2 3 4\no two\nusemtl plain\nf 5 1 4 6\n";
     fs::write(work.path().join("a.obj"), obj).unwrap();

@@ -36,9 +36,9 @@ fn the_committed_files_are_those_of_the_generator() {
 
 #[test]
 fn no_other_file_is_there_and_all_are_small() {
-    // The teapot's figures are given, not made; scenes are written by hand.
+    // The numbers of the teapot are published, and scenes are authored.
     let made = write::files();
-    // Those are the program's; the test of `crease artefact` holds them, and how large each is.
+    // The program makes these; the test of `crease artefact` checks them and their sizes.
     let is_picture = |name: &str| name.starts_with("gallery/") && name.ends_with(".png");
     let is_known = |name: &str| {
         made.iter().any(|&(known, _)| known == name)
@@ -55,7 +55,7 @@ fn no_other_file_is_there_and_all_are_small() {
             if entry.file_type().unwrap().is_dir() {
                 assert!(
                     ["gallery", "scenes", "scenes/lectures"].contains(&name.as_str()),
-                    "{name} is not looked at"
+                    "{name} is not checked"
                 );
                 continue;
             }
@@ -84,8 +84,8 @@ fn closed_shapes_face_outward() {
         assert!(shape.is_closed(), "{name} is not closed");
         assert!(shape.signed_volume() > 0.0, "{name} has the volume {}", shape.signed_volume());
     }
-    // Its seam is closed by position only, so the edges do not tell; the volume does. A sphere of this
-    // tessellation has 0.96 of the ball's 4π/3.
+    // The sphere's seam is closed by position only, so its edges do not show that it is closed, but its volume does. A sphere of
+    // this tessellation has 0.96 of the ball's 4π/3.
     let (sphere, _) = shapes::seamed_sphere();
     let ball = 4.0 / 3.0 * std::f64::consts::PI;
     assert!((0.95..1.0).contains(&(sphere.signed_volume() / ball)), "{}", sphere.signed_volume() / ball);

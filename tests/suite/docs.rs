@@ -17,7 +17,8 @@ fn root() -> &'static Path {
 /// The words that have no everyday use in texts, from the list in CONTRIBUTING.md.
 static NOT_IN_TEXT: LazyLock<Vec<String>> = LazyLock::new(|| {
     let page = fs::read_to_string(root().join("CONTRIBUTING.md")).unwrap();
-    let (_, list) = page.split_once("- No page, help text, message or report has: ").expect("the list");
+    let (_, list) =
+        page.split_once("- No page, help text, message, report or comment has: ").expect("the list");
     let words = list.split_once('.').expect("the end of the list").0.split(',');
     words.map(|word| word.split_whitespace().collect::<Vec<_>>().join(" ")).collect()
 });
@@ -240,7 +241,7 @@ fn links_lead_somewhere() {
     assert!(count >= 40, "only {count} links were found");
 }
 
-/// The words of a text that have no everyday use in it.
+/// The words of a text that have no everyday use in it. The terms of mathematics are allowed.
 fn words_of_our_own(text: &str) -> Vec<&'static str> {
     let plain: String = text
         .to_lowercase()
@@ -248,6 +249,8 @@ fn words_of_our_own(text: &str) -> Vec<&'static str> {
         .map(|c| if c.is_alphanumeric() || c == '-' || c == '_' { c } else { ' ' })
         .collect();
     let padded = format!(" {} ", plain.split_whitespace().collect::<Vec<_>>().join(" "));
+    let mathematics = ["odd number", "odd length", "odd significand"];
+    let padded = mathematics.iter().fold(padded, |text, term| text.replace(term, ""));
     let words = NOT_IN_TEXT.iter().map(String::as_str);
     words.filter(|word| padded.contains(&format!(" {word} "))).collect()
 }
@@ -290,16 +293,20 @@ fn sources(folder: &Path, ending: &str) -> Vec<(String, String)> {
     found
 }
 
-/// The string literals of a source file, without those of its tests.
-fn literals(source: &str) -> Vec<String> {
-    let source = source.split("#[cfg(test)]\nmod ").next().unwrap();
-    let mut found = Vec::new();
+/// The string literals and the comments of a source file. Comments on consecutive lines are one.
+fn literals_and_comments(source: &str) -> [Vec<String>; 2] {
+    let (mut found, mut comments) = (Vec::new(), Vec::<String>::new());
     let mut rest = source;
     while let Some(at) = rest.find(['"', '\'', '/']) {
         let (before, here) = rest.split_at(at);
         let characters: Vec<char> = here.chars().take(4).collect();
         if here.starts_with("//") {
-            rest = here.split_once('\n').map_or("", |(_, rest)| rest);
+            let (comment, after) = here.split_once('\n').unwrap_or((here, ""));
+            match comments.last_mut().filter(|_| before.trim().is_empty()) {
+                Some(last) => last.push_str(comment),
+                None => comments.push(comment.to_owned()),
+            }
+            rest = after;
         } else if characters[0] == '/' {
             rest = &here[1..];
         } else if characters[0] == '\'' {
@@ -328,7 +335,7 @@ fn literals(source: &str) -> Vec<String> {
             rest = &here[end + 1..];
         }
     }
-    found
+    [found, comments]
 }
 
 /// A text without names in backquotes.
@@ -347,9 +354,12 @@ fn messages_and_texts_are_in_plain_words() {
             bad.push(format!("{name}: {words:?} in {text:?}"));
         }
     };
-    for (name, source) in sources(&root().join("src"), ".rs") {
-        if !name.ends_with("tests.rs") {
-            literals(&source).iter().for_each(|text| check(&name, text));
+    let code = |source: &str| source.split("#[cfg(test)]\nmod ").next().unwrap().to_owned();
+    for (name, source) in ["src", "tests", "benches"].map(|it| sources(&root().join(it), ".rs")).concat() {
+        let [_, comments] = literals_and_comments(&source);
+        comments.iter().for_each(|comment| check(&name, comment));
+        if name.starts_with("src/") && !name.ends_with("tests.rs") {
+            literals_and_comments(&code(&source))[0].iter().for_each(|text| check(&name, text));
         }
     }
     for (name, texts) in sources(&root().join("src"), ".en.ftl") {
@@ -357,8 +367,11 @@ fn messages_and_texts_are_in_plain_words() {
     }
     assert!(bad.is_empty(), "{}", bad.join("\n"));
     assert!(count > 5000, "only {count} texts were found");
-    let source = "fn f<'a>(c: char) { c == '\"'; g(\"a \\\"b\\\" \\\n  told\", r#\"c\"d\"#) } // \"no\"\n#[cfg(test)]\nmod t { \"x\" }";
-    assert_eq!(literals(source), ["a \\\"b\\\"    told", "c\"d"]);
+    let source = "fn f<'a>(c: char) { c == '\"'; g(\"a \\\"b\\\" \\\n  told\", r#\"c\"d\"#) } // \"no\"\n#[cfg(test)]\nmod t { \"x\" } // an odd\n// number, `told`, if\n/// need be";
+    assert_eq!(literals_and_comments(&code(source))[0], ["a \\\"b\\\"    told", "c\"d"]);
+    let [_, comments] = literals_and_comments(source);
+    assert_eq!(comments, ["// \"no\"", "// an odd// number, `told`, if/// need be"]);
+    assert_eq!(words_of_our_own(&without_names(&comments[1])), ["if need be"]);
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! glTF and GLB: what real files say, what broken ones must not do, and what editing leaves alone.
+//! glTF and GLB: real files are read, broken ones are refused, and edits change nothing else.
 
 use crease::io::gltf::read;
 use crease::io::write_new;
@@ -17,7 +17,7 @@ pub struct Entry {
     pub expect: String,
 }
 
-/// The glTF files of a folder of the real meshes; empty, and saying so, where they are not there.
+/// The glTF files of a folder of the real meshes; empty, with a message, if the meshes are not available.
 pub fn entries(folder: &str) -> Vec<Entry> {
     let meshes = std::env::var_os("CREASE_MESHES")
         .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/meshes"), PathBuf::from);
@@ -213,7 +213,7 @@ fn triangle_soup(part: &Part) -> Vec<(Option<&str>, [[u64; 8]; 3])> {
         let uv = columns.uvs.as_ref().and_then(|uvs| uvs.get(c, v)).copied().unwrap_or_default();
         let [x, y, z] = mesh.positions().at(v).to_array().map(f64::to_bits);
         let [i, j, k] = normal.to_array().map(f64::to_bits);
-        // Turned over twice, v loses what 1 - v cannot hold in single precision.
+        // Mirrored twice, v loses the digits that 1 - v cannot hold in single precision.
         [x, y, z, i, j, k, uv.x.to_bits(), (uv.y * 1e5).round().to_bits()]
     };
     let mut faces: Vec<_> = (0..mesh.face_count())

@@ -1,4 +1,4 @@
-//! Editing glTF: only what must change changes, and what is written reads back as it was meant.
+//! Editing glTF: only what must change changes, and the output reads back as intended.
 
 use super::gltf::{Entry, entries, load};
 use crease::io::gltf::edit;
@@ -182,7 +182,7 @@ fn appending_keeps_the_old_buffer_and_patching_touches_only_normals() {
     }
 }
 
-/// All bytes of BIN that elements of NORMAL accessors take, by a reading of the JSON that is not ours.
+/// All bytes of BIN that elements of NORMAL accessors take, found without the library's reader.
 fn normal_bytes(json: &[u8]) -> std::collections::HashSet<usize> {
     let json: serde_json::Value = serde_json::from_slice(json).unwrap();
     let list = |value: &serde_json::Value| value.as_array().cloned().unwrap_or_default();
@@ -222,7 +222,7 @@ fn may_change(path: &str) -> bool {
     geometry || moved || data
 }
 
-/// Every value outside those members is spelt as it was, in the order that it was in.
+/// Asserts that every value outside those members keeps its text and its order.
 fn check_json(name: &str, old: &[u8], new: &[u8]) {
     let leaves = |json: &[u8]| {
         let value: Box<serde_json::value::RawValue> = serde_json::from_slice(json).unwrap();
@@ -357,7 +357,7 @@ fn regenerated_tangents_agree_with_those_of_an_exporter() {
                 let dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
                 a[3] == b[3] && dot > 0.9
             });
-            // Another tool, other rules at seams of the texture.
+            // The other tool treats seams of the texture differently.
             let (same, count) = (same.count(), old.len());
             assert!(same * 100 > count * 90, "{}: {same} of {count}", entry.name);
             for tangent in new {

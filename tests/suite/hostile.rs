@@ -15,8 +15,8 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
-/// Far longer than anything here takes, on a machine that is busy with other things too: whoever needs it hangs. With many times
-/// as much to try the longest takes two minutes on two idle cores.
+/// Far longer than any test here takes on a busy machine: a test that needs it hangs. With `CREASE_LONG=1` the longest one takes
+/// two minutes on two idle cores.
 fn patience() -> Duration {
     Duration::from_secs(if is_long() { 1200 } else { 300 })
 }
@@ -25,12 +25,12 @@ pub fn is_long() -> bool {
     std::env::var_os("CREASE_LONG").is_some_and(|value| value == "1")
 }
 
-/// Runs in a thread of its own, so that a hang is told as one; a panic is passed on.
+/// Runs in a thread of its own, so that a hang is reported as one; a panic is passed on.
 fn patiently(what: &str, work: impl FnOnce() + Send + 'static) {
     let (done, is_done) = mpsc::channel();
     let worker = thread::spawn(move || {
         work();
-        // Nobody may be waiting any more.
+        // The receiver may have timed out.
         done.send(()).ok();
     });
     if is_done.recv_timeout(patience()) == Err(mpsc::RecvTimeoutError::Timeout) {
@@ -88,7 +88,7 @@ fn try_bytes(name: &str, format: Format, bytes: &[u8], non_finite: NonFinite) {
     }
 }
 
-/// Normals that all point up, and no faces at vertices that are nowhere.
+/// Normals that all point up, without faces at vertices that are not finite.
 fn upward(part: &Part) -> PartEdit {
     let faces = FaceEdit { dropped: part.non_finite_faces.clone(), reversed: Vec::new() };
     let normals = Column::per_corner(vec![DVec3::Z], vec![0; part.mesh.faces().corner_count()]);
@@ -107,7 +107,7 @@ fn check_normals(name: &str, loaded: &Loaded) {
 fn any_beginning_of_a_file() {
     patiently("a beginning", || {
         for (name, format, bytes) in seeds() {
-            // Every one of the smallest; of the others as many, spread over the file, and every one of its start.
+            // All lengths up to 200, and some 1500 lengths spread over the file.
             let most = if is_long() { bytes.len() } else { 1500 };
             let step = (bytes.len() / most).max(1);
             let lengths = (0..bytes.len().min(200)).chain((0..=bytes.len()).step_by(step));
@@ -143,7 +143,7 @@ fn break_one(bytes: &mut Vec<u8>, random: &mut Random) {
     if bytes.is_empty() {
         return;
     }
-    // Headers are small beside what they describe.
+    // Headers are short compared with the data.
     let within = if random.one_in(2) { bytes.len() } else { bytes.len().min(400) };
     let at = random.below(within);
     let piece = at..(at + 1 + random.below(12)).min(bytes.len());

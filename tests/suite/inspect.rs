@@ -46,12 +46,12 @@ fn loaded(mesh: Mesh) -> Loaded {
     }
 }
 
-/// Everything that is found in a mesh, with up to so many places of each.
+/// The diagnosis of a mesh, with at most `places` places for each finding.
 fn inspect(mesh: &Mesh, places: usize) -> Diagnosis {
     diagnose(&loaded(mesh.clone()), &Thresholds { places, ..Thresholds::default() }, &|_| {})
 }
 
-/// The kinds that are no notes.
+/// The ids of the findings that are more severe than a note.
 fn grave(diagnosis: &Diagnosis) -> Vec<&'static str> {
     let grave = diagnosis.findings.iter().filter(|finding| finding.severity > Severity::Note);
     grave.map(|finding| finding.kind.id()).collect()
@@ -67,7 +67,7 @@ fn with_normals(mesh: Mesh, recipe: &NormalRecipe) -> Mesh {
     mesh.with_normals(Some(normals))
 }
 
-/// A surface of the catalogue, cut finely enough that every fault can be told from the shape.
+/// A mesh of a surface of the catalogue, with its exact normals.
 fn surface(surface: &Surface, segments: [u32; 2]) -> Mesh {
     surface.tessellate(&Tessellation { segments, ..Tessellation::default() }).unwrap()
 }

@@ -18,7 +18,7 @@ fn meshes() -> Vec<(&'static str, Mesh)> {
         .into()
 }
 
-/// Every combination that takes another way through the code.
+/// Every combination that takes another path through the code.
 fn recipes() -> impl Iterator<Item = NormalRecipe> {
     Weight::ALL.into_iter().flat_map(|weight| {
         let angles = [0.0, 40.0, 180.0].map(|angle| Crease::Angle(Degrees(angle)));

@@ -1,4 +1,4 @@
-//! The real meshes, which are beside the repository on some machines, and what their manifest says.
+//! The real meshes, which are in a folder next to the repository on some machines, and their manifest.
 
 use std::collections::HashMap;
 use std::fs;
@@ -41,7 +41,7 @@ fn folder() -> PathBuf {
         .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/meshes"), PathBuf::from)
 }
 
-/// One file by its name in the manifest; `None`, and a line that says so, where the meshes are not there.
+/// One file by its name in the manifest; `None`, with a message, if the meshes are not available.
 pub fn path(name: &str) -> Option<PathBuf> {
     let path = folder().join(name);
     let there = path.exists();
@@ -51,7 +51,7 @@ pub fn path(name: &str) -> Option<PathBuf> {
     there.then_some(path)
 }
 
-/// The files of a folder with one of these extensions; none, and a line that says so, where the meshes are not there.
+/// The files of a folder with one of these extensions; none, with a message, if the meshes are not available.
 pub fn rows(folder: &str, extensions: &[&str]) -> Vec<Row> {
     let meshes = self::folder();
     let Ok(manifest) = fs::read_to_string(meshes.join("MANIFEST.tsv")) else {

@@ -8,7 +8,7 @@ use crease::mesh::{
 use crease::surface::{Sphere, Surface, Tessellation, Torus, Wave};
 use glam::DVec3;
 
-/// The parts of all files that can be read, by file name; which ones must be is for the tests of formats to say.
+/// The parts of all files that can be read, with the names of the files.
 fn parts() -> impl Iterator<Item = (String, Mesh)> {
     let files = [("obj", &["obj"][..]), ("ply", &["ply"]), ("stl", &["stl"]), ("gltf", &["gltf", "glb"])];
     files.into_iter().flat_map(|(folder, extensions)| rows(folder, extensions)).flat_map(|row| {
@@ -26,7 +26,7 @@ fn find(mesh: &Mesh, policy: Orient) -> Orientation {
     orient(mesh, &Topology::build(mesh, Weld::Exact), policy, Confidence::default())
 }
 
-/// What is mended once needs no mending, and whatever can agree does.
+/// A repaired mesh needs no further repair, and neighbours that can agree do.
 #[test]
 fn mended_meshes_stay_as_they_are() {
     for (name, mesh) in parts() {
@@ -53,7 +53,7 @@ fn mended_meshes_stay_as_they_are() {
     }
 }
 
-/// Which way a closed surface was wound before does not matter afterwards.
+/// The result does not depend on which winding a closed surface had.
 #[test]
 fn turned_round_as_a_whole_it_comes_out_the_same() {
     for (name, mesh) in parts() {
@@ -69,7 +69,7 @@ fn turned_round_as_a_whole_it_comes_out_the_same() {
     }
 }
 
-/// Faults that were looked at one by one.
+/// Faults that were checked manually.
 #[test]
 fn known_faults_are_found() {
     let known = |name: &str| {
@@ -148,7 +148,7 @@ fn plane(height: f64, half: f64) -> Mesh {
     build(vec![corner(-1., -1.), corner(1., -1.), corner(1., 1.), corner(-1., 1.)], faces)
 }
 
-/// One mesh of several, each so far from the one before.
+/// Several meshes as one, each moved by `step` from the one before.
 fn next_to(meshes: &[Mesh], step: DVec3) -> Mesh {
     let (mut positions, mut faces) = (Vec::new(), Faces::new());
     for (number, mesh) in meshes.iter().enumerate() {
@@ -187,12 +187,12 @@ fn surfaces_with_a_rim_are_turned_to_the_side_that_sees_more() {
             "{name}"
         );
         assert_eq!(wrong.confidence, right.confidence, "{name}: the same votes");
-        // One face against the others is turned alone.
+        // A single reversed face is reversed alone.
         assert_eq!(find(&turned(&mesh, &[5]), Orient::Outward).reversed, [5], "{name}");
     }
 }
 
-/// Neither side of a plane sees more, nor of waves that go as far up as down: nothing is turned at any confidence.
+/// Both sides of a plane see equally much, and so do those of symmetric waves: nothing is reversed at any confidence.
 #[test]
 fn ties_stay() {
     for (name, mesh) in
@@ -218,7 +218,7 @@ fn each_component_has_its_own_vote() {
     assert_eq!(found.reversed.len(), cup_faces.len() + ball.face_count());
 }
 
-/// What lies within a closed box is seen from nowhere; the hood over an engine is seen from above.
+/// Components hide sides of each other: two sheets, and a sheet within a ball.
 #[test]
 fn other_components_hide_sides() {
     let above = |mesh: &Mesh| next_to(&[mesh.clone(), plane(0.3, 1.0)], DVec3::ZERO);
@@ -247,7 +247,7 @@ fn votes_do_not_depend_on_threads_or_size() {
     }
 }
 
-/// Very many components share the points; what none is left for stays, and time stays bounded.
+/// Many components share the sample points. A component without points is not reversed, and time stays bounded.
 #[test]
 fn votes_have_a_budget() {
     let cups: Vec<Mesh> = (0..1000).map(|_| cup()).collect();

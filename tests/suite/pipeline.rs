@@ -1,4 +1,4 @@
-//! The whole way of a file, through the library: read, revise, write, and read again.
+//! The path of a file through the library: read, revise, write, and read again.
 
 use crate::meshes;
 use crease::io::{self, Format, Loaded, PartEdit, ReadOptions, WriteOptions};
@@ -6,7 +6,7 @@ use crease::normals::{LENGTH_TOLERANCE, When};
 use crease::pipeline::{Revision, Task, revise};
 use std::path::Path;
 
-/// Everything in one piece, so that the output can be read again from memory.
+/// All output as bytes, so that it can be read again from memory.
 fn write(loaded: &Loaded, edits: &[PartEdit], to: Format) -> Vec<u8> {
     io::write(loaded, edits, to, &WriteOptions::default()).unwrap_or_else(|error| panic!("{error}")).bytes
 }

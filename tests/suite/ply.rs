@@ -90,8 +90,8 @@ fn size(name: &str) -> usize {
     }
 }
 
-/// A file with the normals of its vertices cut out of header and rows, by a reading of the header that has nothing in
-/// common with the library's. Only for files whose vertices are the first element; else `None`.
+/// A file with the normals of its vertices cut out of header and rows, found without the library's reader. Only for files whose
+/// vertices are the first element; else `None`.
 fn without_normals(bytes: &[u8]) -> Option<(Vec<String>, Vec<u8>)> {
     let (lines, body) = header(bytes);
     let words = |line: &str| line.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
@@ -294,7 +294,7 @@ fn beginnings_and_flips_do_no_harm() {
         read(&bytes).unwrap();
         let whole = bytes.trim_ascii_end().len();
         for length in 0..bytes.len() {
-            // Of ascii the last digits of a number may be missing, which nobody can know; here there is one digit.
+            // In ascii the last digits of a number may be missing, which no reader can detect; here it has one digit.
             assert!(read(&bytes[..length]).is_err() || length >= whole, "{length} bytes");
         }
         let mut random = Random(11);

@@ -17,7 +17,7 @@ use std::ffi::OsStr;
 use std::path::Path;
 use std::process::Output;
 
-/// Runs `crease render` and takes what it says.
+/// Runs `crease render` and returns its output.
 fn render<A: AsRef<OsStr>>(args: impl IntoIterator<Item = A>) -> Output {
     crease().arg("render").args(args).output().unwrap()
 }

@@ -12,8 +12,8 @@ use crease::num::LinearRgb;
 use crease::shade::{Light, Material, Probe, ShadeSettings, Shader, SurfacePoint};
 use glam::DVec3;
 
-/// The colour of a point by every way there is: points and rows in both precisions agree as far as they can, and a
-/// probe tells the same sum.
+/// The colour of a point. Asserts that points and rows in both precisions agree up to rounding, and that a probe reports the same
+/// sum.
 pub fn lit(
     lights: &[Light],
     material: &Material,

@@ -1,5 +1,5 @@
-//! What was derived rather than found in papers, proved again: identities to rounding, bounds by samples that keep to them
-//! and come near them, so that neither side can be wrong.
+//! Tests of results that were derived, not taken from papers: identities up to rounding, and bounds that samples keep to and come
+//! near.
 
 mod bands;
 mod distance;

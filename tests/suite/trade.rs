@@ -126,7 +126,7 @@ fn the_report_has_every_part() {
     }
 }
 
-/// Errors alone: what is left when everything that tells of time is taken out.
+/// A report without its times: only errors remain.
 fn without_times(value: &mut serde_json::Value) {
     match value {
         serde_json::Value::Object(members) => {

@@ -228,7 +228,7 @@ mod tests {
             // Present: π [(I₀h)^(2/3) − h²]/36 with I₀h = 3/4, computed outside this program. Cured: nothing.
             assert!((outcome.effect.bad - 0.050_22).abs() < 1e-3, "{:?}", outcome.effect);
             assert_eq!(outcome.effect.cured, 0.0);
-            // Clamping makes orange yellow, division keeps it; the lectures' [0.9, 1.1, 0.3] keeps its 0.9 or gets 0.818.
+            // Clamping makes orange yellow, division keeps it; the lectures' [0.9, 1.1, 0.3] keeps its 0.9 or becomes 0.818.
             assert_eq!(outcome.measured("clamped: green over red"), 1.0);
             assert!(
                 (outcome.measured("divided by the largest component: green over red") - 0.6).abs() < 0.005
@@ -237,7 +237,7 @@ mod tests {
         }
     }
 
-    /// Pixels' centres lie elsewhere at every size: right under the lamp at odd ones.
+    /// Pixel centres are at other positions for every size. If the size is not even, one is directly below the lamp.
     #[test]
     fn every_size_agrees_with_the_formulas() {
         for size in 32..=160 {

@@ -54,7 +54,7 @@ impl LitMesh {
         angles.iter().sum::<f64>() / angles.len().max(1) as f64
     }
 
-    /// By the angle alone: what a file says of its edges would hide what averaging does.
+    /// By the angle alone: marked edges of a file would hide the effect of averaging.
     fn normals(&self, weight: Weight, crease: Crease) -> NormalField {
         let recipe = NormalRecipe { weight, crease, groups: Groups::Ignore, ..NormalRecipe::default() };
         compute(&self.mesh, &recipe)

@@ -18,7 +18,7 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "mach-bands",
     texts: &TEXTS,
     takes: &[ParameterName::Size, ParameterName::Segments, ParameterName::Light],
-    // Of fewer facets no edge may be visible; those of four times as many more would be a few pixels wide.
+    // With fewer facets no edge may be visible; with more, those of the finer cylinder would be a few pixels wide.
     segments: 6..=128,
     // So few that bands are visible; with an odd number of facets in the light no two neighbours are alike.
     defaults: Parameters { segments: 10, light: Degrees(30.0), ..Parameters::USUAL },
@@ -46,7 +46,7 @@ fn run(setup: &Setup) -> Result<Outcome> {
     // Jumps are of first order in the width of a facet, and of more where tangents grow.
     let bad = edges.worse.found.measured.abs();
     let effect = out.effect("finer", "1/R", [bad, edges.of_fine.abs()], threshold(&tube, &out), 3.5);
-    // Another shading need not make bands vanish, but visibly smaller.
+    // Another shading has to make bands visibly smaller, not to remove them.
     let of_shading = |numbers: [f64; 2], tube: &Tube, out: &Recorder| {
         out.effect("shading", "1/R", numbers, threshold(tube, out), 1.5)
     };
@@ -169,7 +169,7 @@ fn ratio(light: Degrees, segments: u32) -> Result<(f64, f64)> {
     Ok((ratio, ratio.abs() * (by_phong / phong.abs() + by_gouraud / gouraud.abs())))
 }
 
-/// How far halving leaves the angle open.
+/// The resolution of the angle after halving.
 const RESOLVED: f64 = 20.0 / 2048.0;
 
 /// The angle of the light at which Phong's jump is as large as Gouraud's, in degrees, by halving; and the rounding of the ratio.
@@ -206,7 +206,7 @@ mod tests {
                 for (line, law) in [(&gouraud, gouraud_jump as Law), (&phong, phong_jump)] {
                     let (found, tolerance) = line.slope_jump(&tube, theta);
                     let law = law(theta, light, tube.delta());
-                    // Less than a third of what jumps are under light from the front, or the test would say nothing.
+                    // Below a third of the jumps under frontal light; otherwise the test would show nothing.
                     let largest = gouraud_jump(theta, Degrees(0.0), tube.delta()).abs();
                     assert!(tolerance < 0.3 * largest, "{segments} {theta}: {tolerance} of {largest}");
                     assert!(

@@ -21,7 +21,7 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
     frame: Some(frame),
 };
 
-/// Turns that are measured: every five degrees.
+/// The number of rotations that are measured: one every five degrees.
 const TURNS: u32 = 72;
 
 fn run(setup: &Setup) -> Result<Outcome> {
@@ -63,7 +63,7 @@ impl CentreColours {
         let scanline = centres(Interpolation::Scanline)?;
         let triangles = centres(Interpolation::Affine)?;
         let tolerance = polygon.tolerance(size);
-        // Where the law jumps it is that of either side: not compared.
+        // Where the law has a jump, either side is right: not compared.
         let law =
             |(turn, &found): (u32, &DVec3)| match polygon.jumps(DVec2::ZERO, angle(turn), size, tolerance) {
                 true => found,
@@ -216,7 +216,7 @@ mod tests {
         for measure in &outcome.measures {
             assert_eq!(measure.agrees(), Some(true), "{measure:?}");
         }
-        // 0.4 in blue between the two positions; what triangles leave is the snapping of corners.
+        // 0.4 in blue between the two positions; the rest in triangles is the snapping of corners.
         assert!(
             (outcome.effect.bad - 0.4).abs() < 0.01 && outcome.effect.reduction() > 50.0,
             "{:?}",
@@ -278,7 +278,7 @@ mod tests {
         }
     }
 
-    /// A triangle does not depend on its turn, and a polygon bent round its own middle is turned about a place within.
+    /// A triangle keeps its colours when it rotates. A concave polygon rotates about a point within it.
     #[test]
     fn any_polygon_will_do() {
         let run = |points: &[[f64; 2]]| {
@@ -331,7 +331,7 @@ mod tests {
             let caption = second.caption.get(crate::artefact::Language::English);
             assert_eq!(caption.starts_with("No other triangulation"), has_one_cut, "{caption}");
             assert_eq!(caption.starts_with("Another triangulation"), !has_one_cut, "{caption}");
-            // Of one cut only there is no difference to show.
+            // With a single cut there is no difference to show.
             assert_eq!(outcome.shots.iter().any(|shot| shot.name == "diagonals"), !has_one_cut);
             for shot in &outcome.shots {
                 use crate::artefact::Language;

@@ -256,7 +256,7 @@ fn flattened(points: &[DVec3]) -> Option<Vec<DVec2>> {
     let pairs = from_mean.iter().zip(from_mean.iter().cycle().skip(1));
     let crosses = pairs.map(|(&a, &b)| a.cross(b));
     let whole: DVec3 = crosses.clone().sum();
-    // Parts that turn opposite ways may leave nothing, as in a bow tie, but lie in a plane all the same.
+    // Parts that turn opposite ways may leave nothing, as in a bow tie, but still lie in a plane.
     let widest = crosses.max_by(|a, b| a.length().total_cmp(&b.length()))?;
     let normal = [whole, widest].into_iter().find(|area| area.length() > ROUNDING)?.normalize();
     let across = (points[0] - mean).reject_from(normal);

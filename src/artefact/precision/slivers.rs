@@ -78,7 +78,7 @@ struct Normals {
 }
 
 impl Normals {
-    /// Of so many slivers, each with its third corner elsewhere along it; those that the library refuses look nowhere.
+    /// Of `count` slivers, each with its third corner at another position along it; those that the library refuses have zero.
     fn of(count: u32) -> Self {
         let x = ALONG.normalize();
         let z = ALONG.cross(ACROSS).normalize();

@@ -1,4 +1,4 @@
-//! Which experiments are meant, and whether what was typed suits them.
+//! The experiments that a command line names, and whether its options suit them.
 
 use super::args::{ALL, ArtefactArgs, LIST};
 use crease::artefact::{ArtefactError, Changes, EXPERIMENTS, Experiment, ParameterName, experiment};
@@ -6,11 +6,11 @@ use std::path::Path;
 
 pub struct Chosen {
     pub run: Vec<&'static Experiment>,
-    /// Of all of them, those that have no use for a value that was given, and why.
+    /// Of all experiments, those that a given value does not suit, and why.
     pub left_out: Vec<(&'static Experiment, ArtefactError)>,
 }
 
-/// The experiments that are meant, if they take what was given.
+/// The named experiments, if they take the given options.
 pub fn chosen(args: &ArtefactArgs) -> Result<Chosen, String> {
     if let Some(path) = &args.animate {
         refuse_other_than_gif(path)?;
@@ -22,7 +22,7 @@ pub fn chosen(args: &ArtefactArgs) -> Result<Chosen, String> {
     }
 }
 
-/// The options that were given, of those that change what is drawn and measured.
+/// The given options, of those that change pictures and measurements.
 pub fn given(args: &ArtefactArgs) -> impl Iterator<Item = ParameterName> {
     let mesh = args.own.mesh.is_some().then_some(ParameterName::Mesh);
     args.parameters.changes().names().chain(mesh)

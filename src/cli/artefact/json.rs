@@ -30,7 +30,7 @@ pub struct Report<'a> {
     pub result: Option<RunReport<'a>>,
 }
 
-/// What came of an experiment that was run.
+/// The result of an experiment.
 #[derive(Debug, Serialize)]
 pub struct RunReport<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]

@@ -78,7 +78,7 @@ fn typed(args: &ArtefactArgs) -> impl Iterator<Item = ParameterName> {
     given(args).filter(|&name| name != ParameterName::Interpolation)
 }
 
-/// Which of the options that were typed change only some of the experiments, in words.
+/// The given options that change only some of the experiments, in words.
 fn unheeded(args: &ArtefactArgs, experiments: &[&'static Experiment]) -> Vec<String> {
     let reported = typed(args).filter_map(|name| {
         let takes = |experiment: &&&Experiment| experiment.takes.contains(&name);
@@ -101,7 +101,7 @@ fn leave_out(args: &ArtefactArgs, experiment: &'static Experiment, why: &Artefac
     }
 }
 
-/// Runs experiments and writes their files; they are findings if a number is not what it should be.
+/// Runs experiments and writes their files. The exit code reports findings if a number is not as expected.
 fn run_all(
     args: &ArtefactArgs,
     experiments: &[&'static Experiment],
@@ -195,7 +195,7 @@ fn print(run: &Run, files: Vec<String>, agrees: bool, args: &ArtefactArgs, conso
     });
 }
 
-/// All meshes of a file as one, where they stand in it.
+/// All meshes of a file as one, each at its own position.
 fn as_one(loaded: Loaded) -> Mesh {
     if let [part] = &loaded.parts[..] {
         return part.mesh.clone();

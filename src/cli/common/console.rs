@@ -12,7 +12,7 @@ use std::path::Path;
 /// How many notes of an input are printed unless all are asked for.
 const NOTES: usize = 20;
 
-/// Between what was found and the next step, in messages.
+/// Separates the fact from the next step in messages.
 pub const HELP: &str = "\nhelp: ";
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -122,7 +122,7 @@ impl Console {
         }
     }
 
-    /// Prints a remark of no consequence.
+    /// Prints a note.
     pub fn note(&self, message: &str) {
         self.remark(Style::BOLD, "note", message);
     }

@@ -62,7 +62,7 @@ pub fn check_root(root: Option<&PathBuf>) -> Result<(), Failure> {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Input {
     pub source: Source,
-    /// Where it goes below an output folder: its place in the folder that was given, or its bare name.
+    /// The path of its output below an output folder: its path within the given folder, or its file name.
     pub place: PathBuf,
 }
 

@@ -1,8 +1,8 @@
 //! Outputs appear whole or not at all.
 //!
 //! Everything is written to temporary files in the folders where it belongs, then renamed: companions first, the
-//! main file last, so that whoever sees the new main file finds its companions. A link is followed to the file
-//! that it names, an existing file keeps its permissions, a new one gets those that the umask leaves.
+//! main file last, so that a program that sees the new main file finds its companions. A link is followed to the file
+//! that it names, an existing file keeps its permissions, a new one has those that the umask leaves.
 
 use super::stream::Stream;
 use anyhow::{Context, Result, bail, ensure};
@@ -49,7 +49,7 @@ enum Staged {
     Direct(PathBuf, Vec<u8>),
 }
 
-/// Makes a folder for outputs: before the work, not after.
+/// Makes a folder for outputs, before the work begins.
 pub fn make_folder(folder: &Path) -> Result<()> {
     let file = folder.ancestors().find(|it| it.exists() && !it.is_dir());
     ensure!(
@@ -61,8 +61,8 @@ pub fn make_folder(folder: &Path) -> Result<()> {
 }
 
 impl Store {
-    /// With `sync`, each output is on the disk before its name is. With `dry_run` nothing is written, and all is
-    /// refused that can be known to fail.
+    /// With `sync`, each output is on the disk before its name is. With `dry_run` nothing is written, but errors that can be
+    /// known in advance are reported.
     pub fn new(sync: bool, dry_run: bool) -> Self {
         Self { sync, dry_run, companions: BTreeMap::new() }
     }
@@ -306,14 +306,14 @@ pub fn stem(path: &Path) -> Option<String> {
     Some(path.file_stem()?.to_string_lossy().into_owned())
 }
 
-/// Writes bytes to standard output. That its reader has gone away is no failure.
+/// Writes bytes to standard output. It is no failure if its reader has closed it.
 pub fn to_stdout(bytes: &[u8]) -> Result<()> {
     let mut out = io::stdout().lock();
     forgive_broken_pipe(out.write_all(bytes).and_then(|()| out.flush()))
         .context("could not write to standard output")
 }
 
-/// A reader that goes away early, as `head` does, has had what it wanted.
+/// A reader that closes the stream early, as `head` does, is no error.
 pub fn forgive_broken_pipe(result: io::Result<()>) -> io::Result<()> {
     match result {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
@@ -333,7 +333,7 @@ fn follow_links(path: &Path) -> Result<PathBuf> {
     bail!("{} is a symbolic link that refers to itself", path.display())
 }
 
-/// Whether both are there and one file.
+/// Whether both paths exist and are one file.
 pub fn is_same_file(a: &Path, b: &Path) -> bool {
     matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
 }

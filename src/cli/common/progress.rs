@@ -49,7 +49,7 @@ impl Progress {
         Self::new(console, BYTES, bytes)
     }
 
-    /// A bar over a number of things of one kind, with what is being done and their name; none for one.
+    /// A bar over a number of items of one kind, with the activity and the name of the items; none for one item.
     pub fn of_count(console: &Console, doing: &'static str, things: &'static str, count: u64) -> Self {
         if count < 2 { Self::hidden() } else { Self::new(console, COUNT, count).with_words(doing, things) }
     }
@@ -66,7 +66,7 @@ impl Progress {
         self.bar.set_position((1000.0 * share) as u64);
     }
 
-    /// For one thing, whose share done is not known: a spinner and the time it has taken.
+    /// For one item, whose progress is not known: a spinner and the elapsed time.
     pub fn of_one(console: &Console, doing: &'static str, thing: &'static str) -> Self {
         Self::new(console, ONE, 1).with_words(doing, thing)
     }

@@ -6,7 +6,7 @@ use super::output::Target;
 use crease::io::{Format, Written};
 use serde::Serialize;
 
-/// What every report begins with: the schema, the program's version, and how it went.
+/// The first members of every report: the schema, the program's version, and the status.
 #[derive(Debug, Default, Serialize)]
 pub struct Head {
     schema: &'static str,

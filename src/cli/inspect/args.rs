@@ -75,7 +75,7 @@ macro_rules! thresholds {
         }
 
         impl ThresholdArgs {
-            /// The defaults with the options in their place.
+            /// The default thresholds, replaced by those of the options.
             pub fn resolve(&self, places: Option<usize>) -> Thresholds {
                 let mut thresholds = Thresholds::default();
                 $(if let Some(value) = self.$option {

@@ -25,14 +25,14 @@ pub struct Job {
     pub source: Source,
     /// The input's format as typed; `None`: by its content, else by its name.
     pub format: Option<Format>,
-    /// Where the output goes; `None`: nowhere.
+    /// The output; `None` if nothing is written.
     pub target: Option<Target>,
     /// The output's format; `None`: that of the input.
     pub to: Option<Format>,
 }
 
 impl<'a> Request<'a> {
-    /// Checks what was typed against itself and against the files that are there.
+    /// Checks the options, also against existing files.
     pub fn resolve(args: &'a NormalsArgs) -> Result<Self, Failure> {
         let rows = args.normals.emit == Emit::Face && args.run.json && !has_destination(args);
         if !has_destination(args) && !rows && !args.output.dry_run {

@@ -61,7 +61,7 @@ fn print(report: &Report, request: &Request, console: &Console) {
     });
 }
 
-/// Carries out one job: read, compute, write, store. The report gets what happened, as far as it went.
+/// Carries out one job: read, compute, write, store. The report contains the results up to the first error.
 fn run(
     job: &Job,
     request: &Request,

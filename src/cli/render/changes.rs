@@ -13,7 +13,7 @@ use glam::{DMat3, DMat4, DVec3};
 /// Changes a scene as asked.
 ///
 /// # Errors
-/// What the scene lacks, and what makes no sense with it.
+/// Options that need something that the scene lacks, or that do not suit it.
 pub fn change(request: &Request, file: &mut SceneFile) -> Result<(), Failure> {
     let transfer = file.settings.transfer;
     change_settings(request, file);
@@ -190,8 +190,7 @@ pub fn about(axis: DVec3, Degrees(degrees): Degrees) -> DMat4 {
     }
 }
 
-/// The point that objects are turned about: the middle of the box around them, and where there is none the point that
-/// the camera looks at.
+/// The point that objects are rotated about: the middle of the box around them, or the target of the camera if there is none.
 pub fn pivot(file: &SceneFile) -> DVec3 {
     let scene = file.scene();
     scene.bounds().map_or(scene.camera.target, |(low, high)| low * 0.5 + high * 0.5)

@@ -16,7 +16,7 @@ pub struct Request<'a> {
     pub source: Source,
     pub format: Option<Format>,
     pub load: LoadOptions,
-    /// Where the picture goes; `None`: nowhere.
+    /// The output; `None` if nothing is written.
     pub target: Option<Target>,
     pub file: FileKind,
     pub subject: Subject<'a>,
@@ -120,7 +120,7 @@ impl<'a> Request<'a> {
         }
     }
 
-    /// Whether lines behind surfaces are left out, if nothing else says so.
+    /// Whether lines behind surfaces are hidden; `default` if no option specifies it.
     pub fn hides_lines(&self, default: bool) -> bool {
         self.args.shading.hidden_lines.map_or(default, |lines| lines == HiddenLines::Remove)
     }

@@ -172,7 +172,7 @@ mod tests {
         // #767676, the darkest grey that is known for 4.54:1 on white.
         let grey = LinearRgb::from(Srgb8([0x76; 3]));
         assert!((contrast(white, grey, Transfer::Srgb) - 4.54).abs() < 0.005);
-        // Light of 0.3 is code 77 if it is written as it is, of luminance 0.0742, and not 149.
+        // Without a curve, light of 0.3 is code 77, of luminance 0.0742, and not 149.
         assert!((contrast(white, LinearRgb::grey(0.3), Transfer::Direct) - 1.05 / 0.1242).abs() < 0.01);
         assert!((contrast(LinearRgb::grey(0.3), white, Transfer::Srgb) - 3.0).abs() < 0.02);
     }

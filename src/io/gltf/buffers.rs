@@ -22,7 +22,7 @@ pub enum Storage {
         path: PathBuf,
         bytes: Arc<Vec<u8>>,
     },
-    /// Nowhere: only a compressed copy exists.
+    /// No data: only a compressed copy exists.
     Absent,
 }
 

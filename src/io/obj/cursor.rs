@@ -65,7 +65,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Where the text goes on if the backslash at `at` continues the line. Blanks behind it are ignored.
+    /// Where the text continues if the backslash at `at` continues the line. Blanks behind it are ignored.
     fn continuation(&self, at: usize) -> Option<usize> {
         let rest = &self.text[at + 1..];
         let blanks = rest.iter().take_while(|&&byte| is_blank(byte)).count();

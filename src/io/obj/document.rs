@@ -118,7 +118,7 @@ impl Runs {
         self.count += 1;
     }
 
-    /// A run, unless it goes on with the last one.
+    /// Begins a run, unless the line continues the last one.
     fn start(&mut self, first: u32, line: u64) {
         let goes_on = |&(known, at): &(u32, u64)| at + u64::from(first - known) == line;
         if !self.starts.last().is_some_and(goes_on) {
@@ -158,7 +158,7 @@ mod tests {
         assert_eq!(ObjLines::new(b"").of_face(0), None);
     }
 
-    /// Pieces are parsed separately, and lines of the second go on from the first.
+    /// Pieces are parsed separately, and lines of the second continue those of the first.
     #[test]
     fn lines_go_on_over_pieces() {
         let mut text = b"v 0 0 0\nv 1 0 0\nv 0 1 0\n".to_vec();

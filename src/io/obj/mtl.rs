@@ -179,7 +179,7 @@ fn listed(names: &BTreeSet<String>, text: &str) -> Note {
     Note::warning(Place::File, format!("{first} {text}{more}"))
 }
 
-/// Several names in one statement: each goes on to the next `.mtl`, or where there is none, to a blank.
+/// Several names in one statement: each ends with the next `.mtl`, or if there is none, at a blank.
 fn split_names(names: &str) -> Vec<&str> {
     const EXTENSION: &str = ".mtl";
     let lower = names.to_ascii_lowercase();

@@ -159,7 +159,7 @@ impl Editor<'_> {
         Ok(())
     }
 
-    /// The normal that a vertex, old or new, gets; `None` keeps the stored one.
+    /// The normal of a vertex, old or added; `None` keeps the stored one.
     fn normal(&self, vertex: usize) -> Option<DVec3> {
         let normals = self.vertex_normals?;
         let slot = match (&self.keys, self.split.sample[vertex]) {

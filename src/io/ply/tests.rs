@@ -286,7 +286,7 @@ fn normals_of_faces() {
         .replace(" 100\n", " 100 1 0 0\n")
         .replace(" 101\n", " 101 0 1 0\n");
     assert_eq!(String::from_utf8(written.clone()).unwrap(), expected);
-    // Patched where they are there; those of faces that are turned round turn.
+    // Stored normals are overwritten in place, and those of reversed faces are negated.
     let again = load(&written);
     let reversed = PartEdit { faces: FaceEdit { dropped: vec![], reversed: vec![1] }, ..PartEdit::default() };
     let turned = expected.replace("3   0 2 3 101 0 1 0", "3 0 3 2 101 0 -1 0");

@@ -17,7 +17,7 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
         if mesh.positions().iter().any(|p| !p.as_vec3().is_finite()) {
             return Err(beyond_f32(mesh));
         }
-        // One a face: a polygon has as many triangles as it takes to look at all of its corners.
+        // One for each face. To check all corners of a polygon for each of its triangles would take quadratic time.
         let normals: Vec<Option<DVec3>> =
             (0..mesh.face_count()).map(|face| shared_normal(mesh, face)).collect();
         let triangulation = triangulate(mesh);

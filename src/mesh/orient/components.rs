@@ -1,4 +1,4 @@
-//! Connected components, and which faces of each run against the others.
+//! Connected components, and which faces of each have the opposite winding to the others.
 
 use crate::mesh::faces::is_collapsed;
 use crate::mesh::link::Link;

@@ -1,6 +1,6 @@
 //! Consistent and outward orientation of faces.
 
-// Connected components, and which faces of each run against the others.
+// Connected components, and which faces of each have the opposite winding to the others.
 mod components;
 // How deep closed surfaces lie inside each other, by rays from points of them.
 mod nesting;

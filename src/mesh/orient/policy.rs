@@ -15,9 +15,9 @@ pub enum Orient {
     /// None.
     #[default]
     Keep,
-    /// In each component the minority that runs against the rest; of equal numbers those that run against the lowest
-    /// face. Faces without area (twice the area below a millionth of the longest edge squared), such as fillers next to a
-    /// vertex on an edge, do not count and are reversed with the others.
+    /// In each component the minority with a winding opposite to the others; of two equal halves the one opposite to the lowest
+    /// face. Faces without area (twice the area below a millionth of the longest edge squared), such as fillers next to a vertex
+    /// on an edge, do not count and are reversed with the others.
     Consistent,
     /// In each closed component the faces that do not face outwards, if it lies in an even number of other closed
     /// components, or inwards, as a cavity, if it lies in an odd number. A room faces inwards and does not count for its
@@ -57,7 +57,7 @@ pub struct Orientation {
     /// The faces to reverse, ascending: [`FaceEdit::reversed`](crate::mesh::FaceEdit::reversed).
     #[serde(skip)]
     pub reversed: Vec<u32>,
-    /// Those of components with a boundary, ascending ([`Orient::Outward`] only).
+    /// The reversed faces of components with a boundary, ascending ([`Orient::Outward`] only).
     #[serde(skip)]
     pub reversed_open: Vec<u32>,
     /// How many components there are.

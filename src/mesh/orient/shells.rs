@@ -37,7 +37,7 @@ pub(super) enum Role {
     Solid,
     /// It should face inwards, as the wall of a cavity.
     Cavity,
-    /// It faces inwards, and should.
+    /// It faces inwards, and is right.
     Room,
     Unknown,
 }

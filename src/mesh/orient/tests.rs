@@ -334,8 +334,8 @@ fn any_number_of_threads_finds_the_same() {
     assert!([2, 3, 8].iter().all(|&threads| with(threads) == one));
 }
 
-/// Each of n tetrahedra within all larger ones is a question of n² answers. Few get them all; of many, those
-/// that the budget leaves out are counted and stay.
+/// Each of n tetrahedra within all larger ones needs n² answers. Few tetrahedra have them all; of many, those beyond the budget
+/// are counted and do not change.
 #[test]
 fn searches_without_end_are_cut_short() {
     let nested = |count: u32| {

@@ -173,7 +173,7 @@ mod tests {
             let share = 0.5 * (1.0 - height);
             for face in (0..mesh.face_count() as u32).step_by(37) {
                 let difference = poll.difference(face, face as usize).unwrap();
-                // Two of 32 rays lie on the wrong side of the rim at most, or of the facets that stand in for it.
+                // Two of 32 rays lie on the wrong side of the rim at most, or of the facets that approximate it.
                 assert!(
                     (difference - share).abs() <= 2.5 / RAYS as f64,
                     "{height}: {difference}, not {share}"

@@ -1,4 +1,4 @@
-//! The cone rule: each corner averages the faces of its fan that face nearly its own way.
+//! The cone rule: each corner averages the faces of its fan whose normals are close to that of its own face.
 
 use crate::mesh::NONE;
 use crate::normals::creases::dihedral_test::CreaseTest;

@@ -1,4 +1,4 @@
-//! What the digits of positions allow angles between faces to be off by.
+//! The error of angles between faces that the digits of positions allow.
 
 use crate::mesh::{FacesRef, Mesh, PositionsRef, Storage};
 use glam::DVec3;

@@ -1,4 +1,4 @@
-//! Counting edges by what they are, for reports.
+//! Counting edges by kind, for reports.
 
 use crate::mesh::{Link, PositionsRef};
 use crate::normals::creases::chains::CreaseChains;

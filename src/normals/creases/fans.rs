@@ -43,7 +43,7 @@ pub(crate) struct MeshFans<'a> {
 impl Fans for MeshFans<'_> {
     #[inline]
     fn forward(&self, corner: u32) -> Option<u32> {
-        // A face that repeats a vertex, or has two at one position, goes on within itself.
+        // A face that repeats a vertex, or has two at one position, continues within itself.
         if self.topology.is_no_edge(corner) {
             return (!self.is_isolated(corner)).then(|| self.topology.next(corner));
         }

@@ -61,7 +61,7 @@ pub(in crate::normals) fn can_do_without_topology(mesh: &Mesh, recipe: &NormalRe
 }
 
 /// The same of such a mesh, whose faces all add to sums, as the topology would give them. `None` if edges would be joined to
-/// others by position. Face normals may be left out if no edge is hard for its angle.
+/// others by position. Face normals may be omitted if no edge is hard for its angle.
 pub(in crate::normals) fn of_triangles(
     mesh: &Mesh,
     recipe: &NormalRecipe,

@@ -133,7 +133,7 @@ impl SmoothGroups {
                 }
             },
         );
-        // Fans that go on at other vertices are walked one after the other.
+        // Fans that continue at other vertices are walked one after the other.
         let (mut welded, mut count): (Vec<(u32, u32)>, u32) = (Vec::new(), 0);
         if topology.has_welds() {
             let corners = || 0..faces.corners().len() as u32;

@@ -2,8 +2,7 @@
 //!
 //! All edges at a vertex are seen from its own corners, so the fans around it need no topology of the whole
 //! mesh. Most vertices lie inside a smooth surface: their triangles follow each other once round, and no crease is among
-//! them. That takes one comparison of vertex numbers and one of normals a triangle; what is left is matched and walked in
-//! full.
+//! them. That takes one comparison of vertex numbers and one of normals a triangle; the others are matched and walked in full.
 
 use crate::mesh::{
     EdgeMatcher, FacesRef, Link, NONE, Rings, Scatter, next_in_triangle, previous_in_triangle,
@@ -31,10 +30,10 @@ pub(crate) struct GroupMemory {
 /// The vertex has several groups: its corners have labels. Above all numbers of corners that a mesh may have.
 const SPLIT: u32 = 1 << 31;
 
-/// Vertices that one task looks at.
+/// Vertices of one task.
 const TASK: usize = 1024;
-/// Vertices whose corners are laid out before any is looked at: vectors read right behind the writes of their elements
-/// would wait for them.
+/// Vertices whose corners are all stored before any is read: vectors read right behind the writes of their elements would wait
+/// for them.
 const BLOCK: usize = 16;
 
 /// What decides about groups.

@@ -111,7 +111,7 @@ impl Encoding {
         }
     }
 
-    /// How many bits of a code mean something.
+    /// The number of bits of a code that are used.
     pub fn bits(self) -> u32 {
         match self {
             Encoding::Octahedral(codec, _) => 2 * codec.bits(),
@@ -126,8 +126,8 @@ impl Encoding {
         self.bits().div_ceil(8) as usize
     }
 
-    /// An angle that no normal is farther from what its code gives back. Exponents of highlights that *every* normal serves
-    /// follow from it; those of the worst of a sample come out larger, the fewer are looked at.
+    /// A bound on the angle between any normal and the decoded one. It determines the exponents of highlights that *every* normal
+    /// is right for; the worst of a sample allows larger ones, the more so the smaller the sample.
     ///
     /// Octahedral codes: 0.958° for 8 bits, by the largest code for others; the worst are in the middle of an octant, where
     /// half a step each way moves the normal by 3/√2 of 1/(2^(bits−1) − 1) rad (0.957°; the rest allows for curvature). With
@@ -182,7 +182,7 @@ impl Encoding {
         packed
     }
 
-    /// The normals of packed codes. Bytes that are no whole code at the end are left out.
+    /// The normals of packed codes. Bytes at the end that are no whole code are omitted.
     pub fn unpack(self, packed: &[u8]) -> impl ExactSizeIterator<Item = DVec3> {
         packed.chunks_exact(self.bytes()).map(move |bytes| {
             let mut code = [0; 16];

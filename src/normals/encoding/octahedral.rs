@@ -39,7 +39,7 @@ impl Octahedral {
         self.bits
     }
 
-    /// The code of a direction of any length. Zero and what is not finite get the code of +Z.
+    /// The code of a direction of any length. Zero and what is not finite have the code of +Z.
     #[inline]
     pub fn encode(self, direction: DVec3, rounding: Rounding) -> [i32; 2] {
         let place = unfold(direction) * largest_code(self.bits);

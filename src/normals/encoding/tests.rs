@@ -16,7 +16,7 @@ fn directions(count: usize) -> impl Iterator<Item = DVec3> {
     .take(count)
 }
 
-/// What the module's table says of each.
+/// The worst angle of an encoding, as in the table of the module.
 fn worst(encoding: Encoding) -> f64 {
     encoding.worst_angle().0
 }

@@ -1,6 +1,6 @@
 //! Fallback normals where sums have no direction: always a finite unit vector, by one documented chain, and always counted.
 //!
-//! A corner without a normal of its own takes the first of these that is there:
+//! A corner without a normal of its own takes the first of these that exists:
 //! 1. the unit sum of the face normals of its fan, across creases and marked edges (for a corner that no edge
 //!    joins to others: of all faces at its vertex);
 //! 2. the unit sum of the normals of the faces across the edges of its group's faces;

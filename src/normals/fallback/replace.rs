@@ -13,9 +13,9 @@ pub enum When {
     /// All.
     #[default]
     Always,
-    /// Those that are not there.
+    /// Missing ones.
     Missing,
-    /// Those that are not there and those that are broken: see [`Broken`].
+    /// Missing ones and broken ones: see [`Broken`].
     Broken,
 }
 
@@ -34,12 +34,12 @@ pub enum Broken {
     NotFinite,
     /// It is zero, and has no direction.
     Zero,
-    /// It points more than 90° away from the normal of its own face, whatever its length. Not asked of faces that
-    /// add nothing to sums: their own direction means nothing. Nor of a normal that is what would replace it:
-    /// around a sharp fold a mean may be against one of its faces.
+    /// It points more than 90° away from the normal of its own face, whatever its length. Faces that add nothing to sums are not
+    /// checked: their own direction means nothing. Nor is a normal that equals its replacement: around a sharp fold a mean may
+    /// point behind one of its faces.
     AgainstFace,
-    /// Only its length is wrong, by more than [`LENGTH_TOLERANCE`]: it is divided by it, and its direction, which a
-    /// computed normal may not have, stays.
+    /// Only its length is wrong, by more than [`LENGTH_TOLERANCE`]: the normal is divided by it, and keeps its direction, which a
+    /// computed normal may not have.
     Length,
 }
 
@@ -201,7 +201,7 @@ mod tests {
         assert!(keeps_all(&again, &compute(&again, &NormalRecipe::default())));
     }
 
-    /// Directions made by hand outlive a wrong length, at any scale, once for each value that is used.
+    /// Authored directions are kept if their length is wrong, at any scale, once for each value that is used.
     #[test]
     fn wrong_lengths_are_divided_by() {
         let made = DVec3::new(0.6, 0.0, 0.8);

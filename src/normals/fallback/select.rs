@@ -1,4 +1,4 @@
-//! Which normals a mesh ends up with: its stored ones and those computed for it, put together by a policy.
+//! The normals of a mesh: stored ones and computed ones, combined by a policy.
 
 use crate::mesh::{Column, Mesh};
 use crate::normals::fallback::replace::{Broken, Replacement, When, replace};

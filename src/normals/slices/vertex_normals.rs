@@ -75,7 +75,7 @@ impl Scratch {
 /// Computes the unit normal of every triangle, (P1−P0)×(P2−P0) made unit.
 ///
 /// With `f32` each component is within 1 ulp of the true one, at any magnitude, offset or thinness; with `f64` the normal
-/// is within 1e-12 rad. A triangle without direction gets the unit sum of those that share an edge (two vertices) with it,
+/// is within 1e-12 rad. A triangle without direction has the unit sum of those that share an edge (two vertices) with it,
 /// else +Z. Every normal is finite and unit.
 ///
 /// Uses the threads of rayon's current pool; the result does not depend on their number. Time is linear in triangles.
@@ -132,7 +132,7 @@ pub fn face_normals<T: Coordinate>(
 ///
 /// With `f32` positions everything is computed in double precision and rounded once; with [`Precision::Fast`] in `f32`, with
 /// the range and the error that it names, and everything else falls back to double precision. Triangles of zero area add
-/// nothing; nor do slivers with [`Slivers::Exclude`], unless a vertex has no other triangle. A vertex with one triangle gets
+/// nothing; nor do slivers with [`Slivers::Exclude`], unless a vertex has no other triangle. A vertex with one triangle has
 /// its normal to the bit. Where a sum cancels (see [`FaultReason::CancellingFan`]) or nothing adds to it, the normal is the
 /// unit sum of the defined normals at the vertex, else the first of them by lexicographic value, else +Z. Sums that nearly
 /// cancel are kept, right to 10⁻³ rad or better, and are not listed. Every normal is finite and unit.

@@ -10,7 +10,7 @@ use glam::DVec3;
 use std::f64::consts::TAU;
 
 /// A face's share in sums: corner c adds `vector` · `weights[c]`, where `vector` is n̂ or a multiple of the area vector,
-/// with its length beside it. So the fourth component of a sum is the sum of weights.
+/// followed by its length. So the fourth component of a sum is the sum of weights.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct CornerTerms {
     /// The face's vector and its length.
@@ -42,8 +42,8 @@ impl CornerTerms {
         num::dispatch(Shape { points: &self.points, storage: source.storage(), lossy })
     }
 
-    /// Fills in what a face adds. `repeats(c)`: corner c stands for the same as the corner before it, if both lie
-    /// at the same place; then it adds nothing of its own.
+    /// Fills in what a face adds. A corner at the position of the corner before it adds nothing of its own if `repeats` is true
+    /// for it.
     pub(crate) fn fill(
         &mut self,
         faces: FacesRef,

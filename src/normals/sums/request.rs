@@ -48,7 +48,7 @@ pub(crate) enum SlotState {
     Within1e4,
     /// The same, to 10⁻³ rad.
     Within1e3,
-    /// Its terms cancel: what is left may be rounding.
+    /// Its terms cancel: the remainder may be rounding.
     Cancelling,
     /// No face with a direction adds to it.
     #[default]
@@ -98,7 +98,7 @@ impl Sums {
 /// One direction for each slot.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Sums {
-    /// Unit vectors. Of a cancelling slot the direction of what is left, of an empty one zero.
+    /// Unit vectors. Of a cancelling slot the direction of the remainder, of an empty one zero.
     pub(crate) unit: Vec<DVec3>,
     /// One for each unit vector.
     pub(crate) state: Vec<SlotState>,

@@ -35,7 +35,7 @@ pub(crate) fn single_sums(request: &SumRequest) -> Option<Sums> {
     single_sums_into(request, &mut SumScratch::default(), unit, &mut sums.state).then_some(sums)
 }
 
-/// The same into the caller's slices: a slot without faces gets +Z and [`SlotState::Empty`]. Returns `false`, with unspecified
+/// The same into the caller's slices: a slot without faces has +Z and [`SlotState::Empty`]. Returns `false`, with unspecified
 /// output, if anything is out of range, or if faces are not triangles.
 pub(crate) fn single_sums_into<O: Component>(
     request: &SumRequest,

@@ -33,7 +33,7 @@ pub(crate) struct Outcome {
 /// Σ w n̂ of every slot, each sum in ascending face index whatever the number of threads.
 ///
 /// Faces without direction add nothing, nor do slivers with [`Slivers::Exclude`](crate::normals::Slivers::Exclude), unless
-/// a slot has no other face. If all weights of a slot vanish, its faces count the same. A slot with one face gets that
+/// a slot has no other face. If all weights of a slot vanish, its faces count the same. A slot with one face has that
 /// face's normal to the bit.
 pub(crate) fn weighted_sums(request: &SumRequest) -> (Sums, Outcome) {
     let mut sums = Sums::new(request.slots);

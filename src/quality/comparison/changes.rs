@@ -32,7 +32,7 @@ pub struct Comparison {
     pub faces: [usize; 2],
     /// How many of them have no counterpart in the other.
     pub unmatched: [usize; 2],
-    /// The number of faces, or of their triangles, that run the other way.
+    /// The number of faces, or of their triangles, with the opposite winding.
     pub turned: usize,
     /// Corners that were matched. A corner of a polygon counts once for each triangle at it, if the other file has those.
     pub corners: usize,

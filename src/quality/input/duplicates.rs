@@ -8,7 +8,7 @@ use rustc_hash::FxHashMap;
 pub(crate) struct DuplicateFaces {
     /// Those that run the same way as an earlier one.
     pub(crate) same_way: Vec<u32>,
-    /// Those that run against an earlier one, ascending.
+    /// Those with the opposite winding to an earlier one, ascending.
     pub(crate) back_to_back: Vec<u32>,
     /// All faces that have a duplicate that runs the same way, the first ones included, ascending.
     pub(crate) all_same_way: Vec<u32>,

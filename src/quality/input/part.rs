@@ -19,7 +19,7 @@ use std::ops::Range;
 pub(crate) enum Direction {
     /// It has one, and its neighbours agree.
     Sound,
-    /// It runs against its neighbours, or its component is inside out: the opposite is right.
+    /// Its winding is opposite to its neighbours', or its component is inside out: the opposite is right.
     Reversed,
     /// It has none, or one that is rounding noise.
     Undefined,

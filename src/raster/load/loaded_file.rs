@@ -92,7 +92,7 @@ impl SceneFile {
         Ok(scene)
     }
 
-    /// A note if something lies beyond the far distance of a file's camera, where it is drawn all the same.
+    /// A note if something lies beyond the far distance of a file's camera, where it is still drawn.
     fn far_note(&self, camera: &Camera, file: &FileCamera) -> Option<Note> {
         let far = file.far?;
         let forward = (camera.target - camera.eye).normalize_or_zero();

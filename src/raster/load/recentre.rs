@@ -1,4 +1,4 @@
-//! Scenes where single lengths or places leave the range that a picture's arithmetic has.
+//! Scenes with lengths or positions outside the range of a picture's arithmetic.
 
 use crate::io::Note;
 use crate::num::unit_scale;

@@ -1,10 +1,10 @@
-//! Turning by degrees.
+//! Rotation by degrees.
 
 use crate::num::{Degrees, Radians};
 use glam::{DMat3, DMat4, DVec3};
 
-/// Turned by so many degrees about the x axis, then about y, then about z; counter-clockwise seen from where an axis
-/// points to. Quarter turns are exact.
+/// The rotation by these degrees about the x axis, then about y, then about z; counter-clockwise seen from where an axis points
+/// to. Quarter turns are exact.
 ///
 /// ```
 /// use crease::raster::rotation;

@@ -40,15 +40,15 @@ pub(super) const MOST_OBJECTS: usize = 1 << 17;
 pub struct SceneFile {
     /// The meshes that objects show, each once.
     pub meshes: Vec<SceneMesh>,
-    /// What is seen.
+    /// The objects.
     pub objects: Vec<SceneObject>,
-    /// What lights them; `None` for [`default_lights`], which follow the camera.
+    /// The lights; `None` for [`default_lights`], which follow the camera.
     pub lights: Option<Vec<Light>>,
     /// The numbers of lights that plans leave unchanged.
     pub kept_lights: Vec<usize>,
-    /// Where they are seen from; `None` for a camera that frames all of them.
+    /// The camera; `None` for one that frames all objects.
     pub camera: Option<Camera>,
-    /// What is seen where there is nothing.
+    /// The colour where no object is visible.
     pub background: LinearRgb,
     /// How it is drawn.
     pub settings: RenderSettings,
@@ -80,7 +80,7 @@ pub struct SceneObject {
     pub shape: SceneShape,
     /// From its own space to the scene's.
     pub transform: DMat4,
-    /// What it does with light.
+    /// The material.
     pub material: Material,
     /// Show the colours of its vertices instead, unlit.
     pub given: bool,
@@ -207,7 +207,7 @@ pub(super) fn plain_material() -> Material {
 /// lit by [`default_lights`](crate::raster::default_lights). Angles are in degrees; faces and vertices are counted from 0.
 ///
 /// # Errors
-/// What [`io::read`] says, and files without any face. In scene files, with the line and the key: unknown keys, values of
+/// The errors of [`io::read`], and files without any face. In scene files, with the line and the key: unknown keys, values of
 /// the wrong type or out of range, and what is wrong with meshes that they name. Nothing is silently ignored.
 pub fn load(path: &Path, format: Option<Format>, options: &LoadOptions) -> Result<SceneFile, ReadError> {
     if format.is_some() || !is_scene(path) {

@@ -1,7 +1,7 @@
 //! Clipping to the near plane and to the guard band, with everything that is interpolated along.
 //!
 //! Sutherland & Hodgman 1974, in homogeneous `f64`. A new vertex is always computed from the inner end of an edge
-//! towards the outer one, so that two faces that share an edge get the same vertex whichever way they run round it.
+//! towards the outer one, so that two faces that share an edge get the same vertex whatever their winding.
 
 use crate::raster::view::fixed_point::{GUARD, ONE, snap};
 use crate::raster::view::project::ScreenVertex;

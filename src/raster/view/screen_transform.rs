@@ -1,4 +1,4 @@
-//! From the scene to the picture: what a camera and a size of picture make of points.
+//! From the scene to the picture: points as a camera maps them to a picture of a given size.
 
 use crate::num::Radians;
 use crate::raster::view::camera::{Camera, CameraError, Projection};

@@ -8,7 +8,7 @@ use pulldown_latex::{Parser, Storage, push_mathml};
 /// Running text as HTML: `θ_L`, `c_{13}`, `cosⁿ` and `sin(α)^n` with their scripts below and above the line, names between
 /// backticks as code. A number stays on one line with its unit and its power of ten.
 ///
-/// What stands below belongs to a single letter, so that names of files and of options are left as they are. A script is a
+/// A subscript belongs to a single letter, so that names of files and of options do not change. A script is a
 /// group in braces or parentheses, which are not shown, or the letters and digits that follow.
 pub fn running(text: &str) -> String {
     with_code_in(text, scripts)

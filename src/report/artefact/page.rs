@@ -74,7 +74,7 @@ fn thumbnails(series: &[Shot]) -> impl Iterator<Item = &Shot> {
     [artefact, cure.map(|cure| &series[cure]), difference].into_iter().flatten()
 }
 
-/// The index of some experiments, with thumbnails: the artefact, its cure, and what lies between them where that is drawn.
+/// The index of some experiments, with thumbnails: the artefact, its cure, and their difference if it is drawn.
 ///
 /// # Errors
 /// Pictures that cannot be made into files.

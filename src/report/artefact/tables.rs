@@ -87,7 +87,7 @@ pub(super) fn miss(values: &[(&'static str, Value)]) -> Text {
     TEXTS.with("miss", values)
 }
 
-/// All numbers of an experiment next to what they should be.
+/// All numbers of an experiment with their expected values.
 pub fn measure_table(outcome: &Outcome, language: Language) -> Table {
     let keys = [
         "column-quantity",
@@ -120,7 +120,7 @@ pub fn measure_table(outcome: &Outcome, language: Language) -> Table {
     table
 }
 
-/// A sentence for each number that is not what it should be: what it is, what was found, what was expected, and by what.
+/// A sentence for each number that is not as expected: its name, its value, the expected value, and the source of that.
 pub fn misses(outcome: &Outcome, language: Language) -> Vec<String> {
     let missed = outcome.measures.iter().filter(|measure| measure.agrees() == Some(false));
     let sentence = |Measure { name, unit, value, expected, .. }: &Measure| {

@@ -158,7 +158,7 @@ mod tests {
 
     const SIDE: u32 = 60;
 
-    /// Triangles with their corners apart, in the plane of the picture, and what they look like at each pixel: its colour, how
+    /// Triangles with separate corners, in the plane of the picture, and what they look like at each pixel: its colour, how
     /// many of its four samples are covered, and its middle.
     fn drawn(
         corners: &[([f64; 2], Option<f64>)],

@@ -290,7 +290,7 @@ mod tests {
         ] {
             let corner = Corner { position: DVec3::splat(0.5), deviation, edge: 1e-4, around };
             let lines = dots([corner].into_iter(), scale, &camera, 480);
-            assert_eq!(lines.len(), usize::from(is_marked), "{deviation:?} beside {around:?}");
+            assert_eq!(lines.len(), usize::from(is_marked), "{deviation:?} next to {around:?}");
         }
     }
 
@@ -303,7 +303,7 @@ mod tests {
         assert_eq!(scale(vec![]).labels(), ["1°", "0.5°"]);
         assert_eq!(scale(vec![0.0, 3.0]).labels(), ["5°", "2.5°"]);
         assert_eq!(scale(vec![30.0; 7]).labels(), ["30°", "15°"]);
-        // One in two hundred is left out, two are not.
+        // One in two hundred is ignored, two are not.
         let with = |count: usize| [vec![0.0; 200 - count], vec![180.0; count]].concat();
         assert_eq!(scale(with(1)).words(), "from violet, 0°, to yellow, 1° and more, up to 180°");
         let rounded = [vec![90.0; 400], vec![90.0 + 1e-9]].concat();

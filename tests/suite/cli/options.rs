@@ -1,4 +1,4 @@
-//! That each option reaches what it names. What the library makes of it is tested there.
+//! Each option has its effect. Other tests check the results of the library.
 
 use super::{TRIANGLE, code, data, folder, normals, path, succeed, text};
 use std::fs;
@@ -144,7 +144,7 @@ fn orienting_outward_mends_a_mesh_turned_inside_out() {
     assert_eq!(found["reversed_faces"], found["faces"]);
     assert_eq!(found["orientation"]["closed"], 3);
     assert_eq!(part(&[&mended, "--dry-run", "--orient", "outward"])["reversed_faces"], 0);
-    // Turned by orientation, then turned back.
+    // Reversed by orientation, then flipped back.
     let both = part(&[&flipped, "--dry-run", "--orient", "outward", "--flip"]);
     assert_eq!(both["reversed_faces"], 0);
 }

@@ -1,4 +1,4 @@
-//! Files: where they go, what becomes of those that are there, and what is left when something fails.
+//! Output files: their paths, existing files, and what remains after an error.
 
 use super::{BAD, TRIANGLE, code, data, folder, names, normals, path, succeed, text};
 use std::fs;

@@ -3,7 +3,7 @@
 use libm::{cos, sin};
 use std::f64::consts::{PI, TAU};
 
-/// Polygons with a label each; what the label means is the writer's business.
+/// Polygons with a label each; the writer defines the meaning of labels.
 #[derive(Clone, Default)]
 pub struct Shape {
     pub positions: Vec<[f64; 3]>,
@@ -59,8 +59,8 @@ impl Shape {
         self.faces.iter().flat_map(fan).collect()
     }
 
-    /// Adds a closed prism over an outline in the x-y plane, counter-clockwise seen from +z; the caps are one
-    /// polygon each. `side` tells the label of the side that follows each outline point, `cap` that of the caps.
+    /// Adds a closed prism over an outline in the x-y plane, counter-clockwise seen from +z; the caps are one polygon each.
+    /// `side` returns the label of the side that follows each outline point, `cap` is that of the caps.
     fn prism(&mut self, outline: &[[f64; 2]], z: [f64; 2], cap: usize, side: impl Fn(usize) -> usize) {
         let back: Vec<u32> = outline.iter().map(|&[x, y]| self.vertex([x, y, z[0]])).collect();
         let front: Vec<u32> = outline.iter().map(|&[x, y]| self.vertex([x, y, z[1]])).collect();

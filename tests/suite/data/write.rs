@@ -223,7 +223,7 @@ pub fn data_uri(bytes: &[u8]) -> String {
     )
 }
 
-/// One wedge, shown as it is and through a mirroring node.
+/// One wedge, shown unchanged and through a mirroring node.
 fn mirrored() -> String {
     let shape = shapes::wedge();
     let (positions, indices) = (f32_bytes(&shape.positions), index_bytes(&shape.triangles()));

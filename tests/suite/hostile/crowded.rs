@@ -1,6 +1,6 @@
-//! Meshes made to be slow to judge: all that they have is at one place.
+//! Meshes that would be slow to diagnose: all their elements are at one position.
 //!
-//! Each is so large that work by the square of it takes hours.
+//! Each is so large that an algorithm of quadratic time would take hours.
 
 use super::patiently;
 use crate::random::Random;

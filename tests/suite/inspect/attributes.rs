@@ -20,13 +20,13 @@ struct Vertices {
     normals: Vec<DVec3>,
     uvs: Vec<[f64; 2]>,
     tangents: Vec<[f64; 4]>,
-    /// What the only morph target adds.
+    /// The displacements of the only morph target.
     moves: Vec<DVec3>,
     turns: Vec<DVec3>,
     indices: Vec<u32>,
 }
 
-/// The morph target leans the shape over by this: x grows with y.
+/// The shear of the morph target: x grows with y.
 const SHEAR: f64 = 0.8;
 
 impl Vertices {
@@ -135,7 +135,7 @@ impl Vertices {
         .into_bytes()
     }
 
-    /// By how many degrees the shear turns the normal of a vertex.
+    /// The angle in degrees by which the shear rotates the normal of a vertex.
     fn turn(&self, vertex: u32) -> f64 {
         let (normal, turn) = (self.normals[vertex as usize], self.turns[vertex as usize]);
         Degrees::from(angle_between(normal, normal + turn)).0
@@ -207,7 +207,7 @@ fn tangents_that_do_not_fit_are_found_where_they_are() {
 #[test]
 fn morph_normals_that_do_not_turn_along_are_found() {
     let mut file = Vertices::right();
-    // Twice the threshold and more.
+    // At least twice the threshold.
     let places: BTreeSet<u32> = some(&file).into_iter().filter(|&v| file.turn(v) > 30.0).collect();
     assert!(places.len() > 5);
     places.iter().for_each(|&vertex| file.turns[vertex as usize] = DVec3::ZERO);
@@ -215,10 +215,10 @@ fn morph_normals_that_do_not_turn_along_are_found() {
     assert_eq!(vertices(&diagnosis, Kind::MorphNormals), places);
     assert_eq!(grave(&diagnosis), ["wrong-morph-normals"]);
     let site = &diagnosis.get(Kind::MorphNormals).unwrap().places[0];
-    assert_eq!(site.node.as_deref(), Some("body/arm/ring"), "the whole way to the node");
+    assert_eq!(site.node.as_deref(), Some("body/arm/ring"), "the full path of the node");
 }
 
-/// The faults above as they stand in the table, at the vertices that [`some`] picks.
+/// The faults above with their names in the table, at the vertices of [`some`].
 pub(super) fn planted() -> [Planted; 2] {
     let mut leaning = Vertices::right();
     let places = some(&leaning);
@@ -234,7 +234,7 @@ pub(super) fn planted() -> [Planted; 2] {
     ]
 }
 
-/// Files with a fault each that a command mends.
+/// Files, each with a fault that a command fixes.
 pub(super) fn faulty() -> [(Kind, Vec<u8>); 2] {
     let mut leaning = Vertices::right();
     leaning.tangents[5] = leaning.normals[5].extend(1.0).to_array();

@@ -11,8 +11,8 @@ use crease::quality::catalogue::Kind;
 use crease::surface::{Cylinder, Pattern, Sphere, Surface, Tessellation, Wave};
 use glam::{DMat3, DVec3};
 
-/// Leaves round the middle of a tree, quads of any direction and not quite plane, each for itself or with a back side of its
-/// own, lit like a ball, as is usual for foliage, and more or less from above.
+/// Leaves around the centre of a tree: quads of random directions, not quite planar, with or without a back side. Their normals
+/// are those of a ball, as is usual for foliage, tilted upwards by `up`.
 fn leaves(count: u32, up: f64, have_backs: bool) -> Mesh {
     let mut random = Random(71);
     let mut any = || DVec3::from([(); 3].map(|()| 2.0 * random.unit() - 1.0));
@@ -35,8 +35,8 @@ fn leaves(count: u32, up: f64, have_backs: bool) -> Mesh {
     mesh.with_normals(Some(Column::per_vertex(normals)))
 }
 
-/// Half of them have their normals behind their face, and none of that is a fault. With backs the leaves are closed and have
-/// no inside.
+/// Half of the leaves have normals that point behind their face, which is no fault. Leaves with backs are closed and have no
+/// inside.
 #[test]
 fn leaves_lit_like_a_ball_may_be_meant() {
     for up in [0.0, 0.5, 2.0] {
@@ -65,7 +65,7 @@ fn together(first: &Mesh, second: &Mesh) -> Mesh {
     per_corner(&mesh, [unshared(first), unshared(second)].concat())
 }
 
-/// A trunk by a rule, with a fault at so many corners of it.
+/// A trunk with computed normals, and a fault at some of its corners.
 fn trunk(faults: usize, fault: impl Fn(DVec3) -> DVec3) -> Mesh {
     let tube = surface(&Surface::from(Cylinder::default()), [24, 12]).with_normals(None);
     let mut normals = unshared(&with_normals(tube.clone(), &recipe(Weight::Angle, 180.0)));
@@ -76,8 +76,8 @@ fn trunk(faults: usize, fault: impl Fn(DVec3) -> DVec3) -> Mesh {
     per_corner(&tube, normals)
 }
 
-/// Few or many leaves beside a trunk are no faults by its rule, and what is wrong with the trunk is told all the same. Among 400
-/// leaves are some whose normals are the very opposite of what a flat face has, by chance.
+/// Leaves next to a trunk are no faults by its weighting, few or many, and faults of the trunk are still reported. By chance,
+/// some of 400 leaves have normals opposite to those of a flat face.
 #[test]
 fn leaves_next_to_a_trunk_may_be_meant() {
     for count in [5, 20, 100, 400] {
@@ -103,7 +103,7 @@ fn leaves_next_to_a_trunk_may_be_meant() {
     }
 }
 
-/// One of several pieces with all its normals turned, or turned round, is no other making.
+/// A component with all its normals rotated or inverted does not count as authored.
 #[test]
 fn what_happened_to_a_whole_piece_is_a_fault() {
     let ball = Tessellation { pattern: Pattern::Icosphere(2), ..Tessellation::default() };
@@ -120,13 +120,13 @@ fn what_happened_to_a_whole_piece_is_a_fault() {
         let diagnosis = inspect(&together(&trunk(0, |_| unreachable!()), &piece), 1);
         assert_eq!(grave(&diagnosis), [kind.id()]);
         let count = diagnosis.get(kind).unwrap().count as usize;
-        // At the poles of the turn normals stay within the threshold.
+        // Near the axis of the rotation, normals stay within the threshold.
         assert!(count > piece.faces().corner_count() * 8 / 10, "{kind:?}: {count}");
     }
 }
 
-/// Normals bent upwards turn round by and by: the very lowest are the opposite of what they should be, and are no fault beside
-/// those round them. Facets bent so have one normal each that no other has, and are none either.
+/// Normals tilted upwards change gradually over a ball. The lowest are opposite to the computed ones, which is no fault next to
+/// their neighbours. Tilted flat normals, one for each facet, are no fault either.
 #[test]
 fn what_is_curved_upwards_may_be_meant() {
     for subdivisions in [2, 3, 4] {
@@ -144,7 +144,7 @@ fn what_is_curved_upwards_may_be_meant() {
     }
 }
 
-/// A ball by a rule, but where its normals are changed by where they stand.
+/// A ball with computed normals, changed by a function of position and normal.
 fn ball_changed(change: impl Fn(DVec3, DVec3) -> DVec3) -> Mesh {
     let cells = Tessellation { pattern: Pattern::Icosphere(3), ..Tessellation::default() };
     let ball = Surface::from(Sphere::default()).tessellate(&cells).unwrap().with_normals(None);
@@ -154,8 +154,8 @@ fn ball_changed(change: impl Fn(DVec3, DVec3) -> DVec3) -> Mesh {
     per_corner(&ball, changed.collect())
 }
 
-/// As artists smooth a face: up to 25° off the rule in one place, with an end that is sharp or soft. What is wrong elsewhere is told
-/// all the same.
+/// As artists smooth a face: normals up to 25° off the weighting in one region, with a sharp or soft border. Faults elsewhere are
+/// still reported.
 #[test]
 fn what_is_curved_in_one_place_may_be_meant() {
     for from in [0.0, 0.5] {
@@ -183,7 +183,7 @@ fn what_is_curved_in_one_place_may_be_meant() {
     }
 }
 
-/// One normal for all of a region is what programs fill in, and turning a region round leaves its normals as smooth as they were.
+/// Programs fill a region with one normal, and inverting a region keeps its normals smooth: both are faults.
 #[test]
 fn what_is_wrong_all_over_a_region_is_a_fault() {
     let filled = ball_changed(|place, normal| if place.x > 0.3 { DVec3::Z } else { normal });
@@ -192,7 +192,7 @@ fn what_is_wrong_all_over_a_region_is_a_fault() {
     assert_eq!(grave(&inspect(&negated, 1)), [Kind::Flipped.id()]);
 }
 
-/// A corner that has by chance, or after a mend, what the best rule gives does not make strays of the others round it.
+/// A corner with the normal of the best weighting, by chance or after a fix, does not make outliers of the others around it.
 #[test]
 fn one_corner_by_the_rule_blames_no_other() {
     let teapot = surface(&Surface::Teapot, [8, 8]);
@@ -211,7 +211,7 @@ fn one_corner_by_the_rule_blames_no_other() {
     }
 }
 
-/// The command that mends lengths leaves directions that no rule gives back.
+/// The command that fixes lengths keeps the directions, which no weighting restores.
 #[test]
 fn wrong_lengths_are_mended_without_loss() {
     let teapot = surface(&Surface::Teapot, [8, 8]);
@@ -225,14 +225,14 @@ fn wrong_lengths_are_mended_without_loss() {
         let field = compute(&mesh, &recipe(Weight::Area, 180.0));
         let mended = mesh.clone().with_normals(Some(select(&mesh, field, When::Broken).normals));
         for (corner, (mended, own)) in unshared(&mended).iter().zip(&own).enumerate() {
-            // A product and a division by a length: some roundings of f64.
+            // Rounding of a product and of a division by the length.
             assert!(mended.distance(*own) < 1e-15, "{factor}, corner {corner}: {mended} for {own}");
         }
         assert_eq!(grave(&inspect(&mended, 1)), [""; 0], "{factor}");
     }
 }
 
-/// What is wrong with all is no less grave where something else is wrong with one.
+/// A fault of all normals keeps its severity if some normals have another fault.
 #[test]
 fn a_stray_does_not_make_inverted_normals_less_grave() {
     for clean in meshes().into_iter().filter(|clean| !clean.is_room) {
@@ -249,8 +249,8 @@ fn a_stray_does_not_make_inverted_normals_less_grave() {
     }
 }
 
-/// An open sheet has no side that is out: where a copy of it runs the other way and kept its normals, these are turned round,
-/// along its rim too, where the mean of faces is a little off what exact normals are.
+/// An open sheet has no outer side. If a copy has reversed winding and the same normals, these are reported as inverted, also
+/// along its rim, where exact normals differ a little from the mean of faces.
 #[test]
 fn a_copy_that_runs_the_other_way_has_its_normals_turned_round() {
     let sheet = surface(&Surface::Wave(Wave::default()), [24, 24]);

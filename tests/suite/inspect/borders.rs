@@ -27,7 +27,7 @@ fn side(whole: &Mesh, is_right: bool, to_part: DMat4) -> Mesh {
     per_corner(&super::rebuilt(positions, faces), normals)
 }
 
-/// How many corners of a file of these parts stray.
+/// The number of outliers in a file of these parts.
 fn outliers(parts: [(Mesh, DMat4); 2]) -> u64 {
     let [nodes, parts] = [parts.each_ref(), parts.each_ref()];
     let node = |(part, (_, world_from_part)): (usize, &&(Mesh, DMat4))| FileNode {
@@ -48,7 +48,7 @@ fn outliers(parts: [(Mesh, DMat4); 2]) -> u64 {
 }
 
 #[test]
-fn what_goes_on_in_another_part_does_not_stray() {
+fn normals_that_continue_in_another_part_are_no_outliers() {
     let coarse = surface(&Surface::from(Sphere::default()), [8, 40]);
     let whole = with_normals(coarse, &recipe(Weight::Angle, 180.0));
     // A quarter turn moves no bit of a coordinate.
@@ -56,11 +56,11 @@ fn what_goes_on_in_another_part_does_not_stray() {
     let [left, right] = [side(&whole, false, DMat4::IDENTITY), side(&whole, true, turn.transpose())];
     assert_eq!(outliers([(left.clone(), DMat4::IDENTITY), (right.clone(), turn)]), 0);
 
-    // Region from each other, each border is bare.
+    // With the parts at a distance, neither border continues in the other part.
     let away = DMat4::from_translation(DVec3::X) * turn;
     assert!(outliers([(left.clone(), DMat4::IDENTITY), (right.clone(), away)]) > 10);
 
-    // What strays at the border is no normal of the other part.
+    // An outlier at the border is no normal of the other part.
     let border = (0..left.faces().corner_count())
         .find(|&corner| left.positions().at(left.faces().corners()[corner]).x.abs() < 1e-9)
         .unwrap();

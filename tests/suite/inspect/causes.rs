@@ -13,8 +13,8 @@ use glam::{DMat3, DMat4, DVec3};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What is told of stored normals and smoothing that is not told of the clean mesh; but for smoothing groups, with which what
-/// was planted is at odds as well.
+/// Findings on stored normals and smoothing that the clean mesh does not have; without those on smoothing groups, which the
+/// planted faults contradict as well.
 fn reported_of_normals(diagnosis: &Diagnosis, clean: &Diagnosis) -> Vec<&'static str> {
     let is_of_normals = |kind: Kind| [Family::Stored, Family::Smoothing].contains(&kind.entry().family);
     let reported = diagnosis.findings.iter().map(|finding| finding.kind);
@@ -22,8 +22,7 @@ fn reported_of_normals(diagnosis: &Diagnosis, clean: &Diagnosis) -> Vec<&'static
     reported.filter(|&kind| clean.get(kind).is_none()).map(Kind::id).collect()
 }
 
-/// The normals of one half of a mesh turned away from those of the other: at a few degrees a seam runs between the halves,
-/// and it does so at many.
+/// The normals of one half of a mesh are rotated: the seam between the halves is reported at a few degrees and at many.
 #[test]
 fn severity_does_not_fall_as_half_of_the_normals_turn_further() {
     for clean in meshes().into_iter().filter(|it| ["icosphere", "torus", "wave"].contains(&it.name)) {
@@ -56,8 +55,8 @@ fn severity_does_not_fall_as_half_of_the_normals_turn_further() {
     }
 }
 
-/// The normals on both sides of sharp edges, whole fans of them, replaced by their mean at each place, where x is above the
-/// middle.
+/// A mesh with all normals at the ends of sharp edges replaced by their mean at each position, if x is beyond a share of the
+/// bounds; and the number of these edges.
 fn averaged_beyond(mesh: &Mesh, share: f64) -> (Mesh, usize) {
     let topology = Topology::build(mesh, Weld::Exact);
     let (mut normals, corners) = (unshared(mesh), mesh.faces().corners());
@@ -89,7 +88,7 @@ fn averaged_beyond(mesh: &Mesh, share: f64) -> (Mesh, usize) {
     (per_corner(mesh, normals), edges)
 }
 
-/// Averaged edges are what is told of them: not also normals that no rule makes.
+/// Averaged edges are reported as such, and not also as normals that match no weighting.
 #[test]
 fn averaged_creases_of_parts_are_reported_once() {
     let mut misses = Vec::new();
@@ -103,7 +102,7 @@ fn averaged_creases_of_parts_are_reported_once() {
                 misses.push(format!("{name}, here and there: {reported:?}"));
             }
         }
-        // Where they are most of all sharp edges, they are the rule.
+        // Not below 0.7: if most sharp edges were averaged, averaging would fit best.
         for share in [0.95, 0.9, 0.8, 0.7] {
             let (averaged, edges) = averaged_beyond(&mesh, share);
             let reported = reported_of_normals(&inspect(&averaged, 1), &clean);
@@ -144,8 +143,8 @@ fn averaged_creases_explain_as_much_where_no_vertex_is_shared() {
     }
 }
 
-/// Normals of the world below a node that stretches follow their rule in the space of the mesh, and what else is wrong with
-/// them is told as ever.
+/// For normals stored in world space below a node that stretches, the weighting is recognised in mesh space, and other faults of
+/// these normals are still reported.
 #[test]
 fn normals_of_another_space_are_reported_as_that_alone() {
     for clean in meshes().into_iter().filter(|clean| !clean.is_room) {

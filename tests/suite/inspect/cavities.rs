@@ -1,5 +1,5 @@
-//! Surfaces that face inwards: cavities where what encloses them is another mesh of the file, inside out elsewhere. Turning
-//! faces outward judges as the diagnosis does.
+//! Surfaces that face inwards: a cavity if another mesh of the file encloses it, inside out otherwise. The diagnosis and
+//! `Orient::Outward` agree.
 
 use super::surface;
 use crate::cli::{crease, path, text};
@@ -16,10 +16,10 @@ use serde_json::{Value, json};
 use std::f64::consts::FRAC_PI_3;
 use std::fs;
 
-/// Nothing is inside out.
+/// No part is inside out.
 const NO_PART: [usize; 0] = [];
 
-/// A ball round the origin that faces outwards.
+/// A ball around the origin that faces outwards.
 fn ball(radius: f64) -> Mesh {
     surface(&Surface::from(Sphere::new(radius).unwrap()), [12, 8]).with_normals(None)
 }
@@ -54,7 +54,7 @@ fn scene(meshes: &[Mesh], nodes: &[(usize, DMat4)]) -> Loaded {
     }
 }
 
-/// The parts of a file that are told to be inside out.
+/// The parts of a file that are reported as inside out.
 fn reported(loaded: &Loaded) -> Vec<usize> {
     let thresholds = Thresholds { places: 1 << 16, ..Thresholds::default() };
     let diagnosis = diagnose(loaded, &thresholds, &|_| {});
@@ -66,8 +66,8 @@ fn reported(loaded: &Loaded) -> Vec<usize> {
     parts
 }
 
-/// The parts that are told to be inside out, once it is sure that turning outward turns these as a whole, and no other face,
-/// and that nothing is told afterwards.
+/// The parts that are reported as inside out. Asserts that `Orient::Outward` reverses all faces of these parts and no others, and
+/// that nothing is reported afterwards.
 #[track_caller]
 fn inside_out(mut loaded: Loaded) -> Vec<usize> {
     let parts = reported(&loaded);
@@ -75,10 +75,10 @@ fn inside_out(mut loaded: Loaded) -> Vec<usize> {
     let edits = revise(&loaded, &outward, None, &|_| {}).edits;
     for (number, (part, edit)) in loaded.parts.iter_mut().zip(edits).enumerate() {
         let expected = if parts.contains(&number) { part.mesh.face_count() } else { 0 };
-        assert_eq!(edit.faces.reversed.len(), expected, "part {number}, where {parts:?} are told");
+        assert_eq!(edit.faces.reversed.len(), expected, "part {number}, where {parts:?} are reported");
         part.mesh = part.mesh.with_faces(&edit.faces);
     }
-    assert_eq!(reported(&loaded), NO_PART, "after mending");
+    assert_eq!(reported(&loaded), NO_PART, "after the fix");
     parts
 }
 
@@ -90,7 +90,7 @@ fn a_cavity_may_be_a_mesh_of_its_own() {
     assert_eq!(
         inside_out(scene(&meshes, &[])),
         NO_PART,
-        "parts without nodes stand as they are, as the solids of STL"
+        "parts without nodes keep their positions, like the solids of STL"
     );
     assert_eq!(inside_out(scene(&meshes, &[(0, here), (1, at(5.0))])), [1], "outside");
     assert_eq!(inside_out(scene(&meshes, &[(0, here), (1, at(1.5))])), [1], "through the wall");
@@ -98,7 +98,7 @@ fn a_cavity_may_be_a_mesh_of_its_own() {
     assert_eq!(inside_out(scene(&meshes[1..], &[(0, here)])), [0], "alone");
 }
 
-/// Nodes turn, scale, shear and mirror both; what is inside stays inside.
+/// Nodes rotate, scale, shear and mirror both meshes; what is inside stays inside.
 #[test]
 fn places_in_the_world_count() {
     let turn = DMat4::from_quat(DQuat::from_axis_angle(DVec3::new(1.0, 2.0, -0.5).normalize(), FRAC_PI_3));
@@ -109,18 +109,18 @@ fn places_in_the_world_count() {
     for world in
         [turn, small, mirrored, small * mirrored, scale(1e-100, 1e-100, 1e-100), scale(1e12, 1.0, 1.0)]
     {
-        // The cavity is larger than the ball in its own space, and smaller in the world; there it is turned and mirrored too.
+        // The cavity is larger than the ball in mesh space and smaller in world space, where it is also rotated and mirrored.
         let own = turn * scale(-0.04, 0.03, 0.02);
         let meshes = [ball(2.0), cavity(40.0)];
         assert_eq!(inside_out(scene(&meshes, &[(0, world), (1, world * own)])), NO_PART, "{world}");
         assert_eq!(inside_out(scene(&meshes, &[(0, world), (1, world * at(4.0) * own)])), [1], "{world}");
-        assert_eq!(inside_out(scene(&meshes, &[(0, world), (1, world)])), [1], "round it: {world}");
+        assert_eq!(inside_out(scene(&meshes, &[(0, world), (1, world)])), [1], "around it: {world}");
     }
     let flat = scale(1.0, 0.0, 1.0);
     let meshes = [ball(2.0), cavity(1.0)];
-    assert_eq!(inside_out(scene(&meshes, &[(0, flat), (1, DMat4::IDENTITY)])), [1], "in what is flattened");
+    assert_eq!(inside_out(scene(&meshes, &[(0, flat), (1, DMat4::IDENTITY)])), [1], "in a flattened ball");
     let hidden = [(0, DMat4::IDENTITY), (1, DMat4::IDENTITY), (1, at(9.0) * flat)];
-    assert_eq!(inside_out(scene(&meshes, &hidden)), NO_PART, "a place where nothing is seen");
+    assert_eq!(inside_out(scene(&meshes, &hidden)), NO_PART, "an instance that is not visible");
 }
 
 #[test]
@@ -134,7 +134,7 @@ fn all_places_have_to_agree() {
     assert_eq!(inside_out(scene(&meshes, &twice)), NO_PART, "twice at one place");
 }
 
-/// Matter is where more surfaces face outwards than inwards.
+/// A point is in matter if more of the surfaces around it face outwards than inwards.
 #[test]
 fn what_encloses_is_counted_with_its_sign() {
     let here = |count: usize| (0..count).map(|part| (part, DMat4::IDENTITY)).collect::<Vec<_>>();
@@ -149,7 +149,7 @@ fn what_encloses_is_counted_with_its_sign() {
     assert_eq!(parts(&[cavity(4.0), cavity(3.0), cavity(2.0), cavity(1.0)]), [0, 2], "with a cavity");
 }
 
-/// The same mesh within itself, smaller.
+/// Two instances of one mesh, the smaller one within the other.
 #[test]
 fn a_mesh_may_enclose_itself() {
     let smaller = DMat4::from_scale(DVec3::splat(0.5));
@@ -225,7 +225,7 @@ pub(super) fn one_mesh(bytes: &[u8]) -> String {
     document.to_string()
 }
 
-/// What the program suggests for the one mesh leaves the other as it is.
+/// The suggested command fixes the mesh that is inside out and does not change the cavity.
 #[test]
 fn the_suggested_command_leaves_cavities() {
     let parts = [ball(2.0), cavity(1.0), cavity(0.5).transformed(at(9.0)).unwrap()];

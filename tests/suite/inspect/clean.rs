@@ -13,20 +13,20 @@ use crease::surface::{
 };
 use glam::DVec3;
 
-/// A clean mesh and what it is good for.
+/// A clean mesh and its properties.
 pub(super) struct Clean {
     pub(super) name: &'static str,
     pub(super) mesh: Mesh,
-    /// What its normals were made with.
+    /// The recipe of its normals.
     pub(super) recipe: NormalRecipe,
     pub(super) is_closed: bool,
-    /// One of its sides is the outer one, if only by what is seen from it.
+    /// It has an outer side; that of an open mesh is known by visibility.
     pub(super) has_outside: bool,
-    /// Its normals point so many ways that their storage shows.
+    /// Its normals have so many directions that quantisation shows.
     pub(super) is_round: bool,
     /// Its faces are so uneven that weightings differ.
     pub(super) is_uneven: bool,
-    /// It is closed, faces inwards and is meant to: its normals say so as well.
+    /// It is closed and faces inwards intentionally: its normals do so as well.
     pub(super) is_room: bool,
 }
 
@@ -37,7 +37,7 @@ fn clean(name: &'static str, mesh: Mesh, crease: f64) -> Clean {
     Clean { name, mesh, recipe, is_closed, has_outside, is_round, is_uneven: false, is_room: false }
 }
 
-/// A closed mesh to be seen from within: its faces turned round, and normals made of them as they are then.
+/// A closed mesh to be seen from within: its faces are reversed before its normals are computed.
 fn room(name: &'static str, mesh: &Mesh) -> Clean {
     let reversed = (0..mesh.face_count() as u32).collect();
     let inward = mesh.with_faces(&FaceEdit { reversed, ..FaceEdit::default() });
@@ -81,7 +81,7 @@ pub(super) fn file(name: &str) -> Mesh {
     read(&data(name), None, &ReadOptions::default()).unwrap().parts.remove(0).mesh
 }
 
-/// Analytic surfaces and files of our own; the real ones are added where they are there.
+/// Analytic surfaces and files of `data/`, and a real mesh if it is available.
 pub(super) fn meshes() -> Vec<Clean> {
     let ball = Tessellation { pattern: Pattern::Icosphere(3), ..Tessellation::default() };
     let sphere = Surface::from(Sphere::default());
@@ -112,7 +112,7 @@ pub(super) fn meshes() -> Vec<Clean> {
 fn clean_meshes_get_no_warning() {
     for clean in meshes() {
         let diagnosis = inspect(&clean.mesh, 10);
-        // Only who made it knows whether it is meant.
+        // Only the author knows whether a room is intended.
         let reported: &[&str] = if clean.is_room { &["inside-out"] } else { &[] };
         assert_eq!(grave(&diagnosis), reported, "{}", clean.name);
         assert_ne!(diagnosis.worst(), Some(Severity::Error), "{}", clean.name);
@@ -123,13 +123,13 @@ fn clean_meshes_get_no_warning() {
         (Surface::Superquadric(Superquadric::default()), [32, 16]),
         (Surface::Teapot, [6, 6]),
     ] {
-        // With the exact normals of the surface, which no mean of faces is.
+        // With the exact normals of the surface, which are no weighted mean of face normals.
         let diagnosis = inspect(&surface(&shape, segments), 10);
         assert_eq!(grave(&diagnosis), Vec::<&str>::new(), "{shape:?}");
     }
 }
 
-/// The dual cuts the tip of a cone off, flat, with the normals of its sides: there is the only thing to tell.
+/// The dual cuts the tip of a cone off, and the flat end has the normals of the sides: this is the only finding.
 #[test]
 fn a_cone_is_clean_but_for_a_tip_that_is_cut_off() {
     let cone = Surface::from(Cone::default());
@@ -148,8 +148,8 @@ fn a_cone_is_clean_but_for_a_tip_that_is_cut_off() {
     assert!(averaged.places.len() == 64 && averaged.places.iter().all(is_at_tip));
 }
 
-/// Some triangles of marching and scattered meshes hardly have a direction that is the surface's. What they bend by is no sharp
-/// edge where there is no other.
+/// Some triangles of marching and scattered meshes hardly have the direction of the surface. A large dihedral angle there is no
+/// sharp edge if the mesh has no other sharp edges.
 #[test]
 fn faces_that_came_out_badly_are_no_sharp_edges() {
     let mut noted = 0;
@@ -168,8 +168,8 @@ fn faces_that_came_out_badly_are_no_sharp_edges() {
     assert!(noted > 2, "{noted} have such edges");
 }
 
-/// On a rough surface many an edge over the crease angle is the only one at its vertex: it splits nothing, and the edges that
-/// look smooth are no measure of the angle.
+/// On a rough surface many edges above the crease angle are the only one at their vertex. They split nothing, so smooth edges do
+/// not bound the crease angle.
 #[test]
 fn rough_meshes_with_our_own_normals_get_no_warning() {
     let sphere = Surface::from(Sphere::default());
@@ -184,8 +184,8 @@ fn rough_meshes_with_our_own_normals_get_no_warning() {
     }
 }
 
-/// Where an edge has no length two vertices share a place. Written with a vertex for each normal, the fans there may come out
-/// as other ones than those that the normals were made from, and neither is at fault.
+/// The vertices of an edge without length share a position. If a file has a vertex for each normal, its fans there may differ
+/// from those that the normals were computed from, which is no fault.
 #[test]
 fn edges_without_length_make_no_outliers() {
     let mut without_length = 0;

@@ -34,7 +34,7 @@ fn with_corners(mesh: &Mesh, normals: Vec<DVec3>) -> Mesh {
     mesh.clone().with_normals(Some(Column::per_corner(normals, index)))
 }
 
-/// Every fiftieth corner's normal turned about an axis across it, by one degree for each turned before.
+/// Every 50th corner normal rotated, by 1°, 2°, 3° and so on; and these corners with their angles.
 fn changed(mesh: &Mesh) -> (Mesh, Vec<(u32, f64)>) {
     let mut normals = of_corners(mesh);
     let known: Vec<(u32, f64)> =
@@ -80,7 +80,7 @@ fn known_changes_are_measured() {
             (before.faces().corner_count(), [0; 2], 0)
         );
         assert_eq!((found.changed, found.gained, found.lost), (known.len(), 0, 0));
-        // A tenth of a microdegree: what a rotation rounds by, with room.
+        // The rounding of a rotation, with a margin.
         assert!((found.largest.0 - largest).abs() < 1e-7, "{:?}", found.largest);
         let mean = largest * (largest + 1.0) / 2.0 / found.corners as f64;
         assert!((found.mean.0 - mean).abs() < 1e-7, "{:?}", found.mean);
@@ -110,7 +110,7 @@ fn faces_that_go_round_the_other_way_are_the_same_faces() {
     assert_eq!((found.turned, found.unmatched, found.changed), (3, [1, 0], 0));
 }
 
-/// A quad keeps its corners when it becomes two triangles, whose four inner corners it has two of, whichever way it is cut.
+/// A quad is matched with its two triangles, whichever diagonal cuts it.
 #[test]
 fn polygons_find_their_triangles() {
     let grid = Tessellation { segments: [24, 12], pattern: Pattern::Quads, ..Tessellation::default() };
@@ -135,13 +135,13 @@ fn polygons_find_their_triangles() {
             assert_eq!((found.unmatched, found.changed, found.turned), ([0; 2], 0, reversed));
             assert_eq!(found.corners, cut.len() * 3);
         }
-        // One triangle less, and its quad has no counterpart, nor has its other half.
+        // If one triangle is missing, its quad and the other triangle have no counterpart.
         let found = compared(&before, &cut_into(&before, &cut[1..]));
         assert_eq!(found.unmatched[0], 1);
     }
 }
 
-/// A mesh of some triangles of its corners, with the normals of these.
+/// A mesh of triangles between corners of another, with the normals of these corners.
 fn cut_into(mesh: &Mesh, triangles: &[[u32; 3]]) -> Mesh {
     let (normals, corners) = (of_corners(mesh), mesh.faces().corners());
     let faces =

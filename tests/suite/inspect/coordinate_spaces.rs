@@ -12,14 +12,14 @@ use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::ops::Range;
 
-/// What a node may be called, from the root on.
+/// The names of nodes, from the root on.
 const NAMES: [&str; 3] = ["body", "arm", "hand"];
 
 fn rotation(axis: DVec3, degrees: f64) -> DMat4 {
     DMat4::from_quat(DQuat::from_axis_angle(axis.normalize(), degrees.to_radians()))
 }
 
-/// Matrices of nodes, from the root on: which of them turn, and whether they stretch as well.
+/// Matrices of nodes, from the root on: different nodes rotate, and some stretch as well.
 fn chains() -> Vec<Vec<DMat4>> {
     let moved = DMat4::from_translation(DVec3::new(5.0, -1.0, 2.0)) * DMat4::from_scale(DVec3::splat(0.01));
     let body = rotation(DVec3::new(1.0, 0.2, 0.0), -90.0);
@@ -64,14 +64,14 @@ fn product<'a>(chain: impl IntoIterator<Item = &'a DMat4>) -> DMat3 {
     DMat3::from_mat4(chain.into_iter().fold(DMat4::IDENTITY, |above, matrix| above * matrix))
 }
 
-/// The mesh with normals that come out of a viewer as some of the nodes would have them.
+/// The mesh with stored normals that a viewer shows as if the matrix of the chain were `shown`.
 fn shown_by(mesh: &Mesh, chain: &[DMat4], shown: DMat3) -> Mesh {
     let [there, back] = [shown, product(chain).inverse()].map(|map| normal_matrix(map).unwrap());
     let stored = |normal: DVec3| back.apply(there.apply(normal).unwrap()).unwrap();
     per_corner(mesh, unshared(mesh).into_iter().map(stored).collect())
 }
 
-/// What is wrong with the matrices of some nodes, and what a viewer shows then.
+/// Ranges of nodes whose matrices are not applied or applied twice, and the matrix that a viewer then shows.
 fn mistakes(chain: &[DMat4]) -> Vec<(Range<usize>, &'static str, DMat3)> {
     let count = chain.len();
     let turns = |range: &Range<usize>| {
@@ -94,7 +94,7 @@ fn mistakes(chain: &[DMat4]) -> Vec<(Range<usize>, &'static str, DMat3)> {
     ranges.into_iter().flat_map(of).collect()
 }
 
-/// Whether the nodes that are named are those, but for nodes that turn nothing.
+/// Whether the cause names the nodes of the range, without those that do not rotate.
 fn names(cause: &str, chain: &[DMat4], range: &Range<usize>) -> bool {
     let is_turning = |&at: &usize| product(&chain[at..=at]).x_axis.normalize().dot(DVec3::X) < 0.999;
     let turning: Vec<usize> = range.clone().filter(is_turning).collect();
@@ -110,7 +110,7 @@ fn the_node_whose_matrix_is_missing_is_named() {
         let mut misses = Vec::new();
         let clean = below(mesh, chain);
         if clean.get(Kind::Untransformed).is_some() || clean.get(Kind::Rotated).is_some() {
-            misses.push(format!("{name} is told to be turned as it is below {chain:?}"));
+            misses.push(format!("{name} is reported as rotated although it is not, below {chain:?}"));
         }
         for (range, what, shown) in mistakes(chain) {
             let found = below(&shown_by(mesh, chain, shown), chain);
@@ -119,7 +119,7 @@ fn the_node_whose_matrix_is_missing_is_named() {
             others.retain(|id| *id != Kind::Untransformed.id() && !grave(&clean).contains(id));
             if !cause.contains(what) || !names(cause, chain, &range) || !others.is_empty() {
                 let deep = chain.len();
-                misses.push(format!("{name}, {range:?} of {deep} {what}: told {cause:?}, beside {others:?}"));
+                misses.push(format!("{name}, {range:?} of {deep} {what}: {cause:?}, and {others:?}"));
             }
         }
         misses

@@ -11,8 +11,8 @@ use crease::quality::catalogue::Kind;
 use crease::surface::{Sphere, Surface, Tessellation};
 use glam::DVec3;
 
-/// Rough balls, where many an edge over the crease angle is the only one at its vertex and splits nothing as long as its fan is
-/// whole; and real meshes, where they are there.
+/// Rough balls, on which many edges above the crease angle are the only one at their vertex and split nothing unless its fan is
+/// cut; and real meshes, if they are available.
 fn meshes() -> Vec<Mesh> {
     let rough = |seed| Tessellation { noise: 0.15, seed, ..Tessellation::default() };
     let ball = |seed| Surface::from(Sphere::default()).tessellate(&rough(seed)).unwrap();
@@ -23,13 +23,13 @@ fn meshes() -> Vec<Mesh> {
     all.into_iter().map(|mesh| with_normals(mesh, &recipe(Weight::Angle, 40.0))).collect()
 }
 
-/// Every hundredth face turned round.
+/// One face in 101 reversed.
 fn reversed(mesh: &Mesh) -> Mesh {
     let reversed = (0..mesh.face_count() as u32).step_by(101).collect();
     mesh.with_faces(&FaceEdit { reversed, ..FaceEdit::default() })
 }
 
-/// Every hundredth face once more, with the same normals.
+/// One face in 101 doubled, with the same normals.
 fn doubled(mesh: &Mesh) -> Mesh {
     let normals = unshared(mesh);
     let (mut faces, mut more) = (mesh.faces().clone(), normals.clone());
@@ -54,7 +54,7 @@ fn edges_at_reversed_and_doubled_faces_are_not_averaged() {
     }
 }
 
-/// A ball, and a disc apart from it, seen from above only: reversed, all of the disc's normals are one, and against it.
+/// A ball and a separate disc that is visible only from above. The reversed disc has one normal, which is opposite to its faces.
 #[test]
 fn normals_of_a_flat_piece_say_that_it_is_reversed() {
     let ball = Surface::from(Sphere::default()).tessellate(&Tessellation::default()).unwrap();

@@ -16,7 +16,7 @@ fn estimate(mesh: &Mesh) -> Estimate {
     inspect(mesh, 1).parts[0].estimate.unwrap()
 }
 
-/// That what is told of a mesh gives its normals again, all of them to the bit.
+/// Whether the estimated recipe gives all normals of a mesh again, to the bit.
 fn gives_the_same_bits(estimate: &Estimate, mesh: &Mesh) -> bool {
     let again = compute(mesh, &estimate.recipe()).normals;
     let ColumnIndex::PerCorner(index) = &again.index else { panic!("per corner") };
@@ -40,7 +40,7 @@ fn the_recipe_is_estimated() {
     }
 }
 
-/// Fits are no means: without trying one, these are taken for the next best mean, or for made by hand.
+/// Fits are no weighted means: without trying a fit, these would be taken for the closest mean or for authored normals.
 #[test]
 fn quadrics_are_reported_and_blamed_for_nothing() {
     for (shape, segments) in [
@@ -59,7 +59,7 @@ fn quadrics_are_reported_and_blamed_for_nothing() {
     }
 }
 
-/// On a capped cylinder whose rim is smooth, fits are so far from means that the edges do not tell which of these comes next.
+/// On a capped cylinder with a smooth rim, fits differ so much from means that the edges do not determine the closest mean.
 #[test]
 fn quadrics_are_reported_with_their_own_crease_angle() {
     let mut faces = Faces::new();
@@ -79,11 +79,11 @@ fn quadrics_are_reported_with_their_own_crease_angle() {
     let estimate = diagnosis.parts[0].estimate.unwrap();
     assert_eq!((estimate.weight, estimate.exactly), (Weight::Quadric, 1.0), "{estimate:?}");
     assert!(gives_the_same_bits(&estimate, &mesh), "{estimate:?}");
-    // A rim of 90° that is smooth, and nothing else.
+    // The smooth rim of 90° is reported, and nothing else.
     assert_eq!(grave(&diagnosis), ["soft-normals"]);
 }
 
-/// Edges with a negated normal at an end look sharp, however little they bend, which shifts what best tells these from the others.
+/// An edge with a negated normal at one end looks sharp at any dihedral angle. That must not shift the estimated crease angle.
 #[test]
 fn many_negated_normals_do_not_shift_the_crease_angle() {
     let teapot = surface(&Surface::Teapot, [6, 6]).with_normals(None);
@@ -104,7 +104,7 @@ fn many_negated_normals_do_not_shift_the_crease_angle() {
     }
 }
 
-/// Many edges of the gear bend by 60°, but for the rounding of its file, and more by what its teeth have.
+/// Many dihedral angles of the gear are 60° up to the rounding of its file; others are larger, at its teeth.
 #[test]
 fn crease_angles_are_reported_as_computing_has_them() {
     let gear = file("gear.obj");
@@ -118,15 +118,14 @@ fn crease_angles_are_reported_as_computing_has_them() {
             let reported = format!("{groups:?}, {angle}: {estimate:?}");
             assert!(gives_the_same_bits(&estimate, &mesh), "{reported}");
             assert_eq!(estimate.exactly, 1.0, "{reported}");
-            // Where groups say smooth and the angle splits, or the other way, that is told.
+            // Edges where smoothing groups and crease angle disagree are reported.
             let told_of = grave(&diagnosis);
             assert!(told_of.iter().all(|id| *id == "group-mismatch"), "{reported}: {told_of:?}");
         }
     }
 }
 
-/// A smooth ball in two smoothing groups: normals that go on across the border contradict the groups, and those that do not are
-/// meant. Each used to be mended into the other.
+/// A smooth ball in two smoothing groups: smooth normals across the border contradict the groups, and split normals follow them.
 #[test]
 fn a_seam_between_groups_is_meant() {
     let ball = surface(&Surface::from(Sphere::default()), [32, 16]);
@@ -149,8 +148,8 @@ fn a_seam_between_groups_is_meant() {
     assert!(parted.get(Kind::GroupMismatch).is_none() && parted.get(Kind::SplitSeam).is_none());
 }
 
-/// Means by every weighting with many crease angles: both are among those in the sentence of the report. Fits are compared with
-/// means elsewhere: on coarse shapes they are the same.
+/// Means by every weighting with many crease angles: the report names both. Fits are compared with means in another test, because
+/// both are the same on coarse shapes.
 #[test]
 fn the_recipe_that_made_the_normals_is_among_those_reported() {
     for (name, step) in [("bracket.obj", 1), ("polygons.obj", 1), ("gear.obj", 13)] {
@@ -169,7 +168,7 @@ fn the_recipe_that_made_the_normals_is_among_those_reported() {
     }
 }
 
-/// Groups are part of the recipe also where a crease angle alone comes within 5° of all normals.
+/// The estimate has smoothing groups even if a crease angle alone is within 5° of all normals.
 #[test]
 fn normals_by_smoothing_groups_are_attributed_to_them() {
     for name in ["bracket.obj", "gear.obj"] {

@@ -18,7 +18,7 @@ fn polygon(corners: &[[f64; 3]]) -> Mesh {
     rebuilt(corners.iter().map(|&corner| DVec3::from(corner)).collect(), faces)
 }
 
-/// One half of it faces up and the other down, so its area as a vector is zero; it crosses itself all the same.
+/// One half of a bow tie faces up and the other down, so its vector area is zero; it still crosses itself.
 #[test]
 fn balanced_bow_ties_cross_themselves() {
     let bow = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
@@ -33,13 +33,13 @@ fn balanced_bow_ties_cross_themselves() {
     assert!(found.get(Kind::Crossed).is_none() && found.get(Kind::ZeroArea).is_some());
 }
 
-/// The expected error is the mean over faces whose corners are in fact rounded, and the bound is one for a usual face.
+/// The reported error is the mean over faces with rounded corners, and the reported bound is that of a typical face.
 #[test]
 fn errors_far_from_the_origin_are_as_reported() {
     for pattern in [Pattern::Triangles, Pattern::Quads] {
         let cells = Tessellation { pattern, segments: [40, 20], ..Tessellation::default() };
         let mesh = Surface::from(Torus::default()).tessellate(&cells).unwrap();
-        // Aslant, so that no two corners of a face have a coordinate in common, which rounding would move together.
+        // Rotated, so that no two corners of a face share a coordinate, which rounding would move together.
         let aslant = DMat3::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 1.0);
         let moved = |p: DVec3| aslant * p + DVec3::new(1e5, 1e5, 0.0);
         let far = rebuilt(mesh.positions().iter().map(moved).collect(), mesh.faces().clone());
@@ -61,9 +61,9 @@ fn errors_far_from_the_origin_are_as_reported() {
         let reported = diagnosis.get(Kind::FarFromOrigin).expect("it is far");
         let cause = reported.cause.split("slender ones, is ").nth(1).unwrap();
         let expected: f64 = cause.split('°').next().unwrap().parse().unwrap();
-        // Of 800 faces whose errors spread by half their mean, that is known to a fiftieth.
-        assert!((expected / mean - 1.0).abs() < 0.06, "{pattern:?}: {expected} told, {mean} measured");
-        // Nine in ten; the bound is that of the middle face.
+        // The errors of 800 faces have a standard deviation of half their mean, so the mean is known to 2 %.
+        assert!((expected / mean - 1.0).abs() < 0.06, "{pattern:?}: {expected} reported, {mean} measured");
+        // Nine in ten faces are below it; the bound is that of the median face.
         assert!(
             errors[errors.len() * 9 / 10] < reported.degrees.unwrap(),
             "{pattern:?}: {:?}",
@@ -93,8 +93,8 @@ fn components_are_counted_over_all_parts() {
     assert!(found.count == 8 && found.cause.ends_with("in 2 closed components"), "{found:?}");
 }
 
-/// Two tetrahedra that face inwards, one with normals that do so too: each is told as what it is, whichever is larger, in one
-/// part or in two, and only the one that is an error is counted as one.
+/// Of tetrahedra that face inwards, those with inward normals are rooms and the others are errors. Only errors are counted as
+/// such, in any order, in one part or several.
 #[test]
 fn rooms_are_not_counted_with_what_is_inside_out() {
     let solids = |solids: &[(f64, f64)]| {
@@ -142,7 +142,7 @@ fn rooms_are_not_counted_with_what_is_inside_out() {
     assert!(found.cause.ends_with("in 2 closed components"), "{}", found.cause);
 }
 
-/// Of rounded normals it is told what they are off, and where, and not what they might be at most.
+/// The actual errors of rounded normals are reported with their places, and not only a bound.
 #[test]
 fn rounded_normals_are_measured() {
     let torus = surface(&Surface::from(Torus::default()), [60, 30]);
@@ -175,7 +175,7 @@ fn rounded_normals_are_measured() {
     );
     let words = format!("by up to {}°, {}° in the root mean square", three_digits(all[0]), three_digits(rms));
     assert!(found.cause.contains(&words) && found.cause.contains("at most 0.391°"), "{}", found.cause);
-    // Without a rule nothing is known of what they were.
+    // Without a known weighting, the unrounded normals are unknown.
     let turned = |n: &DVec3| DMat3::from_axis_angle(n.any_orthonormal_vector(), 0.1) * *n;
     let diagnosis = inspect(&with(rounded(&ruled.values.iter().map(turned).collect::<Vec<_>>())), 10);
     let found = diagnosis.get(Kind::Quantised).unwrap();
@@ -195,7 +195,7 @@ fn cut_strip(columns: Columns) -> Mesh {
         at(2.0, 0.0),
         at(2.0, 1.0),
         at(1.0, 1.0),
-        // Of no face.
+        // A vertex of no face.
         at(0.0, 0.0),
     ];
     let mut faces = Faces::new();
@@ -203,7 +203,7 @@ fn cut_strip(columns: Columns) -> Mesh {
     MeshBuilder { positions: positions.into(), faces, columns }.build().unwrap()
 }
 
-/// Places on faces tell the lines of these, and others those of their vertices, whatever stands between.
+/// Places on faces have the line of the face, and others that of the vertex, whatever is between these lines.
 #[test]
 fn places_in_obj_tell_their_lines() {
     let text = "# two squares\nv 0 0 0\nv 1 0 0\nvt 0 0\nv 1 1 0\nv 0 1 0\n\nf 1 2 3 4\nv 1 0 0 \\\n1\nv 2 0 0\nv 2 1 0\n\
@@ -211,15 +211,14 @@ fn places_in_obj_tell_their_lines() {
     let file = read_bytes(text.into(), Some(Format::Obj), None, &ReadOptions::default()).unwrap();
     let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
     let lines = |kind: Kind| -> Vec<Option<u64>> {
-        let reported = diagnosis.get(kind).unwrap_or_else(|| panic!("{kind:?} is told"));
+        let reported = diagnosis.get(kind).unwrap_or_else(|| panic!("{kind:?} is not reported"));
         reported.places.iter().map(|site| site.line).collect()
     };
     assert_eq!(lines(Kind::DuplicateVertices), [Some(9), Some(13)]);
     assert_eq!(lines(Kind::BackToBack), [Some(16)]);
 }
 
-/// Vertices that nothing tells from others at their place are told once each, where no normals are stored; with normals the
-/// seams that they make are told.
+/// Without stored normals, each vertex that duplicates another is reported once; with normals, the seams between duplicates are.
 #[test]
 fn vertices_that_stand_twice_are_reported() {
     let vertices = |diagnosis: &Diagnosis| -> Vec<Option<u32>> {
@@ -244,13 +243,13 @@ fn vertices_that_stand_twice_are_reported() {
     let stored = cut_strip(Columns::default()).with_normals(Some(Column::per_vertex(vec![DVec3::Z; 9])));
     let diagnosis = inspect(&stored, 10);
     assert!(vertices(&diagnosis).is_empty() && diagnosis.get(Kind::NeedlessSeam).is_some());
-    // Facets cannot share.
+    // Facets of STL cannot share vertices.
     let mut facets = loaded(cut_strip(Columns::default()));
     facets.format = Format::Stl;
     assert!(vertices(&diagnose(&facets, &Thresholds::default(), &|_| {})).is_empty());
 }
 
-/// What stands in a file at corners of a face without area is neither right nor wrong.
+/// Stored normals at corners of a face without area are neither right nor wrong.
 #[test]
 fn normals_of_faces_without_area_deviate_by_nothing() {
     let text =
@@ -260,7 +259,7 @@ fn normals_of_faces_without_area_deviate_by_nothing() {
     assert_eq!(*deviations, [Some(0.0); 6]);
 }
 
-/// A document of nothing has no part that a place could be in.
+/// A finding on an empty document has no places, because there are no parts.
 #[test]
 fn no_faces_of_no_part_are_at_no_place() {
     let text = r#"{"asset": {"version": "2.0"}}"#;
@@ -270,8 +269,8 @@ fn no_faces_of_no_part_are_at_no_place() {
     assert_eq!(diagnosis.get(Kind::NoFaces).map(|finding| finding.places.len()), Some(0));
 }
 
-/// A square of two triangles with fillers without area between vertices on its edges: these run the other way and are more, and
-/// nothing of them is seen.
+/// A square of two triangles, with faces without area along its edges: these have the opposite winding and are more numerous, but
+/// they are not visible.
 #[test]
 fn faces_without_area_have_no_say_in_winding() {
     let text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .5 0 0\nv 1 .5 0\nv .5 1 0\nv 0 .5 0\nf 1 2 3\nf 1 3 4\n\
@@ -281,15 +280,15 @@ fn faces_without_area_have_no_say_in_winding() {
     assert!(diagnosis.get(Kind::InconsistentWinding).is_none());
     let mesh = &file.parts[0].mesh;
     let found = orient(mesh, &Topology::build(mesh, Weld::Exact), Orient::Consistent, Confidence::default());
-    assert_eq!(found.reversed, [2, 3, 4, 5], "they are turned all the same");
-    // Where nothing has area, most of it tells.
+    assert_eq!(found.reversed, [2, 3, 4, 5], "they are reversed nevertheless");
+    // If no face has area, the majority decides.
     let text = "v 0 0 0\nv 1 0 0\nv .5 0 0\nv .25 0 0\nf 1 2 3\nf 1 2 4\nf 2 1 4\n";
     let file = read_bytes(text.into(), Some(Format::Obj), None, &ReadOptions::default()).unwrap();
     let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
     assert!(diagnosis.get(Kind::InconsistentWinding).is_none());
 }
 
-/// Each node is told of itself, though all of them show one mesh.
+/// Each node is reported on its own, although all of them show one mesh.
 #[test]
 fn nodes_are_identified_by_their_own_names() {
     let mut file = loaded(polygon(&[[0., 0., 0.], [1., 0., 0.], [0., 1., 0.]]));
@@ -310,7 +309,7 @@ fn nodes_are_identified_by_their_own_names() {
     assert_eq!(places(Kind::SingularNode), [Some(3)]);
 }
 
-/// Thirteen bits turn a normal by less than the threshold, and still show in a highlight sharp enough: the material decides.
+/// Rounding to 13 bits changes a normal by less than the threshold, but shows in a sharp highlight: the material decides.
 #[test]
 fn glossy_materials_need_more_bits() {
     let torus = surface(&Surface::from(Torus::default()), [60, 30]);
@@ -330,7 +329,7 @@ fn glossy_materials_need_more_bits() {
     );
 }
 
-/// The back of one face of a ball is told as that, once; as a component it would face inwards, and turned round stand twice.
+/// The back of one face of a ball is reported once, as such, and not as a component that faces inwards.
 #[test]
 fn the_back_of_a_face_is_no_component_inside_out() {
     let ball = surface(&Surface::from(Sphere::default()), [24, 12]);
@@ -344,10 +343,10 @@ fn the_back_of_a_face_is_no_component_inside_out() {
     }
 }
 
-/// Width over length, whatever the number of corners, where they lie and in what order.
+/// A needle is recognised by width over length, whatever the number, positions and order of its corners.
 #[test]
 fn polygons_are_needles_by_their_width() {
-    // A strip of so many squares in a row, as one polygon, its first corner anywhere, turned out of all axes.
+    // A strip of squares in a row as one polygon that begins at any corner, rotated out of all axes.
     let strip = |squares: usize, width: f64, first: usize| {
         let row = |y: f64| (0..=squares).map(move |i| [i as f64 / squares as f64, y * width, 0.0]);
         let mut corners: Vec<[f64; 3]> = row(0.0).chain(row(1.0).rev()).collect();
@@ -369,7 +368,7 @@ fn polygons_are_needles_by_their_width() {
     assert!(inspect(&polygon(&arrow), 1).get(Kind::Needles).is_none());
 }
 
-/// Numbers in words are of all parts, or of the worst one, as those beside them are.
+/// Numbers in the cause cover the same parts as those of the finding: all parts, or the worst one.
 #[test]
 fn words_and_numbers_are_of_the_same_parts() {
     let ball = |radius: f64, segments| {
@@ -401,15 +400,15 @@ fn words_and_numbers_are_of_the_same_parts() {
     }
 }
 
-/// What is a note in one part does not count among the warnings of another, nor is it their worst place; still it may be meant, and
-/// a command that mends the one would change the other.
+/// A note in one part is not counted with the warnings in another and is not their worst place. The cause still mentions it,
+/// because a command that fixes the warnings would change these places too.
 #[test]
 fn parts_where_it_matters_less_are_reported_next_to() {
     let part = |shape: &Surface, segments, pattern| {
         let tessellation = Tessellation { segments, pattern, ..Tessellation::default() };
         Part { mesh: shape.tessellate(&tessellation).unwrap(), ..Part::default() }
     };
-    // The dual cuts the tip off; and a triangle hardly has the surface's direction.
+    // The dual cuts the tip of the cone off, and a triangle of the other mesh hardly has the direction of the surface.
     let severe = || part(&Surface::from(Cone::default()), [64, 32], Pattern::Polygons);
     let milder = || part(&Surface::Catenoid(Catenoid::default()), [40, 24], Pattern::Marching);
     let found = |parts: Vec<Part>| {

@@ -35,7 +35,7 @@ fn files_are_reported_alike_without_their_source() {
     }
 }
 
-/// A ball as STL has it, with one facet in 50 turned round in its normal, and another in its winding.
+/// A ball as STL stores it. One facet in 50 has an inverted normal, and another one has reversed winding.
 fn ball() -> Loaded {
     let mesh =
         with_normals(surface(&Surface::from(Sphere::default()), [24, 12]), &recipe(Weight::Angle, 0.0));
@@ -54,7 +54,7 @@ fn ball() -> Loaded {
     read_bytes(bytes, Some(Format::Stl), None, &ReadOptions::default()).unwrap()
 }
 
-/// Vertices keep the numbers that they have in the file, three a facet, though they are shared now.
+/// Vertices are shared but keep their numbers in the file, three for each facet.
 #[test]
 fn facets_that_share_their_vertices_are_reported_alike() {
     let file = ball();

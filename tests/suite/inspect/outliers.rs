@@ -19,11 +19,11 @@ use std::collections::BTreeSet;
 /// Shares of all corners.
 const SHARES: [f64; 6] = [0.001, 0.01, 0.1, 0.15, 0.2, 0.5];
 
-/// Degrees by which they are tilted.
+/// Angles by which they are tilted, in degrees.
 const TILTS: [f64; 5] = [10.0, 20.0, 30.0, 60.0, 90.0];
 
-/// Meshes whose normals follow no rule, or not all of it: marks on edges, a finer mesh, an analytic surface. Faces of the pirate
-/// and the spider run against their neighbours.
+/// Meshes whose normals follow no weighting, or not everywhere: marked edges, a finer mesh, an analytic surface. Some faces of
+/// the pirate and the spider have reversed winding.
 const LOOSE: [&str; 4] = ["obj/suzanne.obj", "obj/pirate.obj", "obj/spider.obj", "ply/suzanne_vn.ply"];
 
 fn teapot() -> Mesh {
@@ -41,13 +41,13 @@ fn by_rule() -> Vec<(String, Mesh)> {
     clean.map(|clean| (clean.name.to_owned(), clean.mesh)).collect()
 }
 
-/// What chance gives each corner: those under a share are in every larger share as well.
+/// A random number for each corner: corners below a share are below every larger share as well.
 fn lots(count: usize) -> Vec<f64> {
     let mut random = Random(53);
     (0..count).map(|_| random.unit()).collect()
 }
 
-/// Corners by chance tilted any way, and which.
+/// A mesh with a random share of its corner normals tilted in random directions, and these corners.
 fn tilted(mesh: &Mesh, share: f64, degrees: f64) -> (Mesh, BTreeSet<u32>) {
     let mut normals = unshared(mesh);
     let mut random = Random(59);
@@ -67,13 +67,13 @@ fn diagnosis(mesh: &Mesh, deviation: f64) -> Diagnosis {
     diagnose(&loaded(mesh.clone()), &thresholds, &|_| {})
 }
 
-/// How grave the gravest finding about stored normals is; whether some were turned round altogether is another question.
+/// The highest severity of findings on stored normals, at most a warning: whether some are inverted is another question.
 fn worst(diagnosis: &Diagnosis) -> Option<Severity> {
     let stored = diagnosis.findings.iter().filter(|it| it.kind.entry().family == Family::Stored);
     stored.map(|it| it.severity.min(Severity::Warning)).max()
 }
 
-/// The corners that are told to stray, and those that are told to be at fault in any way.
+/// The corners that are reported as outliers, and those that are reported as faulty in any way.
 fn reported(mesh: &Mesh, diagnosis: &Diagnosis) -> [BTreeSet<u32>; 2] {
     let start = |face: u32| mesh.faces().range(face as usize).start as u32;
     let places = |kinds: &[Kind]| {
@@ -92,7 +92,7 @@ fn severity_does_not_fall_as_more_corners_stray_or_further() {
             SHARES.map(|share| TILTS.map(|tilt| graveness(share, tilt)).to_vec()).to_vec();
         let by_tilt = all.iter().all(|tilts| tilts.is_sorted());
         let by_share = (0..TILTS.len()).all(|tilt| all.iter().map(|tilts| tilts[tilt]).is_sorted());
-        // From twice the threshold on it is a fault, and told as one.
+        // From twice the threshold on, it is a fault and reported as one.
         let are_told =
             all[1..].iter().all(|tilts| tilts[2..].iter().all(|it| *it >= Some(Severity::Warning)));
         (!by_tilt || !by_share || !are_told).then(|| format!("{name}: {all:?}"))
@@ -114,8 +114,8 @@ fn severity_does_not_fall_as_the_threshold_gets_stricter() {
     }
 }
 
-/// The corners at which nothing tells what is right if no rule does: those of faces without area, which no picture shows
-/// either, and those of points with none that is as it was.
+/// The corners whose right normal is undetermined if no weighting fits: those of faces without area, which are not visible
+/// either, and those at positions where every normal is tilted.
 fn open(mesh: &Mesh, places: &BTreeSet<u32>) -> BTreeSet<u32> {
     let faces = mesh.faces();
     let position = |vertex: u32| mesh.positions().at(vertex);
@@ -131,8 +131,8 @@ fn open(mesh: &Mesh, places: &BTreeSet<u32>) -> BTreeSet<u32> {
     corners.filter(|&(face, corner)| is_open(face, corner)).map(|(_, corner)| corner as u32).collect()
 }
 
-/// Where nothing but the strays departs from a rule up to half of all; on loose normals as long as most corners of each fan are
-/// right. What points behind its face besides is told as that.
+/// If all other normals follow a weighting, outliers are found up to half of all corners; otherwise, as long as most corners of
+/// each fan are right. Outliers that point behind their face are reported as that.
 #[test]
 fn outliers_are_reported_where_they_are() {
     let misses = |(name, mesh, shares, is_loose): (String, Mesh, &[f64], bool)| {
@@ -143,11 +143,11 @@ fn outliers_are_reported_where_they_are() {
             let hits = |reported: &BTreeSet<u32>| reported.intersection(&places).count() as f64;
             let open = if is_loose { open(&mesh, &places) } else { BTreeSet::new() };
             let can_be_told: BTreeSet<u32> = places.difference(&open).copied().collect();
-            assert!(can_be_told.len() as f64 > 0.9 * places.len() as f64, "{name}: most can be told");
+            assert!(can_be_told.len() as f64 > 0.9 * places.len() as f64, "{name}: most are determined");
             let recall = can_be_told.intersection(&faults).count() as f64 / can_be_told.len() as f64;
             let precision = |reported: &BTreeSet<u32>| hits(reported) / reported.len().max(1) as f64;
             let precision = precision(&strays).min(precision(&faults));
-            // With half of all tilted by 30° some edges of a gear look averaged: 0.988.
+            // With half of all corners tilted by 30°, some edges of a gear look averaged: 0.988.
             let least = if share < 0.5 { 0.99 } else { 0.98 };
             if recall < least || precision < 0.99 {
                 misses.push(format!("{name}, {share} by {tilt}°: {recall:.3}, {precision:.3}"));
@@ -162,7 +162,7 @@ fn outliers_are_reported_where_they_are() {
     assert!(all.is_empty(), "{}", all.join("\n"));
 }
 
-/// All corners of a vertex with one wrong normal: where the rest follows a rule to the letter, half may.
+/// All corners of a vertex share a wrong normal. If the others follow a weighting exactly, half of all may be wrong.
 #[test]
 fn outliers_that_are_shared_by_a_vertex_are_reported_where_a_rule_made_the_rest() {
     for (name, mesh) in by_rule() {
@@ -181,10 +181,10 @@ fn outliers_that_are_shared_by_a_vertex_are_reported_where_a_rule_made_the_rest(
     }
 }
 
-/// Tests of readers, whose normals stand for nothing.
+/// Files that test readers; their normals have no meaning.
 const NUMBERS: [&str; 1] = ["ply/magnum-per-face-normals-objectid.ply"];
 
-/// What artists make is no fault, however far it is from any rule.
+/// Authored normals are no fault, however far they are from any weighting.
 #[test]
 fn normals_of_good_files_do_not_stray() {
     let long = std::env::var_os("CREASE_LONG").is_some();
@@ -204,7 +204,7 @@ fn normals_of_good_files_do_not_stray() {
     }
 }
 
-/// Strays that a higher threshold leaves out are no seams in their place.
+/// Outliers below a higher threshold are not reported as seams instead.
 #[test]
 fn outliers_that_are_not_asked_for_are_no_seams() {
     for (name, mesh) in by_rule() {

@@ -12,8 +12,7 @@ use rayon::prelude::*;
 use std::fs;
 use std::path::Path;
 
-/// Quadrilaterals that are not flat, cut into triangles with their normals: a grid of a saddle, sharp enough that neighbours
-/// bend past the crease angle here and there.
+/// A grid of quads that are not flat, on a saddle so steep that some dihedral angles exceed the crease angle.
 fn saddle() -> Mesh {
     let place = |i: u32, j: u32| {
         let [x, y] = [i, j].map(|k| f64::from(k) - 4.0);
@@ -47,8 +46,8 @@ fn halves_of_quadrilaterals_have_the_normals_of_these() {
 
 const FORMATS: [Format; 4] = [Format::Obj, Format::Ply, Format::Glb, Format::Stl];
 
-/// Errors and warnings about normals in what the program makes of a file. Cut into triangles, polygons that are not flat keep
-/// the normals of the polygons, which are not those of the triangles.
+/// Errors and warnings about normals in the program's output for a file. Formats that cut polygons are only checked for triangle
+/// meshes: polygons that are not flat keep their normals, which are not those of their triangles.
 fn blamed(file: &Path, are_triangles: bool) -> Vec<String> {
     let folder = tempfile::tempdir().unwrap();
     let keeps_polygons = |format: &&Format| matches!(format, Format::Obj | Format::Ply);
@@ -70,8 +69,8 @@ fn blamed(file: &Path, are_triangles: bool) -> Vec<String> {
     blamed.collect()
 }
 
-/// A rough ball of singles with triangles that are no higher than rounding makes them, as where one part of a mesh was cut and
-/// its neighbour was not, and needles a few times as high.
+/// A rough ball in `f32`, with slivers no higher than a rounding error, as if one part of a mesh was cut and its neighbour was
+/// not, and with needles a few times as high.
 fn with_slivers(seed: u32, round: impl Fn(f64) -> f64) -> Mesh {
     let rough = Tessellation { noise: 0.2, seed, segments: [32, 20], ..Tessellation::default() };
     let ball = Surface::from(Sphere::default()).tessellate(&rough).unwrap();
@@ -114,8 +113,8 @@ fn own_normals_of_slivers_and_needles_are_right_in_every_format() {
     }
 }
 
-/// Of real meshes too, of one part before and after: what is computed of each of several parts shows where they meet, once a file
-/// has them as one, and the other way round. `CREASE_LONG` takes the large ones as well.
+/// The same for real meshes of one part. With several parts, normals computed for each part show where they meet if the output
+/// joins them, and vice versa. `CREASE_LONG` includes the large meshes.
 #[test]
 fn own_normals_of_real_meshes_are_right_in_every_format() {
     let most = if std::env::var_os("CREASE_LONG").is_some() { u64::MAX } else { 500_000 };

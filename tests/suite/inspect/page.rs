@@ -10,7 +10,7 @@ use crease::surface::{Sphere, Surface, Torus};
 use glam::DVec3;
 use std::collections::BTreeSet;
 
-/// What stands between two marks, wherever they occur.
+/// All texts between two marks.
 fn between<'a>(text: &'a str, from: &str, to: &str) -> Vec<&'a str> {
     text.split(from).skip(1).filter_map(|rest| rest.split(to).next()).collect()
 }
@@ -59,14 +59,14 @@ fn the_page_of_a_fault_is_whole() {
     assert!(page.contains("crease normals 'a &lt;torus&gt;.obj'"));
 }
 
-/// How many pixels of a picture, above the legend, have such a colour.
+/// The number of pixels of a picture, above the legend, with a certain colour.
 fn pixels(picture: Picture, is_such: fn([u8; 3]) -> bool) -> usize {
     let side = picture.size[0] as usize;
     let crease::raster::Pixels::Eight(pixels) = picture.pixels else { panic!("8 bits") };
     pixels[..side * side].iter().filter(|pixel| is_such(**pixel)).count()
 }
 
-/// A ring says where a place is seen, in some thirty pixels here; from behind there is none.
+/// A ring marks a visible place, with some thirty pixels here; from behind there is none.
 #[test]
 fn rings_mark_only_what_is_seen() {
     let mesh = with_normals(
@@ -87,17 +87,17 @@ fn rings_mark_only_what_is_seen() {
     assert!(red(DVec3::Z) > 20 && red(DVec3::NEG_Z) == 0, "{} {}", red(DVec3::Z), red(DVec3::NEG_Z));
 }
 
-/// How much of a picture is yellow.
+/// The number of yellow pixels.
 fn yellow(picture: Picture) -> usize {
     pixels(picture, |[r, g, b]| r > 200 && g > 180 && b < 120)
 }
 
-/// How much of it is of the pink of corners without a normal.
+/// The number of pixels in the pink of corners without a normal.
 fn pink(picture: Picture) -> usize {
     pixels(picture, |[r, g, b]| r > 220 && g < 120 && b > 170)
 }
 
-/// What is wrong with a mesh is hidden from one side, and the automatic view shows some of it.
+/// Asserts that the faults of a mesh are hidden from one side, and that the automatic view shows some of them.
 fn is_seen_but_not_from(side: DVec3, mesh: Mesh) {
     let file = loaded(mesh);
     let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
@@ -106,8 +106,8 @@ fn is_seen_but_not_from(side: DVec3, mesh: Mesh) {
     assert!(seen(Sight::Auto) > 10, "{}", seen(Sight::Auto));
 }
 
-/// A ball in an open box, with normals turned round where it faces a wall: from beyond that wall they are hidden, and the
-/// view is one that sees them.
+/// A ball in an open box with inverted normals where it faces a wall. They are hidden from beyond that wall, and the automatic
+/// view shows them.
 #[test]
 fn the_view_sees_what_is_wrong() {
     let ball = surface(&Surface::from(Sphere::default()), [48, 24]);
@@ -157,7 +157,7 @@ fn colours_tell_deviation() {
         &NormalRecipe::default(),
     );
     let mut wrong = mesh.columns().normals.clone().unwrap();
-    // Those that the view sees.
+    // Those that are visible.
     wrong.values.iter_mut().filter(|normal| normal.y > 0.0).for_each(|normal| *normal = -*normal);
     let yellow_of = |mesh: Mesh| {
         let file = loaded(mesh);
@@ -174,8 +174,7 @@ fn heat_map(mesh: Mesh, side: u32) -> Picture {
     deviation_picture(&file, &diagnosis, Sight::From(DVec3::new(1.0, 2.0, 1.0)), side).unwrap()
 }
 
-/// Each single fault is seen, however small its faces are: their corners were one pixel of many, mixed with right ones, and
-/// lines that only the fault drew lay over it.
+/// A single fault is visible however small its faces are, although its pixel also shows right corners.
 #[test]
 fn single_faults_are_seen_at_any_density() {
     const SIDE: u32 = 240;
@@ -184,7 +183,7 @@ fn single_faults_are_seen_at_any_density() {
         let mesh = with_normals(torus, &NormalRecipe::default());
         assert_eq!(yellow(heat_map(mesh.clone(), SIDE)), 0, "{segments:?}");
         let mut normals = mesh.columns().normals.clone().unwrap();
-        // One that the view sees, of as many as there are.
+        // One visible vertex.
         let seen = normals.values.iter().position(|normal| normal.y > 0.8 && normal.x > 0.1).unwrap();
         normals.values[seen] = -normals.values[seen];
         let found = yellow(heat_map(mesh.with_normals(Some(normals)), SIDE));
@@ -192,8 +191,8 @@ fn single_faults_are_seen_at_any_density() {
     }
 }
 
-/// What has no deviation is not drawn as right: corners without a normal, with one that is zero or no number, and a whole
-/// file without any.
+/// Corners without a usable normal are not drawn as right: those without a normal, those with one that is zero or NaN, and those
+/// of a file without normals.
 #[test]
 fn what_has_no_direction_is_pink() {
     let bare = surface(&Surface::from(Torus::default()), [24, 12]).with_normals(None);

@@ -13,17 +13,17 @@ use crease::quality::{Diagnosis, Finding, Thresholds, diagnose};
 use glam::{DMat3, DMat4, DQuat, DVec3};
 use std::collections::BTreeSet;
 
-/// A mesh with a fault, and where it is, as corners of the mesh, or as faces.
+/// A mesh with a fault, and the faulty corners or faces.
 pub(super) struct Planted {
-    /// What was done.
+    /// The name of the change.
     pub(super) what: &'static str,
     pub(super) mesh: Mesh,
-    /// The file that the mesh is from, if the fault is in what else it holds.
+    /// The file of the mesh, if the fault is not in the mesh itself.
     pub(super) file: Option<Vec<u8>>,
-    /// Where the mesh stands in the world, if not as it is.
+    /// The matrix of the mesh's node, if it is not the identity.
     pub(super) node: Option<DMat4>,
     pub(super) expected: Kind,
-    /// What is wrong; empty for a fault of the mesh as a whole.
+    /// The faulty corners or faces; empty for a fault of the mesh as a whole.
     pub(super) places: BTreeSet<u32>,
     pub(super) by_face: bool,
 }
@@ -37,7 +37,7 @@ impl Planted {
         Self { by_face: true, ..self }
     }
 
-    /// Everything that is found, with all places.
+    /// The diagnosis, with all places of each finding.
     pub(super) fn diagnosis(&self) -> Diagnosis {
         let mut file = match &self.file {
             Some(bytes) => read_bytes(bytes.clone(), None, None, &ReadOptions::default()).unwrap(),
@@ -53,8 +53,7 @@ impl Planted {
     }
 }
 
-/// Corners, a hundredth of all, spread so that no two are of neighbouring faces' same vertex: one corner of every
-/// hundredth face.
+/// The first corner of every 37th face, which is one corner in 111 of a triangle mesh.
 fn chosen_corners(mesh: &Mesh) -> BTreeSet<u32> {
     let starts = mesh.faces().ranges().map(|range| range.start as u32);
     starts.step_by(37).collect()
@@ -103,7 +102,7 @@ pub(super) fn turned(normal: DVec3, degrees: f64) -> DVec3 {
     normal * libm::cos(angle) + aside * libm::sin(angle)
 }
 
-/// Faces turned round, their stored normals left as they are.
+/// Some faces reversed, with their stored normals unchanged.
 fn reversed_faces(clean: &Clean) -> Planted {
     let places: BTreeSet<u32> = (0..clean.mesh.face_count() as u32).step_by(53).collect();
     let edit = FaceEdit { reversed: places.iter().copied().collect(), ..FaceEdit::default() };
@@ -111,7 +110,7 @@ fn reversed_faces(clean: &Clean) -> Planted {
     Planted::new("1 face in 53 reversed", Kind::InconsistentWinding, mesh, places).by_face()
 }
 
-/// All faces turned round, their stored normals left as they are.
+/// All faces reversed, with their stored normals unchanged.
 fn inside_out(clean: &Clean) -> Planted {
     let places: BTreeSet<u32> = (0..clean.mesh.face_count() as u32).collect();
     let edit = FaceEdit { reversed: places.iter().copied().collect(), ..FaceEdit::default() };
@@ -119,17 +118,17 @@ fn inside_out(clean: &Clean) -> Planted {
     Planted::new("all faces reversed", expected, clean.mesh.with_faces(&edit), places).by_face()
 }
 
-/// Every tenth sharp edge averaged: both sides get the normal in the middle.
+/// Some sharp edges averaged: both sides get the mean of their normals.
 pub(super) fn averaged_crease(mesh: &Mesh) -> Option<Planted> {
     let topology = Topology::build(mesh, Weld::Exact);
     let mut normals = unshared(mesh);
     let before = normals.clone();
     let corners = mesh.faces().corners();
     let mut places = BTreeSet::new();
-    // By place: beyond a seam the same corner of the shape is another vertex.
+    // By position: across a seam, the same point of the shape is another vertex.
     let mut touched: BTreeSet<[u64; 3]> = BTreeSet::new();
     let place = |corner: u32| mesh.positions().at(corners[corner as usize]).to_array().map(f64::to_bits);
-    // Beyond the 40° that the meshes are made with.
+    // Above the crease angle of the meshes, 40°.
     let far = |a: DVec3, b: DVec3| angle_between(a, b).0 > 0.7;
     for half_edge in 0..corners.len() as u32 {
         let Some(across) = topology.across(half_edge).filter(|&across| half_edge < across) else { continue };
@@ -146,12 +145,12 @@ pub(super) fn averaged_crease(mesh: &Mesh) -> Option<Planted> {
         }
         places.insert(half_edge);
     }
-    // A crease can be told from the rule only where the rule is known from others.
+    // Only a mesh with enough creases shows that some of them should be sharp.
     let mesh = per_corner(mesh, normals);
     (places.len() >= 3).then(|| Planted::new("sharp edges averaged", Kind::AveragedCrease, mesh, places))
 }
 
-/// A smooth edge here and there whose one side is turned away from the other.
+/// Some smooth edges with the normals of one side tilted.
 pub(super) fn split_seam(clean: &Clean, degrees: f64) -> Option<Planted> {
     let topology = Topology::build(&clean.mesh, Weld::Exact);
     let corners = clean.mesh.faces().corners();
@@ -168,7 +167,7 @@ pub(super) fn split_seam(clean: &Clean, degrees: f64) -> Option<Planted> {
             continue;
         }
         touched.extend(vertices);
-        // All corners at the two ends that lie on one side, up to the next edges: the face's own two corners.
+        // The corners of the edge on one side.
         for [a, _] in ends {
             normals[a as usize] = turned(before[a as usize], degrees);
         }
@@ -178,7 +177,7 @@ pub(super) fn split_seam(clean: &Clean, degrees: f64) -> Option<Planted> {
     (!places.is_empty()).then(|| Planted::new("smooth edges split by 10°", Kind::SplitSeam, mesh, places))
 }
 
-/// Faces that stand twice.
+/// Some faces doubled.
 fn doubled_faces(clean: &Clean) -> Planted {
     let mut faces = crease::mesh::Faces::new();
     clean.mesh.faces().iter().for_each(|face| faces.push(face));
@@ -192,7 +191,7 @@ fn doubled_faces(clean: &Clean) -> Planted {
     Planted::new("1 face in 61 doubled", Kind::DuplicateFaces, mesh, places).by_face()
 }
 
-/// Smoothing groups that end at a plane through the mesh, which its normals know nothing of.
+/// Smoothing groups divided by a plane through the mesh, which its normals do not follow.
 fn other_groups(clean: &Clean) -> Planted {
     let faces = clean.mesh.faces();
     let middle = |face: usize| -> f64 {
@@ -225,7 +224,7 @@ fn other_groups(clean: &Clean) -> Planted {
     Planted::new("smoothing groups cut by a plane", Kind::GroupMismatch, mesh, places)
 }
 
-/// Normals stored in world space below a node that turns and stretches.
+/// Normals stored in world space below a node that rotates and stretches the mesh.
 fn in_world_space(clean: &Clean) -> Planted {
     let node = DMat4::from_scale_rotation_translation(
         DVec3::new(1.0, 2.5, 1.0),
@@ -238,7 +237,7 @@ fn in_world_space(clean: &Clean) -> Planted {
     Planted { node: Some(node), ..planted }
 }
 
-/// How much of what was planted was found, and how much of what was found was planted.
+/// Recall and precision: the share of planted places that was found, and the share of found places that was planted.
 pub(super) fn recall_and_precision(planted: &Planted, finding: &Finding) -> (f64, f64) {
     if planted.places.is_empty() {
         return (1.0, 1.0);
@@ -257,7 +256,7 @@ pub(super) fn recall_and_precision(planted: &Planted, finding: &Finding) -> (f64
     (hits / planted.places.len() as f64, hits / found.len().max(1) as f64)
 }
 
-/// Every fault that can be told from the shape of a clean mesh.
+/// All faults that are planted into a clean mesh.
 pub(super) fn faults(clean: &Clean) -> Vec<Planted> {
     let swap = |n: DVec3| DVec3::new(n.x, n.z, n.y);
     let mirror = |n: DVec3| DVec3::new(-n.x, n.y, n.z);
@@ -291,9 +290,9 @@ pub(super) fn faults(clean: &Clean) -> Vec<Planted> {
     all.push(by_chance(clean, ("1 % of corners negated, by chance", Kind::Flipped, 0.01), neg));
     all.push(by_chance(clean, ("10 % of corners tilted by 30°, by chance", Kind::Outlier, 0.1), tilt));
     all.extend(whole_meshes::faults(clean));
-    // A room whose normals or faces are all turned round is a solid with one or the other turned.
+    // A room with all normals inverted or all faces reversed is a solid with one of the two reversed.
     all.retain(|it| !clean.is_room || ![Kind::Inverted, Kind::InsideOut].contains(&it.expected));
-    // To mirror the normals of a box is to turn those of two sides round.
+    // Mirroring the normals of a box inverts those of two sides.
     all.retain(|it| clean.name != "box room" || it.what != "x mirrored");
     all
 }

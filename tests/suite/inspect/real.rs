@@ -11,7 +11,7 @@ fn inspect(name: &str) -> Option<Diagnosis> {
     Some(diagnose(&loaded, &Thresholds::default(), &|_| {}))
 }
 
-/// What the manifest says of these files, in the names of the catalogue, and how often.
+/// The faults of these files according to the manifest, as kinds of the catalogue, with their number if it is known.
 const KNOWN: [(&str, Kind, Option<u64>); 17] = [
     ("stl/Spider_binary_flipped.stl", Kind::Inverted, None),
     ("stl/Spider_ascii_flipped.stl", Kind::Inverted, None),
@@ -60,7 +60,7 @@ fn good_meshes_get_no_warning() {
     }
 }
 
-/// Every error on the real meshes, and what was found when it was looked at: all are real.
+/// Every error on the real meshes, and the result of checking it manually: all are real.
 const LOOKED_AT: [(&str, &str, &str); 16] = [
     ("obj/box-incorrect-winding-order.obj", "inconsistent-winding", "made so"),
     ("obj/box-unnormalized.obj", "zero-normals", "its first vn is 0 0 0"),
@@ -89,7 +89,7 @@ const LOOKED_AT: [(&str, &str, &str); 16] = [
     (
         "gltf/mesh-primitives-types.gltf",
         "flipped-normals",
-        "a test of types, whose numbers stand for nothing",
+        "a test of component types, whose normals have no meaning",
     ),
     ("stl/Spider_ascii_flipped.stl", "inverted-normals", "made so"),
     ("stl/Spider_ascii_flipped.stl", "inconsistent-winding", "made from spider.obj"),
@@ -100,11 +100,10 @@ const LOOKED_AT: [(&str, &str, &str); 16] = [
     ("stl/torus_wrong_normals.stl", "swapped-axes", "made so"),
 ];
 
-/// What has nothing of which one could be worse than another, nor shows by itself; and normals that were rounded to something, of
-/// which no rule tells what it was: the cause has the bound.
+/// Kinds without a measure: no place is worse than another, or the unrounded normals are unknown and the cause has a bound.
 const UNMEASURED: [Kind; 4] = [Kind::ZeroArea, Kind::NoFaces, Kind::Room, Kind::Quantised];
 
-/// Nothing that can be read is too much for it, numbers stay within bounds, and each finding has one that says how bad it is.
+/// Every readable file is diagnosed, numbers stay within bounds, and each finding has a measure of its severity.
 #[test]
 fn every_readable_file_is_diagnosed() {
     let files = [
@@ -128,7 +127,7 @@ fn every_readable_file_is_diagnosed() {
             let is_known = LOOKED_AT.iter().any(|(known, kind, _)| (*known, *kind) == (file, id));
             assert!(
                 finding.severity < Severity::Error || is_known || file.starts_with("bad/"),
-                "{name} is an error that nobody looked at: {finding:?}"
+                "{name} is an error that was not checked: {finding:?}"
             );
             assert!(
                 finding.count > 0 && finding.count <= finding.of,
@@ -138,7 +137,7 @@ fn every_readable_file_is_diagnosed() {
             );
             let share = finding.area_share;
             assert!(share.is_none_or(|share| (0.0..=1.0).contains(&share)), "{name}: {share:?}");
-            // Nothing is anywhere in a document without parts.
+            // A document without parts has no places.
             let least = diagnosis.parts.len().min(1);
             assert!((least..=10).contains(&finding.places.len()), "{name}");
             assert!(finding.places.iter().all(|site| site.part < diagnosis.parts.len()), "{name}");
@@ -149,7 +148,7 @@ fn every_readable_file_is_diagnosed() {
     }
 }
 
-/// The same bytes at any number of threads.
+/// The diagnosis is the same at any number of threads.
 #[test]
 fn threads_change_nothing() {
     let diagnose_with = |threads: usize| {

@@ -16,14 +16,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::Path;
 
-/// The meshes that are always there: the tables are of these.
+/// The meshes that are always available: the tables cover these.
 const OWN: [&str; 5] = ["icosphere", "torus", "wave", "bowl", "gear"];
 
-/// What came of a fault on a mesh.
+/// The result of planting a fault into a mesh.
 struct Outcome {
     recall: f64,
     precision: f64,
-    /// Everything else that is told of stored normals, smoothing and winding.
+    /// All other findings.
     others: Vec<(Kind, Severity)>,
 }
 
@@ -68,7 +68,7 @@ fn planted_faults_are_found_where_they_are_and_named() {
             let graver: Vec<&'static str> = graver.map(|(kind, _)| kind.id()).collect();
             if recall < 0.99 || precision < 0.99 || !graver.is_empty() {
                 misses.push(format!(
-                    "{}, {}: {} with recall {recall:.3} and precision {precision:.3}, beside {graver:?}",
+                    "{}, {}: {} with recall {recall:.3} and precision {precision:.3}, and {graver:?}",
                     clean.name,
                     planted.what,
                     planted.expected.id()
@@ -151,7 +151,7 @@ impl Confusion {
 /// Sizes of faults, as multiples of their threshold.
 const SIZES: [f64; 7] = [0.25, 0.5, 0.75, 0.95, 1.05, 1.5, 2.0];
 
-/// A fault of a size that can be chosen.
+/// A fault with a size.
 type Sized = (&'static str, Kind, fn(&Clean, f64) -> Option<Planted>);
 
 /// Faults with a threshold, by multiples of it.
@@ -173,13 +173,13 @@ const SIZED: [Sized; 5] = [
     ("split edges, of 2°", Kind::SplitSeam, |clean, size| split_seam(clean, 2.0 * size)),
 ];
 
-/// Faults that are not of a size but of a share of all corners, in per cent, or of bits.
+/// Shares of all corners, in per cent, for faults that have no size.
 const SHARES: [f64; 6] = [0.1, 1.0, 5.0, 10.0, 14.0, 30.0];
 
-/// Bits of each component, from more than the threshold needs to few.
+/// Bits of each component, from more than the threshold needs down to few.
 const BITS: [u32; 7] = [16, 12, 11, 10, 9, 8, 6];
 
-/// Recall on a round and an uneven mesh of our own together, by size; of what has no size, by share and by bits.
+/// Recall on a round and an uneven mesh together: by size, or by share and by bits for faults that have no size.
 #[test]
 fn recall_by_the_size_of_faults() {
     let clean: Vec<Clean> =
@@ -195,7 +195,7 @@ fn recall_by_the_size_of_faults() {
         assert!(recalls[SIZES.len() - 1] >= 0.99, "{what}: {recalls:?}");
         sized.row(what, expected, recalls);
     }
-    // With strips of one bend, which is the size.
+    // On strips with one dihedral angle, which is the size.
     let averaged = SIZES.map(|size| mean(averaged_crease(&zigzag(40.0 + 10.0 * size)).into_iter().collect()));
     assert!(averaged[SIZES.len() - 1] >= 0.99, "{averaged:?}");
     sized.row("averaged edges, of 10° past 40°", Kind::AveragedCrease, averaged);
@@ -220,7 +220,7 @@ fn recall_by_the_size_of_faults() {
     hold(&[("recall.md", [sized, shares, bits].map(|curve| curve.out).join("\n"))]);
 }
 
-/// Recall over something, as a table.
+/// A table of recall by size, share or bits.
 struct Curve {
     out: String,
 }
@@ -237,18 +237,15 @@ impl Curve {
     }
 }
 
-/// Holds tables of the documentation to what was measured; `CREASE_BLESS=1` writes them again.
+/// Asserts that the tables of the documentation match the measurement; `CREASE_BLESS=1` writes them.
 fn hold(tables: &[(&str, String)]) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/quality/measured");
     if std::env::var_os("CREASE_BLESS").is_some_and(|value| value == "1") {
         tables.iter().for_each(|(name, measured)| std::fs::write(folder.join(name), measured).unwrap());
-        panic!("the tables are written; look at them, and run again without CREASE_BLESS");
+        panic!("the tables are written; check them, and run again without CREASE_BLESS");
     }
     for (name, measured) in tables {
         let reported = std::fs::read_to_string(folder.join(name)).unwrap_or_default();
-        assert_eq!(
-            reported, *measured,
-            "{name} does not say what is measured; CREASE_BLESS=1 writes it again"
-        );
+        assert_eq!(reported, *measured, "{name} does not match the measurement; CREASE_BLESS=1 writes it");
     }
 }

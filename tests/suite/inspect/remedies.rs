@@ -40,14 +40,14 @@ impl Faulty {
     }
 
     fn mesh(kind: Kind, mesh: Mesh) -> Self {
-        // Text has no spelling for what is no number.
+        // OBJ text cannot store values that are not finite.
         let format = if kind == Kind::NotFinite { Format::Ply } else { Format::Obj };
         let written =
             write_new(&[Part { mesh, ..Part::default() }], format, &WriteOptions::default()).unwrap();
         Self { kind, format, bytes: written.bytes }
     }
 
-    /// A mesh below a node that turns it.
+    /// A mesh below a node with a matrix.
     fn below_node(planted: Planted) -> Self {
         let node = planted.node.expect("it stands somewhere");
         let parts = [Part { mesh: planted.mesh, ..Part::default() }];
@@ -57,7 +57,7 @@ impl Faulty {
         Self { kind: planted.expected, format: Format::Gltf, bytes: document.to_string().into_bytes() }
     }
 
-    /// Stores the file, carries out what is suggested, and looks again; tells whether anything is.
+    /// Stores the file, runs the suggested command and inspects its output. Returns whether a command is suggested.
     fn check(&self, name: &str) -> bool {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join(format!("fault.{}", self.format.extension()));
@@ -72,7 +72,7 @@ impl Faulty {
     }
 }
 
-/// Carries out a command in a folder and gives the file that it writes.
+/// Runs a command in a folder and returns the path of the file that it writes.
 fn carried_out(command: &str, folder: &Path) -> PathBuf {
     let words: Vec<&str> = command.split(' ').collect();
     let output = crease().current_dir(folder).args(&words[1..]).output().unwrap();
@@ -80,7 +80,7 @@ fn carried_out(command: &str, folder: &Path) -> PathBuf {
     folder.join(words[words.iter().position(|word| *word == "-o").unwrap() + 1])
 }
 
-/// Faults that are told of files rather than planted into clean meshes.
+/// Faulty files that are not made from the faults of clean meshes.
 fn others(ball: &Mesh) -> Vec<Faulty> {
     let bare = ball.clone().with_normals(None);
     let flat = with_normals(bare.clone(), &recipe(Weight::Angle, 0.0));
@@ -100,9 +100,9 @@ fn others(ball: &Mesh) -> Vec<Faulty> {
     all
 }
 
-/// Every kind of finding that a command mends is planted somewhere, found, and gone after that command.
+/// Every kind of finding that a command fixes is planted in a file, found, and gone after that command.
 #[test]
-fn what_is_suggested_mends() {
+fn suggested_commands_fix_planted_faults() {
     let mut mended = BTreeSet::new();
     for clean in meshes().into_iter().filter(|clean| ["icosphere", "bowl", "gear"].contains(&clean.name)) {
         let only_here = |kind: Kind| clean.name != "bowl" || kind == Kind::OpenInsideOut;
@@ -125,7 +125,7 @@ fn what_is_suggested_mends() {
     assert!(untried.is_empty(), "not tried: {untried:?}");
 }
 
-/// All that is read of a file, in a folder of its own where more may be written: the file, and what it names.
+/// Copies a file, and the files that it names, into a folder in which the test may write.
 fn copied(row: &Row, folder: &Path) -> PathBuf {
     let next_to = row.path.parent().unwrap();
     let is_alone = ["stl", "ply", "obj", "gltf"].iter().any(|shared| next_to.ends_with(shared));
@@ -139,11 +139,11 @@ fn copied(row: &Row, folder: &Path) -> PathBuf {
     folder.join(row.path.file_name().unwrap())
 }
 
-/// What shows only once other things are mended, and is mended by its own command then: the normals that the box has lie in the
-/// plane of their face, at odds with those that its other faces get.
+/// Findings that appear only after another fix and are fixed by their own command then. The stored normals of this box lie in the
+/// plane of their face and contradict those computed for its other faces.
 const UNCOVERED: [(&str, &str); 1] = [("obj/box-incomplete-normals.obj", "stray-normals")];
 
-/// What is suggested for a real file removes what it is suggested for, and brings no error or warning of another kind.
+/// Asserts that the commands suggested for a real file remove their findings and cause no error or warning of another kind.
 fn check_real(row: &Row) -> Vec<String> {
     let folder = tempfile::tempdir().unwrap();
     let file = copied(row, folder.path());
@@ -178,9 +178,9 @@ fn check_real(row: &Row) -> Vec<String> {
     failures
 }
 
-/// On real meshes as well, as they come. `CREASE_LONG` takes the large ones too.
+/// The same for unchanged real meshes. `CREASE_LONG` includes the large ones.
 #[test]
-fn what_is_suggested_mends_real_meshes() {
+fn suggested_commands_fix_real_meshes() {
     let most = if std::env::var_os("CREASE_LONG").is_some() { u64::MAX } else { 100_000 };
     let folders = [
         ("obj", &["obj"][..]),

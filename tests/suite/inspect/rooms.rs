@@ -1,5 +1,5 @@
-//! What stands within closed surfaces that face inwards: in air, where these are rooms or cavities, and in matter where they
-//! are inside out. Turning faces outward judges as the diagnosis does.
+//! Objects within closed surfaces that face inwards: rooms and cavities have air inside, surfaces that are inside out have
+//! matter. The diagnosis and `Orient::Outward` agree.
 
 use super::{rebuilt, surface};
 use crease::io::{Document, Format, Loaded, Part};
@@ -11,8 +11,8 @@ use crease::quality::{Severity, Thresholds, diagnose};
 use crease::surface::{Sphere, Surface};
 use glam::DVec3;
 
-/// A ball of a mesh: its radius, where its middle is on the x axis, which way its faces look, and which way its stored
-/// normals point, if it has any.
+/// A ball of a mesh: its radius, the x coordinate of its centre, the side that its faces face, and the side that its stored
+/// normals point to, if it has any.
 type Ball = (f64, f64, Way, Option<Way>);
 
 #[derive(Clone, Copy, PartialEq)]
@@ -63,7 +63,7 @@ fn file(meshes: Vec<Mesh>) -> Loaded {
     Loaded { format: Format::Obj, parts, nodes: Vec::new(), notes: Vec::new(), document: Document::None }
 }
 
-/// The balls, as part and number, that are told as a kind.
+/// The balls that are reported as a kind, as part and number.
 fn reported(loaded: &Loaded, kind: Kind) -> Vec<(usize, usize)> {
     let thresholds = Thresholds { places: 1 << 16, ..Thresholds::default() };
     let diagnosis = diagnose(loaded, &thresholds, &|_| {});
@@ -75,8 +75,8 @@ fn reported(loaded: &Loaded, kind: Kind) -> Vec<(usize, usize)> {
     balls
 }
 
-/// The balls that are inside out, once it is sure that turning outward turns these and no other face, and that nothing is told
-/// afterwards, with normals made again.
+/// The balls that are reported as inside out. Asserts that `Orient::Outward` reverses the faces of these balls and no others, and
+/// that nothing is reported afterwards, with normals computed again.
 #[track_caller]
 fn inside_out(mut loaded: Loaded) -> Vec<(usize, usize)> {
     let balls = reported(&loaded, Kind::InsideOut);
@@ -87,14 +87,14 @@ fn inside_out(mut loaded: Loaded) -> Vec<(usize, usize)> {
         let faces = 0..part.mesh.face_count() as u32;
         let is_reported = |face: &u32| balls.contains(&(number, *face as usize / faces_of_ball()));
         let expected: Vec<u32> = faces.filter(is_reported).collect();
-        assert_eq!(edit.faces.reversed, expected, "part {number}, where {balls:?} are told");
+        assert_eq!(edit.faces.reversed, expected, "part {number}, where {balls:?} are reported");
         part.mesh = part.mesh.with_faces(&FaceEdit { reversed: expected, ..FaceEdit::default() });
         if has_normals {
             let normals = compute(&part.mesh, &NormalRecipe::default()).normals;
             part.mesh = part.mesh.clone().with_normals(Some(normals));
         }
     }
-    assert_eq!(reported(&loaded, Kind::InsideOut), [], "after mending");
+    assert_eq!(reported(&loaded, Kind::InsideOut), [], "after the fix");
     balls
 }
 
@@ -136,13 +136,13 @@ fn a_thing_in_a_room_may_be_hollow() {
     assert_eq!(of_one(&[ROOM, CHAIR, TABLE, solid]), [3]);
 }
 
-/// Whichever way the normals of the thing point: those of the rest tell the room.
+/// The normals of the thing do not matter: those of the other balls show that this is a room.
 #[test]
 fn a_thing_in_a_room_may_be_inside_out() {
     for stored in [Some(Out), Some(In), None] {
         assert_eq!(of_one(&[ROOM, CHAIR, (TABLE.0, TABLE.1, In, stored)]), [2]);
     }
-    // Its own normals are enough.
+    // Its own normals are enough to report it.
     assert_eq!(of_one(&[ROOM, (TABLE.0, TABLE.1, In, Some(Out))]), [1]);
     assert_eq!(of_one(&[ROOM, (TABLE.0, TABLE.1, In, Some(Out)), DRAWER]), [1]);
 }
@@ -157,15 +157,15 @@ fn a_room_in_a_solid_is_a_cavity() {
     assert_eq!(of_one(&[house, ROOM, CHAIR, (TABLE.0, TABLE.1, In, Some(Out))]), [3]);
 }
 
-/// Without normals that say otherwise everything closed is taken for solid.
+/// A closed surface is solid unless its normals show that it is a room.
 #[test]
 fn what_is_no_room_is_solid() {
     assert_eq!(of_one(&bare(&[ROOM, CHAIR])), [0, 1], "no normals");
-    // Of one gravity: those that are less grave are only counted.
+    // Both have the same severity; findings of a lower one would only be counted.
     assert_eq!(of_one(&[(10.0, 0.0, In, Some(Out)), (2.0, 5.0, Out, Some(In))]), [0, 1], "against its faces");
-    assert_eq!(of_one(&[(10.0, 0.0, In, None), CHAIR]), [0, 1], "of what stands in it only");
+    assert_eq!(of_one(&[(10.0, 0.0, In, None), CHAIR]), [0, 1], "normals only on the thing in it");
     assert_eq!(of_one(&[ROOM]), [0], "nothing in it");
-    assert_eq!(of_one(&[ROOM, (20.0 / 3.0, 30.0, Out, Some(Out))]), [0], "beside it");
+    assert_eq!(of_one(&[ROOM, (20.0 / 3.0, 30.0, Out, Some(Out))]), [0], "next to it");
     assert_eq!(of_one(&[ROOM, (5.0, 0.0, In, Some(In))]), [0], "a cavity in it");
     assert_eq!(
         of_one(&[ROOM, (5.0, 0.0, In, Some(In)), (2.0, 0.0, Out, Some(Out))]),
@@ -173,15 +173,15 @@ fn what_is_no_room_is_solid() {
         "and a thing in that"
     );
     let walls = [-5.0, 0.0].map(|x| (2.0, x, In, Some(In)));
-    assert_eq!(of_one(&[ROOM, CHAIR, walls[0], walls[1]]), [0, 1], "more of it is");
+    assert_eq!(of_one(&[ROOM, CHAIR, walls[0], walls[1]]), [0, 1], "two cavities and one thing in it");
     assert_eq!(
         of_one(&[ROOM, (CHAIR.0, CHAIR.1, Out, None)]),
         NONE_REPORTED,
-        "one without normals stands as it does"
+        "a thing without normals is not reported"
     );
 }
 
-/// A cavity of another mesh is as much of a reason as normals are.
+/// A cavity of another mesh shows that there is air inside, as normals do.
 #[test]
 fn cavities_of_other_meshes_have_air_within() {
     let parts =
@@ -191,7 +191,7 @@ fn cavities_of_other_meshes_have_air_within() {
     assert_eq!(parts(&[&[house], &[ROOM, TABLE, DRAWER]]), []);
     assert_eq!(parts(&[&[ROOM, TABLE], &[house], &[safe]]), [], "a cavity of a thing in it");
     assert_eq!(parts(&[&[safe, ROOM], &[house], &[TABLE]]), [], "both in one mesh");
-    assert_eq!(parts(&[&[safe, ROOM], &[house]]), [(0, 0)], "of nothing");
+    assert_eq!(parts(&[&[safe, ROOM], &[house]]), [(0, 0)], "nothing in it");
     assert_eq!(parts(&[&[house], &[ROOM, (TABLE.0, TABLE.1, In, None), CHAIR]]), [(1, 1)]);
-    assert_eq!(parts(&[&[ROOM, CHAIR], &[TABLE]]), [(0, 0), (0, 1)], "nothing round it");
+    assert_eq!(parts(&[&[ROOM, CHAIR], &[TABLE]]), [(0, 0), (0, 1)], "nothing around it");
 }

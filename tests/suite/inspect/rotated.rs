@@ -13,14 +13,14 @@ use crease::surface::{Cylinder, Superquadric, Surface, Torus};
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 
-/// Turns that are tried on each mesh.
+/// Rotations that are tried on each mesh.
 const TURNS: usize = 24;
 
-/// How far the angle that is told may be from the one that was planted, in degrees: by 0.47 on `suzanne.obj`, half of whose
-/// normals are 4° and more from any rule, by 0.12 with the exact normals of a teapot, by 0.001 with those that a rule made.
+/// The largest difference between reported and planted angle, in degrees. It is 0.47 on `suzanne.obj`, half of whose normals are
+/// 4° or more off any weighting, 0.12 with the exact normals of a teapot, and 0.001 with computed normals.
 const ANGLE: f64 = 0.6;
 
-/// Turns about axes of all directions, by twice the threshold and, every second one, by chance up to 60°.
+/// Rotations about random axes, by twice the threshold or, every second one, by a random angle up to 60°.
 fn turns() -> Vec<(f64, DMat3)> {
     let mut random = Random(41);
     let mut turn = |number: usize| {
@@ -34,26 +34,26 @@ fn turns() -> Vec<(f64, DMat3)> {
     (0..TURNS).map(&mut turn).collect()
 }
 
-/// A mesh with another change to all its stored normals.
+/// A mesh with a change to all its stored normals.
 fn changed(mesh: &Mesh, change: impl Fn(DVec3) -> DVec3) -> Mesh {
     let mut normals = mesh.columns().normals.clone().expect("a mesh with normals");
     normals.values.iter_mut().for_each(|normal| *normal = change(*normal));
     mesh.clone().with_normals(Some(normals))
 }
 
-/// The same file with all normals turned.
+/// The same file with all normals rotated.
 fn turned(file: &Loaded, turn: DMat3) -> Loaded {
     let parts = file.parts.iter();
     let parts = parts.map(|part| Part { mesh: changed(&part.mesh, |normal| turn * normal), ..part.clone() });
     Loaded { parts: parts.collect(), format: file.format, ..loaded(Mesh::default()) }
 }
 
-/// What was not told of a file rightly, with each turn.
+/// The rotations of a file that are not reported correctly, in words.
 fn misses(name: &str, file: &Loaded) -> Vec<String> {
     let thresholds = Thresholds::default();
     let clean = diagnose(&turned(file, DMat3::IDENTITY), &thresholds, &|_| {});
     let clean = grave(&clean);
-    assert!(!clean.contains(&Kind::Rotated.id()), "{name} is told to be turned as it is");
+    assert!(!clean.contains(&Kind::Rotated.id()), "{name} is reported as rotated although it is not");
     let miss = |(degrees, turn): (f64, DMat3)| {
         let diagnosis = diagnose(&turned(file, turn), &thresholds, &|_| {});
         let reported = diagnosis.get(Kind::Rotated).filter(|it| it.count == file.parts.len() as u64);
@@ -61,7 +61,7 @@ fn misses(name: &str, file: &Loaded) -> Vec<String> {
         let mut others = grave(&diagnosis);
         others.retain(|id| *id != Kind::Rotated.id() && !clean.contains(id));
         let is_right = by.is_some_and(|by| (by - degrees).abs() <= ANGLE) && others.is_empty();
-        (!is_right).then(|| format!("{name} turned by {degrees:.1}°: told {by:?}, beside {others:?}"))
+        (!is_right).then(|| format!("{name} rotated by {degrees:.1}°: reported {by:?}, and {others:?}"))
     };
     turns().into_par_iter().filter_map(miss).collect()
 }
@@ -70,7 +70,7 @@ fn misses(name: &str, file: &Loaded) -> Vec<String> {
 fn turns_of_analytic_meshes_are_identified_by_their_angle() {
     let mut all: Vec<(String, Mesh)> =
         meshes().into_iter().map(|clean| (clean.name.to_owned(), clean.mesh)).collect();
-    // With exact normals, which no mean of faces is; those of the tube lie in a plane.
+    // With exact normals, which are no weighted mean of face normals; those of the tube lie in a plane.
     for (shape, segments) in [
         (Surface::from(Cylinder::default()), [32, 8]),
         (Surface::from(Torus::default()), [32, 16]),
@@ -83,9 +83,9 @@ fn turns_of_analytic_meshes_are_identified_by_their_angle() {
     assert!(misses.is_empty(), "{} misses:\n{}", misses.len(), misses.join("\n"));
 }
 
-/// Meshes of many makings: by rules of several programs, flat, from a finer mesh, of few bits, with faults of their own. What
-/// cannot be told is left out: on flat parts, whose normals lie on one line, the turn about it, and what turned normals that
-/// are 40° and more from any rule to begin with (`custom_normals`, `meshopt-fallback`).
+/// Normals of many kinds: by the weightings of several programs, flat, from a finer mesh, of few bits, with faults of their own.
+/// Undetermined cases are omitted: rotations of flat meshes about the line of their normals, and meshes whose normals are 40° or
+/// more off any weighting to begin with (`custom_normals`, `meshopt-fallback`).
 const REAL: [&str; 15] = [
     "obj/pirate.obj",
     "obj/suzanne.obj",
@@ -114,7 +114,7 @@ fn turns_of_real_meshes_are_identified_by_their_angle() {
     assert!(all.is_empty(), "{} misses:\n{}", all.len(), all.join("\n"));
 }
 
-/// A box with sides of its own, seen from outside.
+/// A box that faces outwards, with separate normals for each side.
 fn cube() -> Mesh {
     let corner = |i: u32| DVec3::new(f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2 & 1));
     let mut faces = Faces::new();
@@ -123,19 +123,19 @@ fn cube() -> Mesh {
     with_normals(rebuilt((0..8).map(corner).collect(), faces), &recipe(Weight::Angle, 40.0))
 }
 
-/// On a box half a turn and sides turned round one by one are the same: what is seen is told, not a cause that is guessed.
+/// On a box, a rotation by 180° looks like four inverted sides: the inverted normals are reported, not a guessed cause.
 #[test]
 fn sides_of_a_box_turned_round_are_not_reported_as_exchanged_axes() {
     let half_a_turn = |n: DVec3| DVec3::new(n.x, -n.y, -n.z);
     let diagnosis = inspect(&changed(&cube(), half_a_turn), 1);
     assert_eq!(grave(&diagnosis), [Kind::Flipped.id()]);
     assert_eq!(diagnosis.get(Kind::Flipped).unwrap().count, 16);
-    // A quarter of a turn is not.
+    // A rotation by 90° does not look like inverted sides.
     let diagnosis = inspect(&changed(&cube(), |n| DVec3::new(n.x, n.z, -n.y)), 1);
     assert_eq!(grave(&diagnosis), [Kind::SwappedAxes.id()]);
 }
 
-/// The normals of a tube about y have no y: what became of that axis cannot be told.
+/// The normals of a tube about the y axis have y = 0: what happened to that axis is undetermined.
 #[test]
 fn of_changes_that_explain_as_much_the_smallest_is_reported() {
     let tube = surface(&Surface::from(Cylinder::default()), [32, 8]);

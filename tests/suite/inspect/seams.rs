@@ -67,7 +67,7 @@ fn seams_between_primitives_are_reported() {
     assert_eq!(seams(&halves(&ball, as_whole)), (0, 0), "computed as one");
 }
 
-/// The faces beyond a plane with vertices of their own, which lie so far from those that they were, over the diagonal.
+/// A mesh with separate vertices for the faces beyond a plane, moved away by `apart`, a share of the diagonal.
 pub(super) fn cut(mesh: &Mesh, across: DVec3, apart: f64) -> Mesh {
     let (low, high) = mesh.bounds().unwrap();
     let middle = low.midpoint(high) + (high - low) * 0.013;
@@ -85,7 +85,7 @@ pub(super) fn cut(mesh: &Mesh, across: DVec3, apart: f64) -> Mesh {
     rebuilt(all.collect(), faces)
 }
 
-/// Edges that the recipe is smooth over and whose two sides have normals so far apart at both ends, in degrees.
+/// Edges that are smooth in `smooth`, and whose two sides in `split` differ by more than `degrees` at both ends.
 fn split_by(mesh: &Mesh, smooth: &[DVec3], split: &[DVec3], degrees: f64) -> BTreeSet<u32> {
     let topology = Topology::build(mesh, Weld::Exact);
     let is_split = |half_edge: &u32| {
@@ -102,15 +102,15 @@ fn split_by(mesh: &Mesh, smooth: &[DVec3], split: &[DVec3], degrees: f64) -> BTr
     (0..mesh.faces().corner_count() as u32).filter(is_split).collect()
 }
 
-/// A clean mesh cut so that the vertices of the two sides nearly meet, and the normals of each side made for themselves.
+/// A clean mesh cut so that the vertices of the two sides nearly meet, with normals computed for each side alone.
 pub(super) fn cracked(clean: &Clean) -> Option<Planted> {
     let mesh = with_normals(cut(&clean.mesh, CUTS[1], 1e-9), &clean.recipe);
-    // As the cut one, without what else the file says.
+    // The uncut mesh, also without smoothing groups and other columns of its file.
     let whole = rebuilt(clean.mesh.positions().to_vec(), clean.mesh.faces().clone());
     let whole = with_normals(whole, &clean.recipe);
     let places = split_by(&clean.mesh, &unshared(&whole), &unshared(&mesh), 2.0);
     let what = "cut, with the two sides 1e-9 of the diagonal apart";
-    // Cut along flat sides nothing shows.
+    // A cut along flat sides changes no normals.
     (places.len() > 2).then(|| Planted::new(what, Kind::CrackedSeam, mesh, places))
 }
 
@@ -136,7 +136,7 @@ fn smooth() -> Vec<(String, Mesh)> {
     all.into_iter().map(made).collect()
 }
 
-/// The corners that a finding begins its edges at.
+/// The first corners of the edges that a finding names.
 fn reported(mesh: &Mesh, found: Option<&crease::quality::Finding>) -> BTreeSet<u32> {
     let corner = |face: u32, corner: u32| mesh.faces().range(face as usize).start as u32 + corner;
     let places = found.iter().flat_map(|it| &it.places);
@@ -145,8 +145,8 @@ fn reported(mesh: &Mesh, found: Option<&crease::quality::Finding>) -> BTreeSet<u
 
 const CUTS: [DVec3; 2] = [DVec3::X, DVec3::new(1.0, 2.0, 3.0)];
 
-/// Each side of a cut averaged for itself: by 5° on fine meshes, by 30° on coarse ones. Where the cut is more than one in fifty of
-/// all edges, no crease angle is followed, and that it runs where the surface bends as elsewhere tells it.
+/// Normals averaged on each side of a cut alone: the sides differ by 5° on fine meshes and by 30° on coarse ones. If more than
+/// one edge in fifty is cut, no crease angle fits, and the cut is recognised because dihedral angles there are as elsewhere.
 #[test]
 fn cuts_through_smooth_meshes_are_reported() {
     let mut misses = Vec::new();
@@ -175,7 +175,7 @@ fn cuts_through_smooth_meshes_are_reported() {
     assert!(misses.is_empty(), "{} misses:\n{}", misses.len(), misses.join("\n"));
 }
 
-/// The same where the vertices of the two sides only nearly meet, so that equal places join nothing.
+/// The same where the vertices of the two sides only nearly meet, so that welding equal positions does not join them.
 #[test]
 fn edges_that_nearly_meet_are_reported() {
     let mut misses = Vec::new();
@@ -195,7 +195,7 @@ fn edges_that_nearly_meet_are_reported() {
             let is_right = hits(&sure) == sure.len() && hits(&all) == places.len();
             let severity = found.map(|it| it.severity);
             let others = grave(&diagnosis).len();
-            // Without normals all edges of the cut that computing them would smooth over are noted.
+            // Without normals, a note reports all edges of the cut that computed normals would smooth.
             let of_bare = inspect(&bare, 1);
             let noted =
                 of_bare.get(Kind::CrackedSeam).map(|it| (it.severity, it.count as usize >= all.len()));

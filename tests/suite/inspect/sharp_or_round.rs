@@ -9,8 +9,8 @@ use crease::surface::{Ellipsoid, Sphere, Surface, Tessellation};
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// A square plate of so many cells a side, with a hole of eight sides in each, in quads or in triangles. The walls of a hole bend
-/// by 45° from one to the next.
+/// A square plate with `cells` cells along each side and an octagonal hole in each cell, in quads or in triangles. The dihedral
+/// angle between neighbouring walls of a hole is 45°.
 fn plate(cells: u32, is_cut: bool) -> Mesh {
     let (mut positions, mut at) = (Vec::new(), HashMap::new());
     let mut vertex = |place: [i32; 3]| {
@@ -24,7 +24,7 @@ fn plate(cells: u32, is_cut: bool) -> Mesh {
         true => [[a, b, c], [a, c, d]].iter().for_each(|face| faces.push(face)),
         false => faces.push(&[a, b, c, d]),
     };
-    // Round a cell of 200 by 200: its rim, and a hole at 60 or so from the middle.
+    // A cell of 200 by 200 units: the points of its rim, and of a hole with a radius of about 60.
     let rim = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)];
     let hole = rim.map(|(x, y)| if x * y == 0 { (60 * x, 60 * y) } else { (42 * x, 42 * y) });
     let rim = rim.map(|(x, y)| (100 * x, 100 * y));
@@ -49,22 +49,22 @@ fn plate(cells: u32, is_cut: bool) -> Mesh {
     rebuilt(positions, faces)
 }
 
-/// Sharp edges with coarse holes among them are told by the broad flats beside them.
+/// Wide flat faces next to edges show that a shape is sharp, even if it also has coarse round holes.
 #[test]
 fn parts_with_coarse_holes_are_sharp() {
     for is_cut in [false, true] {
         let smooth = with_normals(plate(4, is_cut), &recipe(Weight::Angle, 180.0));
         let diagnosis = inspect(&smooth, 1);
-        let soft = diagnosis.get(Kind::Soft).unwrap_or_else(|| panic!("{is_cut}: nothing is told"));
-        // Two rims of eight for each hole, two rims of 32 round the plate, and its four corners.
+        let soft = diagnosis.get(Kind::Soft).unwrap_or_else(|| panic!("{is_cut}: nothing is reported"));
+        // Two rims of eight edges for each hole, two rims of 32 edges around the plate, and its four corners.
         assert_eq!((soft.count, soft.severity), (16 * 16 + 2 * 32 + 4, Severity::Warning), "{is_cut}");
         let sharp = with_normals(smooth.with_normals(None), &recipe(Weight::Angle, 40.0));
         assert!(inspect(&sharp, 1).get(Kind::Soft).is_none(), "{is_cut}");
     }
 }
 
-/// What is wrong with single normals hides nothing: edges beside these are not kept sharp. Reported only once they were mended, it
-/// would look like a fault of the mend.
+/// Faults of single normals do not hide that all edges are smooth: edges next to them do not count as sharp. If the smooth edges
+/// were reported only after these faults are fixed, the fix would seem to cause them.
 #[test]
 fn outliers_do_not_hide_that_all_is_smooth() {
     let smooth = with_normals(plate(4, false), &recipe(Weight::Angle, 180.0));
@@ -95,17 +95,17 @@ fn outliers_do_not_hide_that_all_is_smooth() {
     }
 }
 
-/// The rim of a flat ellipsoid bends by 52° in few faces, and its normals are exact.
+/// The dihedral angle at the rim of a flat ellipsoid is 52°, over few faces, but its exact normals are smooth there.
 #[test]
 fn rims_of_lenses_may_be_round() {
     let lens = Surface::from(Ellipsoid::new(DVec3::new(1.0, 0.1, 1.0)).unwrap());
     let exact = surface(&lens, [24, 12]);
     let diagnosis = inspect(&exact, 1);
-    let soft = diagnosis.get(Kind::Soft).expect("it bends as an edge does");
+    let soft = diagnosis.get(Kind::Soft).expect("the dihedral angle is that of an edge");
     assert_eq!((soft.count, soft.severity), (24, Severity::Note));
 }
 
-/// Bends of all sizes, some beyond a right angle, without a flat beside them: it is rough, and meant to look round.
+/// Dihedral angles of all sizes, some above 90°, and no flat faces next to them: the shape is rough and meant to look round.
 #[test]
 fn rough_shapes_are_round() {
     let rough = Tessellation { noise: 0.35, segments: [24, 12], ..Tessellation::default() };
@@ -114,7 +114,7 @@ fn rough_shapes_are_round() {
     assert!(inspect(&smooth, 1).get(Kind::Soft).is_none());
 }
 
-/// A smooth shape may have some sharp edges. Without any gentle ones facets are its shape.
+/// A smooth shape may have some sharp edges. A shape that has only sharp edges is meant to be faceted.
 #[test]
 fn facets_are_reported_on_shapes_that_mostly_bend_gently() {
     let flat = |mesh: Mesh| with_normals(mesh.with_normals(None), &recipe(Weight::Angle, 0.0));

@@ -11,7 +11,7 @@ use crease::quality::catalogue::Kind;
 use glam::DVec3;
 use std::collections::BTreeSet;
 
-/// Those that can be told on a clean mesh.
+/// The faults of whole meshes and components that fit a clean mesh.
 pub(super) fn faults(clean: &Clean) -> Vec<Planted> {
     let mut all = vec![missing(clean), perturbed(clean)];
     all.extend(clean.is_round.then(|| made_otherwise(clean)));
@@ -34,7 +34,7 @@ fn missing(clean: &Clean) -> Planted {
     Planted { mesh: planted.mesh.clone().with_normals(Some(normals)), ..planted }
 }
 
-/// Every second normal, by chance, turned any way by 30° to 60°.
+/// A random half of the normals, tilted by 30° to 60° in random directions.
 fn perturbed(clean: &Clean) -> Planted {
     let mut random = Random(17);
     let mut normals = unshared(&clean.mesh);
@@ -49,8 +49,8 @@ fn perturbed(clean: &Clean) -> Planted {
     Planted::new("every second corner perturbed by 30° to 60°", Kind::Outlier, mesh, places)
 }
 
-/// All normals turned any way by 30° to 60°, each for all corners that have it: no rule is left. On a shape with edges
-/// that would be noise corner by corner.
+/// All normals tilted by 30° to 60° in random directions, each for all corners that share it, so that no weighting fits. On a
+/// shape with sharp edges this would be noise corner by corner.
 fn made_otherwise(clean: &Clean) -> Planted {
     let mut random = Random(19);
     let mut normals = clean.mesh.columns().normals.clone().unwrap();
@@ -63,13 +63,13 @@ fn made_otherwise(clean: &Clean) -> Planted {
     Planted::new("each normal perturbed by 30° to 60°", Kind::Custom, mesh, places)
 }
 
-/// A direction at an angle from another, on a side that chance picks.
+/// A direction at an angle from another, on a random side.
 pub(super) fn turned_any_way(normal: DVec3, degrees: f64, random: &mut Random) -> DVec3 {
     let round = glam::DQuat::from_axis_angle(normal, std::f64::consts::TAU * random.unit());
     round * turned(normal, degrees)
 }
 
-/// A share of all corners, by chance, with a changed normal.
+/// A random share of all corners with a changed normal.
 pub(super) fn by_chance(
     clean: &Clean,
     (what, expected, share): (&'static str, Kind, f64),
@@ -87,7 +87,7 @@ pub(super) fn by_chance(
     Planted::new(what, expected, per_corner(&clean.mesh, normals), places)
 }
 
-/// On grids of several kinds, as 32 bits hold them.
+/// All normals rounded to grids of several kinds, and then to `f32`.
 fn rounded(clean: &Clean) -> Vec<Planted> {
     type Rounding = fn(DVec3) -> DVec3;
     let ways: [(&'static str, Rounding); 6] = [
@@ -108,7 +108,7 @@ fn stored(encoding: Encoding, normal: DVec3) -> DVec3 {
     encoding.decode(encoding.encode(normal))
 }
 
-/// Beside the mesh the same again with its faces turned round, the stored normals of both as they were.
+/// The mesh, and next to it a copy with reversed faces; both keep the stored normals.
 fn reversed_component(clean: &Clean) -> Planted {
     let (mesh, count) = (&clean.mesh, clean.mesh.face_count());
     let offset = DVec3::X * 10.0 * mesh.bounds().map_or(1.0, |(low, high)| (high - low).max_element());
@@ -127,7 +127,7 @@ fn reversed_component(clean: &Clean) -> Planted {
     Planted::new("one of two components reversed", Kind::InsideOut, mesh, places).by_face()
 }
 
-/// Normals made with another crease angle than the shape asks for, and nothing else that would ask for it.
+/// Normals with a crease angle that does not suit the shape, and no smoothing groups that would ask for it.
 fn recomputed(clean: &Clean, what: &'static str, expected: Kind, crease: f64) -> Planted {
     let bare = rebuilt(clean.mesh.positions().to_vec(), clean.mesh.faces().clone());
     Planted::new(what, expected, with_normals(bare, &recipe(Weight::Angle, crease)), BTreeSet::new())
@@ -153,7 +153,7 @@ pub(super) fn zigzag(bend: f64) -> Mesh {
     with_normals(rebuilt(positions, faces), &recipe(Weight::Angle, 40.0))
 }
 
-/// Columns that leave corners out are what a reader makes of a file that does.
+/// A reader makes a column without values at some corners if the file has none there.
 #[test]
 fn what_is_missing_is_left_out() {
     let clean = super::clean::meshes().remove(0);

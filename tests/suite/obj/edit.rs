@@ -1,4 +1,4 @@
-//! Editing real files in place: what changes is what was asked for.
+//! Editing real files in place: only what was asked for changes.
 
 use super::{Random, at_corners, corner_index, mesh_of, read};
 use crate::meshes::rows;

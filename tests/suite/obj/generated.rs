@@ -1,4 +1,4 @@
-//! Generated text: what it says is known, so everything that is read can be checked.
+//! Generated text with a known meaning, so that everything that is read can be checked.
 
 use super::{Random, at_corners, mesh_of, read};
 use crease::io::{self, Document, Format, Loaded, PartEdit, WriteOptions};
@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use std::fmt::Write;
 
-/// A corner by picks among what is defined so far, and whether to count back.
+/// A corner: indices of elements defined so far, and whether they are written as negative numbers.
 #[derive(Clone, Debug)]
 struct Pick {
     vertex: usize,
@@ -27,7 +27,7 @@ enum Line {
     Other(&'static str),
 }
 
-/// How it is laid out.
+/// The layout of the text.
 #[derive(Clone, Debug)]
 struct Layout {
     line_end: &'static str,
@@ -36,7 +36,7 @@ struct Layout {
     has_last_line_end: bool,
 }
 
-/// The text and what it means.
+/// The text and its meaning.
 #[derive(Debug, Default)]
 struct Meaning {
     text: String,
@@ -335,7 +335,7 @@ fn the_first_fault_in_the_file_is_the_one_that_is_reported() {
 
 #[test]
 fn kept_normals_are_counted_across_pieces() {
-    // More than a piece of normals before the first face, and one behind it.
+    // More normals before the first face than a piece of text holds, and one normal after it.
     let count = 200_000;
     let mut text: String = (0..count).map(|number| format!("vn {number} 0 1\n")).collect();
     write!(text, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//1 2//{count} 3//-1\nvn 0 0 7\nf 1//-1 2//-1 3//-1\n")

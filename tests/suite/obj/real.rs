@@ -1,4 +1,4 @@
-//! Real files: the counts of the manifest, what happens to bad ones, and what `tobj` says.
+//! Real files: the counts of the manifest, the errors of bad files, and a comparison with `tobj`.
 
 use super::{at_corners, mesh_of, read};
 use crate::meshes::rows;
@@ -13,7 +13,7 @@ fn good_files_have_the_counts_of_the_manifest() {
         let name = row.name();
         let loaded = match read(&row.bytes()) {
             Ok(loaded) => loaded,
-            // Numbers such as `3.1+e2` are none.
+            // Text such as `3.1+e2` is no number.
             Err(error) if row.text("expect") == "either" => {
                 assert_eq!(error.problem, Problem::Syntax, "{name}");
                 continue;

@@ -43,7 +43,7 @@ impl Form {
         }
     }
 
-    /// The first meeting, and whether it is sure: at rims rounding decides.
+    /// The first hit, and whether it is certain: at rims rounding decides.
     fn meet(self, from: DVec3, along: DVec3) -> (Met, bool) {
         let at = |t: f64| from + along * t;
         // Points of a quadric, a t² + 2 b t + c = 0, within so far of y = 0.
@@ -138,7 +138,7 @@ fn first_root(from: DVec3, along: DVec3, radius: f64, value: impl Fn(DVec3) -> f
     (None, sure)
 }
 
-/// Places: turned, stretched, mirrored.
+/// Transforms: rotated, stretched, mirrored.
 fn places() -> [DMat4; 4] {
     let turn = DQuat::from_rotation_z(0.4) * DQuat::from_rotation_x(-0.9);
     let stretch = DVec3::new(1.3, 0.7, 0.9);

@@ -33,7 +33,7 @@ fn closed(kind: &str, random: &mut Random) -> Model {
     match kind {
         "bumpy" => bumpy(1, random),
         "flat" => {
-            // Slivers: as thin as a thousandth, and turned anyhow.
+            // Slivers: a thousandth as thick as wide, rotated at random.
             let Model { mesh, .. } = bumpy(1, random);
             let turn = DMat4::from_rotation_x(unit(random)) * DMat4::from_rotation_y(3.0 * unit(random));
             let squeeze = |p: DVec3| turn.transform_point3(p * DVec3::new(1.0, 1.0, 1e-3));
@@ -50,9 +50,9 @@ fn closed(kind: &str, random: &mut Random) -> Model {
     }
 }
 
-/// Seen with nothing culled in turn, a closed mesh wholly in front of the near plane shows as many fronts as backs at
-/// each sample: in the middle of the picture, across its rim, and so wide that it is clipped by the guard band. Every face
-/// is drawn alone, so that all layers count, not the nearest.
+/// Without culling, a closed mesh in front of the near plane shows as many front faces as back faces at each sample: in the
+/// middle of the picture, across its rim, and so wide that the guard band clips it. Every face is drawn alone, so that all layers
+/// count.
 #[test]
 fn closed_meshes_are_covered_as_often_by_fronts_as_by_backs() {
     let mut random = Random(5);
@@ -173,7 +173,7 @@ fn from_inside_a_ball_there_is_no_hole() {
     }
 }
 
-/// Of coinciding faces the one with the lower index shows, whichever way it runs round and wherever it begins.
+/// Of coinciding faces the one with the lower index shows, whatever its winding and its first corner.
 #[test]
 fn equal_depth_goes_to_the_lower_face() {
     let corners = [DVec3::new(-1.0, -0.7, 0.2), DVec3::new(1.1, -0.4, -0.6), DVec3::new(0.1, 0.9, 0.4)];
@@ -192,7 +192,7 @@ fn equal_depth_goes_to_the_lower_face() {
     }
 }
 
-/// Turned away, mirrored, seen from the side: what is culled is decided by how faces run round in the scene.
+/// The winding of faces in the scene decides what is culled, also for rotated and mirrored objects.
 #[test]
 fn mirrored_objects_keep_their_fronts() {
     let model = icosphere(1);

@@ -1,4 +1,4 @@
-//! Corners from 10⁻³⁰ to 10³⁰ in one scene: drawn where rays meet them, clipped, or left out; never a wrong pixel.
+//! Corners from 10⁻³⁰ to 10³⁰ in one scene: drawn where rays hit them, clipped, or omitted; never a wrong pixel.
 
 use super::shapes::{Model, linear, scene, unit};
 use crate::random::Random;
@@ -27,7 +27,7 @@ fn camera(projection: Projection) -> Camera {
     Camera { eye: DVec3::Z * AWAY, target: DVec3::ZERO, up: DVec3::Y, projection, near }
 }
 
-/// A point whose coordinates have any sign and any magnitude up to so many powers of ten, each its own.
+/// A point whose coordinates have random signs and magnitudes from 10^−`reach` to 10^`reach`.
 fn point(random: &mut Random, reach: f64) -> DVec3 {
     DVec3::from([0; 3].map(|_| {
         let size = libm::pow(10.0, (2.0 * unit(random) - 1.0) * reach);
@@ -35,7 +35,7 @@ fn point(random: &mut Random, reach: f64) -> DVec3 {
     }))
 }
 
-/// Faces of so many corners, apart from each other or sharing corners.
+/// `count` faces with `corners` corners each, separate or with shared vertices.
 fn wild(random: &mut Random, reach: f64, [count, corners]: [usize; 2], shared: bool) -> Model {
     let vertices = if shared { 2 * corners + 6 } else { count * corners };
     let positions = (0..vertices).map(|_| point(random, reach)).collect();
@@ -95,7 +95,7 @@ fn all_modes_draw(model: &Model, projection: Projection, what: &str) {
     }
 }
 
-/// What a ray through a place of the picture meets of a triangle, told in doubles by edge functions in homogeneous
+/// The hit of a triangle by the ray through a point of the picture, computed in `f64` by edge functions in homogeneous
 /// coordinates (Olano & Greer 1997), or by those of the plane in a parallel projection.
 enum Met {
     No,
@@ -114,9 +114,9 @@ struct Meeting {
     weights: DVec3,
 }
 
-/// Corners are snapped to 1/256 of a pixel, so that an edge is at most 1/362 off; with much room.
+/// Corners are snapped to 1/256 of a pixel, so that an edge is at most 1/362 off; with a wide margin.
 const SNAPPED: f64 = 1.0 / 64.0;
-/// Roundings of a sum of products of doubles, with much room.
+/// Rounding of a sum of products of doubles, with a wide margin.
 const ROUNDED: f64 = 1e-14;
 
 fn meet(projection: Projection, corners: [DVec3; 3], at: DVec2) -> Met {
@@ -226,7 +226,7 @@ fn meet(projection: Projection, corners: [DVec3; 3], at: DVec2) -> Met {
     Met::Yes(Meeting { depth, room, weights: values / sum })
 }
 
-/// The eye is far from what it looks at where that is small in comparison.
+/// The level from which depths are counted: that of the target if the eye is far away compared with the size of the view.
 fn level(projection: Projection) -> f64 {
     match projection {
         Projection::Perspective(angle) if 128.0 * libm::tan(0.5 * angle.0) < 1.0 => 1.0,
@@ -234,14 +234,14 @@ fn level(projection: Projection) -> f64 {
     }
 }
 
-/// How many pixels were sure to show a triangle, and how many of them were drawn with corner colours that could be checked.
+/// How many pixels certainly show a triangle, and how many of them were drawn with corner colours that could be checked.
 #[derive(Default)]
 struct Tally {
     sure: usize,
     weighed: usize,
 }
 
-/// Each pixel shows what the nearest triangle there is, told by rays.
+/// Asserts that each pixel shows the triangle that a ray hits first.
 fn rays_agree(model: &Model, projection: Projection, what: &str, tally: &mut Tally) {
     let count = model.mesh.face_count();
     let triangles: Vec<[DVec3; 3]> = (0..count)
@@ -276,7 +276,7 @@ fn rays_agree(model: &Model, projection: Projection, what: &str, tally: &mut Tal
                 let behind = nearest - (meeting.depth + meeting.room);
                 assert!(behind <= 0.0, "{}, {behind} behind what is in front", what());
                 tally.sure += 1;
-                // As far as a step by what snapping may move a corner goes, any of its values will do.
+                // Snapping may move a corner, so any value within that distance is right.
                 let around = [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y];
                 let around =
                     around.map(|step| match meet(projection, triangles[number], at + step * SNAPPED) {
@@ -313,7 +313,7 @@ fn sweep(seed: u64, rounds: usize) -> Tally {
     tally
 }
 
-/// Of 10 800 pixels a round most show one triangle for sure.
+/// Most of the 10 800 pixels of a round certainly show one triangle.
 #[test]
 fn extreme_corners_are_drawn_where_rays_meet_them() {
     let rounds = if crate::hostile::is_long() { 400 } else { 4 };
@@ -321,7 +321,7 @@ fn extreme_corners_are_drawn_where_rays_meet_them() {
     assert!(tally.sure > 5000 * rounds && tally.weighed > 5000 * rounds, "{} {}", tally.sure, tally.weighed);
 }
 
-/// What is told of a sample is what the picture shows there.
+/// A probe reports the colour that the picture shows.
 #[test]
 fn probes_tell_what_pictures_of_extreme_corners_show() {
     let mut random = Random(3);
@@ -350,7 +350,7 @@ fn probes_tell_what_pictures_of_extreme_corners_show() {
     assert!(probed > 200, "{probed}");
 }
 
-/// Of three corners so far apart every digit of 1/z is lost where depths are counted from the target.
+/// With three corners so far from each other, every digit of 1/z is lost if depths are counted from the target.
 #[test]
 fn a_narrow_view_of_the_horizon_is_drawn() {
     let corners = [

@@ -123,7 +123,7 @@ fn explanations_are_in_the_scene() {
     assert!(probe(&scene, &settings, [0, 0], 1).is_err());
 }
 
-/// Lamps at a place light what a camera far from its target shows as they light it from near by.
+/// Point lights have the same effect in the picture of a camera far from its target as in that of a near camera.
 #[test]
 fn distant_cameras_see_the_same_light() {
     let ball = icosphere(2);

@@ -105,14 +105,14 @@ fn phong_converges_to_exact_with_order_2() {
         let (level, told) = (number + 3, order.map_or("".into(), |order| format!("{order:.2}")));
         println!("| {level} | {} | {error:.2e} | {told} | {:.4} % |", 20 << (2 * level), 100.0 * only_one);
         assert!(order.is_none_or(|order| (order - 2.0).abs() < 0.15), "{errors:?}");
-        // The outline lies within the sphere's by an eighth of the squared angle between vertices, two thirds of that on
-        // average, along a rim of 1141 pixels; beside that, vertices are snapped to 1/256 of a pixel.
+        // The outline lies within that of the sphere by an eighth of the squared angle between vertices, two thirds of that on
+        // average, along a rim of 1141 pixels. In addition, vertices are snapped to 1/256 of a pixel.
         let angle = 1.107 / f64::from(1 << level);
         let rim = 1141.0 * (181.6 * angle * angle / 12.0 + 1.0 / 256.0);
         assert!(only_one * 512.0 * 512.0 < 2.0 * rim, "{only_one}, {rim} pixels expected");
     }
     assert!(errors[0].1 > 0.0 && errors[0].1 > errors[2].1, "{errors:?}");
-    // Flat shading converges with order 1 only: the measure tells them apart.
+    // Flat shading converges with order 1 only: the measure distinguishes the two.
     let flat = [4, 5].map(|level| against_exact(level, Shading::Flat).0);
     assert!((libm::log2(flat[0] / flat[1]) - 1.0).abs() < 0.15, "{flat:?}");
 }
@@ -149,7 +149,7 @@ fn slices_draw_what_the_mesh_draws() {
     }
 }
 
-/// Moving everything by 10⁷ or scaling it by 10^±30 leaves the picture alone.
+/// Moving everything by 10⁷ or scaling it by 10^±30 does not change the picture.
 #[test]
 fn size_and_place_do_not_matter() {
     let model = icosphere(3);
@@ -164,7 +164,7 @@ fn size_and_place_do_not_matter() {
     let compare = |image: crease::raster::Image, what: &str| {
         let pairs = image.linear.as_ref().unwrap().iter().zip(expected.linear.as_ref().unwrap());
         let differing = pairs.filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| (a - b).abs() > 1e-3)).count();
-        // Corners may be snapped to the other of two places, which moves an edge over a sample here and there.
+        // Corners may be snapped to another position, which moves some edges over a sample.
         assert!(differing < 20, "{what}: {differing} pixels differ");
     };
     let offset = DVec3::new(1e7, -2e7, 3e7);

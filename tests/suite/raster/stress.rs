@@ -1,4 +1,4 @@
-//! What no scene should contain, and what some do.
+//! Scenes with extreme or invalid geometry, cameras and lights.
 
 use super::shapes::{Model, icosphere, linear, scene, unit};
 use crate::meshes;
@@ -32,13 +32,13 @@ fn wild(random: &mut Random, count: usize) -> Model {
     Model::new(positions, faces)
 }
 
-/// Lit as what has no lights of its own, by a viewer near by: V and its distance count.
+/// A scene with the default lights and a near viewer, so that V and its distance matter.
 fn lit(objects: Vec<Object>) -> Scene {
     let scene = scene(objects);
     Scene { lights: default_lights(&scene.camera).to_vec(), ..scene }
 }
 
-/// No panic, and the same at each run.
+/// No panic, and the same picture at each run.
 #[test]
 fn wild_triangles_are_drawn_or_clipped() {
     let model = wild(&mut Random(31), 3000);
@@ -62,7 +62,7 @@ fn a_triangle_from_behind_the_eye_to_the_horizon_is_drawn() {
         let model = Model::new(corners.to_vec(), Faces::triangles(vec![0, 1, 2]));
         for interpolation in [Interpolation::Scanline, Interpolation::Affine, Interpolation::Perspective] {
             let settings = RenderSettings { shading: Shading::Phong, interpolation, ..linear([64, 48]) };
-            // A near distance as one has it who looks at what is near, not at the horizon.
+            // A near distance for a view of near objects, not of the horizon.
             let camera = Camera {
                 eye: DVec3::new(0.0, 0.0, 6.0),
                 target: DVec3::ZERO,
@@ -107,8 +107,8 @@ fn wild_triangles_leave_other_pixels_alone() {
     assert!(taken > 10_000 && left > 100_000, "{taken} {left}");
 }
 
-/// A triangle that reaches far out is lit where it is near as one that ends sooner: by its corners' light, which is
-/// that of their directions.
+/// Light does not change where a triangle extends beyond the range of single precision: it is that of its corners, which have the
+/// same directions.
 #[test]
 fn distance_beyond_single_precision_changes_no_light() {
     let draw = |size: f64, shading: Shading| {
@@ -135,7 +135,7 @@ fn a_view_far_smaller_than_the_face_is_covered() {
     let plate = Model::polygon(
         &[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[x, y]| DVec3::new(x, y, 0.0)),
     );
-    // Beside the picture: out of sight, however far its corners are.
+    // Next to the picture: not visible, however far its corners are.
     let aside = Object { transform: DMat4::from_translation(DVec3::new(5.0, 0.0, 0.0)), ..plate.object() };
     for exponent in -30..=0 {
         let height = libm::pow(10.0, f64::from(exponent));
@@ -204,7 +204,7 @@ fn bad_scenes_are_distinguished() {
         &settings,
         "0 vertex colours, but 12",
     );
-    // Rays meet no vertex that could have a colour.
+    // An analytic surface has no vertices that could have a colour.
     let ball = || Object::new(Shape::Surface(Sphere::default().into()), Material::default());
     let coloured = Object { paint: Paint::Given(vec![LinearRgb::WHITE; 3].into()), ..ball() };
     fails(
@@ -244,7 +244,7 @@ fn bad_scenes_are_distinguished() {
     );
 }
 
-/// A light in the surface itself has no finite colour there, which is told and not drawn.
+/// A light in the surface itself has no finite colour there, which is an error and not drawn.
 #[test]
 fn a_colour_that_is_not_finite_is_an_error() {
     let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
@@ -260,8 +260,8 @@ fn a_colour_that_is_not_finite_is_an_error() {
     assert!(matches!(error, RenderError::NotFinite { object: 0, .. }), "{error}");
 }
 
-/// A light so near the surface that single precision takes it for a point of it lights that point all the same: at a
-/// vertex, at the middle of a face and at a sample of a plate and of an analytic surface.
+/// A light so near the surface that single precision rounds it to a point of the surface still lights that point: at a vertex, at
+/// the middle of a face, and at a sample of a plate and of an analytic surface.
 #[test]
 fn a_light_closer_than_single_precision_can_tell_is_drawn() {
     let above = |point: DVec3| {
@@ -283,15 +283,15 @@ fn a_light_closer_than_single_precision_can_tell_is_drawn() {
     ];
     for (shading, object, point) in cases {
         let scene = Scene { lights: above(point), ..scene(vec![object]) };
-        // An odd number of pixels: a sample sees the middle.
+        // A sample is exactly in the middle.
         let settings = RenderSettings { shading, ..linear([33, 33]) };
         let image = render(&scene, &settings).unwrap().linear.unwrap();
         let mut brightest = 0.0_f64;
         for (index, colour) in (0..).zip(&image) {
             let Some(seen) = probe(&scene, &settings, [index % 33, index / 33], 0).unwrap() else { continue };
             let truth = seen.colour();
-            // Corners are snapped to 1/256 pixel, so weights on edges of 11 pixels differ by up to 1/2800: within half an
-            // 8-bit step, as a light that is missed never is.
+            // Corners are snapped to 1/256 pixel, so weights on edges of 11 pixels differ by up to 1/2800. That is within half an
+            // 8-bit step; a missed light is not.
             let error = (f64::from(colour[0]) - truth.r).abs();
             assert!(error < 0.5 / 255.0, "{shading:?}: {colour:?} instead of {truth:?}");
             brightest = brightest.max(truth.r);

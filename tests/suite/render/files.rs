@@ -1,4 +1,4 @@
-//! What is written where.
+//! Output files of `crease render`, and the files that it reads.
 
 use super::{BEFORE, bytes, exists, gear, picture, render, report, square, with};
 use crate::cli::{code, crease, path, text};
@@ -51,7 +51,7 @@ fn a_mesh_may_come_from_standard_input() {
     assert_eq!(output.stdout, bytes(&with(&[square.as_str()], &BEFORE)));
 }
 
-/// Standard input has no folder for its materials to be in; `--root` gives it one, and without it that is told.
+/// Standard input has no folder for its materials. `--root` gives it one, and without it a note reports the missing file.
 #[test]
 fn materials_of_standard_input_come_from_the_root() {
     let [file, size, pixels] = gear();
@@ -150,7 +150,7 @@ fn panels_are_the_pictures_themselves() {
     assert_eq!(names, ["flat", "gouraud", "phong"]);
 }
 
-/// The direct transfer makes no claim that a viewer could act upon.
+/// The colours of the direct transfer have no standard that a viewer could apply.
 #[test]
 fn png_files_say_what_their_numbers_mean() {
     let (_folder, square) = square();

@@ -1,4 +1,4 @@
-//! Pictures that someone has looked at. What they show is held to formulas elsewhere; these hold every pixel of it.
+//! Reference pictures that were checked by eye. Other tests compare their content with formulas; these compare every pixel.
 //!
 //! `CREASE_BLESS=1 cargo test --test suite golden` writes them again; look at each before committing it. A failure
 //! leaves the expected picture, the one that came, and their difference in `target/golden`.
@@ -19,7 +19,7 @@ use image::RgbImage;
 use std::fs;
 use std::path::PathBuf;
 
-/// Holds a PNG file to the one of this name in `tests/golden`.
+/// Asserts that a PNG file is the one of this name in `tests/golden`.
 fn hold(name: &str, got: &[u8]) {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
     let expected_path = root.join("tests/golden").join(name).with_extension("png");
@@ -136,7 +136,7 @@ impl Stage {
         for (caption, shading) in
             [("flat", Shading::Flat), ("wireframe", Shading::Wireframe), ("exact", Shading::Exact)]
         {
-            // One picture stands for all three ways: where nothing is interpolated, they are the same to the bit.
+            // One picture for all three methods: where nothing is interpolated, they are the same to the bit.
             let [first, others @ ..] = ways.map(|(_, interpolation)| drawn(caption, shading, interpolation));
             for (other, (way, _)) in others.iter().zip(&ways[1..]) {
                 assert!(other.picture == first.picture, "{caption}, {way}, is not {caption}, {}", ways[0].0);

@@ -7,7 +7,7 @@ use crate::cli::{code, folder, path, text};
 fn picture_or_error(args: &[String]) -> Result<image::RgbImage, String> {
     let output = render(with(args, &["-o", "-", "-q"]));
     match code(&output) {
-        // What was typed, and the option, stand in the message.
+        // The message has the option and its value.
         2 => Err(text(&output.stderr).to_owned()),
         0 => Ok(image::load_from_memory(&output.stdout).unwrap().into_rgb8()),
         3 => {
@@ -28,7 +28,7 @@ fn picture_or_error(args: &[String]) -> Result<image::RgbImage, String> {
 fn meshes_of_any_size_and_place_are_framed() {
     let draw = |scale: f64, offset: f64| {
         let half = 0.5 * scale;
-        // In halves: the largest one is wider than any number.
+        // In halves, because the width of the largest mesh exceeds every number.
         let at = |x: f64| (offset + x * half) + x * half;
         let corner = |x: f64, y: f64, z: f64| format!("v {:e} {:e} {:e}\n", at(x), at(y), at(z));
         let mesh = [corner(0., 0., 0.), corner(1., 0., 0.), corner(0., 1., 0.), corner(0., 0., 1.)].concat()
@@ -150,7 +150,7 @@ fn peak(args: &[&str]) -> Option<u64> {
     let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_crease")).args(args).spawn().unwrap();
     let status = format!("/proc/{}/status", child.id());
     let mut peak = 0;
-    // The kernel's mark only rises: what counts is to look often while the program runs.
+    // The kernel's mark only rises, so it is enough to read it often while the program runs.
     while child.try_wait().unwrap().is_none() {
         let text = std::fs::read_to_string(&status).unwrap_or_default();
         let mark = text.lines().find_map(|line| line.strip_prefix("VmHWM:")?.trim().strip_suffix(" kB"));
@@ -163,7 +163,7 @@ fn peak(args: &[&str]) -> Option<u64> {
 
 const MIB: u64 = 1 << 20;
 
-/// 8 bytes a pixel and 64 MiB beside what a small picture takes.
+/// A large picture takes at most 8 bytes a pixel and 64 MiB more than a small one.
 #[test]
 fn memory_grows_by_few_bytes_a_pixel() {
     let (folder, square) = square();
@@ -173,11 +173,11 @@ fn memory_grows_by_few_bytes_a_pixel() {
     let grown = large.saturating_sub(small);
     let pixels = 36_000_000;
     assert!(grown < 8 * pixels + 64 * MIB, "{} MiB more", grown / MIB);
-    // That the mark was read at all: the colours alone are 3 bytes a pixel.
+    // The mark was read: the colours alone are 3 bytes a pixel.
     assert!(grown > 3 * pixels, "{} MiB more", grown / MIB);
 }
 
-/// What drawing may take over what normals take, without the 64 MiB that it may take for itself.
+/// The memory that overlays may take in addition to that of `crease normals`, without the 64 MiB of a picture.
 #[test]
 fn overlays_keep_to_the_memory_of_a_drawing() {
     let folder = folder(&[]);
@@ -185,7 +185,7 @@ fn overlays_keep_to_the_memory_of_a_drawing() {
     if peak(&["surface", "torus", "--segments", "300x200", "-q", "-o", &torus]).is_none() {
         return;
     }
-    // It ends soon after its peak, which one look in a while may miss.
+    // It ends soon after its peak, which a single run may miss.
     let normals = (0..5).filter_map(|_| peak(&["normals", &torus, "-q", "--dry-run"])).max().unwrap();
     let all = "wire,creases,vertex-normals,face-normals";
     let drawing = peak(&["render", &torus, "--size", "320x240", "--overlay", all, "-q", "-o", &out]).unwrap();

@@ -1,4 +1,4 @@
-//! What is told beside the picture, and what options mean together with what a scene says.
+//! Notes on pictures, and options that change values of a scene.
 
 use super::{BEFORE, SQUARE, gear, picture, pixels_unlike, report, square, with};
 use crate::cli::{code, folder, path, text};
@@ -9,7 +9,7 @@ pub(super) fn notes(args: &[impl AsRef<str>]) -> String {
     report["notes"].as_array().unwrap().iter().map(|note| format!("{}\n", note["text"])).collect()
 }
 
-/// An empty picture is no error, but its likely cause is told.
+/// An empty picture is no error, but its likely cause is reported.
 #[test]
 fn an_empty_picture_has_a_reason() {
     let ball = "[[object]]\nsurface.sphere.radius = 1\n";
@@ -51,7 +51,7 @@ fn an_empty_picture_has_a_reason() {
     }
 }
 
-/// Of notes that are alike the first says where, and all do if asked to.
+/// Of similar notes only the first names its place; with `-v` all of them do.
 #[test]
 fn all_places_of_a_note_are_named_if_asked_for() {
     let work = folder(&[("odd.obj", &format!("{SQUARE}{}", "odd\n".repeat(3)))]);
@@ -68,7 +68,7 @@ fn all_places_of_a_note_are_named_if_asked_for() {
     assert!(all.contains(&format!("{alike}: line {}, line {})", first + 1, first + 2)), "{all}");
 }
 
-/// `--force` leaves out what makes a file unreadable, as it does in `normals`, and the message that names it is right.
+/// `--force` omits what makes a file unreadable, as it does in `normals`, and the message that names it is right.
 #[test]
 fn faces_without_a_place_are_left_out_by_force() {
     let work = folder(&[("nan.obj", &format!("{SQUARE}v nan 0 0\nf 1 2 5\n"))]);
@@ -78,21 +78,21 @@ fn faces_without_a_place_are_left_out_by_force() {
     assert_eq!(report(&with(&args, &["--force"]))["drawings"][0]["covered_pixels"], 1600);
 }
 
-/// A scene has no `--format` for its meshes, so that is not what is advised.
+/// A scene has no `--format` for its meshes, so the help does not suggest it.
 #[test]
 fn advice_within_a_scene_can_be_followed() {
     let work = folder(&[("a.toml", "[[object]]\nmesh = \"a.dat\"\n"), ("a.dat", "what is this\n")]);
     let output = super::render([path(work.path().join("a.toml")).as_str(), "-o", "-"]);
     let message = text(&output.stderr);
     assert!(code(&output) == 3 && message.contains(".obj") && !message.contains("--format"), "{message}");
-    // Nor is a folder a file that is not there.
+    // A folder is reported as a folder, not as a missing file.
     let work = folder(&[("a.toml", "[[object]]\nmesh = \"sub\"\n"), ("sub/b.obj", SQUARE)]);
     let output = super::render([path(work.path().join("a.toml")).as_str(), "-o", "-"]);
     let message = text(&output.stderr);
     assert!(code(&output) == 3 && message.contains("line 2") && message.contains("is a folder"), "{message}");
 }
 
-/// Who looks from elsewhere needs no camera of the file.
+/// A command with a camera of its own does not need that of the file.
 #[test]
 fn a_files_camera_that_is_none_is_an_error_unless_it_is_replaced() {
     let stage = std::fs::read_to_string(crate::cli::data("scenes/stage.gltf")).unwrap();
@@ -108,7 +108,7 @@ fn a_files_camera_that_is_none_is_an_error_unless_it_is_replaced() {
     assert!(pixels_unlike(&picture(&args), [0, 0, 0]) > 200);
 }
 
-/// Options override what a scene says of normals, and where there are none to change that is told.
+/// Options override the normals of a scene, and a note reports if there are none to change.
 #[test]
 fn options_override_normals_that_a_scene_calls_given() {
     let tilted = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0.6 0 0.8\nf 1//1 2//1 3//1\n";
@@ -145,7 +145,7 @@ fn wireframes_show_on_white() {
     assert!(pixels_unlike(&drawn("0.1"), [89, 89, 89]) > 20);
 }
 
-/// What is left out of `--camera` stays: also the near distance that a scene has chosen, however the eye is moved.
+/// Values omitted from `--camera` are kept: also the near distance of a scene, however the eye is moved.
 #[test]
 fn a_scenes_camera_keeps_what_is_left_out() {
     let scene = "[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\nnear = 0.25\n[[object]]\nmesh = \"a.obj\"\n";
@@ -160,7 +160,7 @@ fn a_scenes_camera_keeps_what_is_left_out() {
     assert!(pixels_unlike(&picture(&far), [0, 0, 0]) > 200);
 }
 
-/// What is typed as a code is that code, whatever is shown in front of it.
+/// A background given as a colour code has this code, whatever is shown in front of it.
 #[test]
 fn backgrounds_do_not_change_with_what_is_shown() {
     let (_folder, square) = square();
@@ -172,7 +172,7 @@ fn backgrounds_do_not_change_with_what_is_shown() {
     assert_eq!(picture(&args).get_pixel(0, 0).0, [0x80, 0xff, 0x10]);
 }
 
-/// All frames of a turntable are as large as they go.
+/// The object fills the frames of a turntable.
 #[test]
 fn a_turntable_fills_its_frames() {
     let gear = gear();

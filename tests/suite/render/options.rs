@@ -1,11 +1,10 @@
-//! That each option reaches what it names. What the library makes of it is tested there.
+//! Each option has its effect. Other tests check the results of the library.
 
 use super::{BEFORE, bytes, gear, picture, pixels_unlike, render, report, square, with};
 use crate::cli::{data, path};
 use std::collections::BTreeSet;
 
-/// Options of which each value makes a picture of its own: other than those of the other values, and all but one other
-/// than the picture without the option.
+/// Options whose values all give different pictures; all but one value also differ from the picture without the option.
 const VALUES: &[(&str, &[&str])] = &[
     ("--size", &["48x72", "96x48"]),
     ("--samples", &["1", "4", "8", "16"]),
@@ -68,7 +67,7 @@ fn hidden_lines_are_removed_or_shown() {
         pixels_unlike(&picture(&args), [0, 0, 0])
     };
     assert!(wires("show") > wires("remove"));
-    // And a scene that shows them is overruled.
+    // The option overrides a scene that shows them.
     let scene = "[settings]\nshading = \"wireframe\"\nwire.hide = false\n[[object]]\nsurface.torus = { major = 1, minor = 0.4 }\n\
                  tessellation = {}\n";
     let work = crate::cli::folder(&[("a.toml", scene)]);
@@ -78,7 +77,7 @@ fn hidden_lines_are_removed_or_shown() {
     assert!(plain != bytes(&with(&args, &["--hidden-lines", "remove"])));
 }
 
-/// What the defaults are called.
+/// The values that help names as defaults change nothing.
 #[test]
 fn defaults_are_what_help_says() {
     // A mesh without materials of its own.
@@ -294,7 +293,7 @@ fn the_report_counts_pixels_and_triangles() {
     assert!(report.get("output").is_none(), "nothing was written");
 }
 
-/// Off a terminal there is colour only where it is asked for.
+/// Colour without a terminal needs an option.
 #[test]
 fn colour_of_the_report_is_chosen() {
     let gear = gear();

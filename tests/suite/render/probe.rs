@@ -91,8 +91,8 @@ fn outside_and_next_to_the_mesh() {
     assert!(text(&outside.stderr).contains("outside the picture of 96x72"), "{}", text(&outside.stderr));
 }
 
-/// A lamp in the plate that it lights, which single precision misses by a little: what is no number is no colour, in numbers
-/// as in pictures.
+/// A lamp in the plate that it lights, which single precision misses by a little: a value that is not finite is an error, in
+/// probes as in pictures.
 #[test]
 fn a_pixel_without_a_number_is_an_error() {
     let folder = tempfile::tempdir().unwrap();

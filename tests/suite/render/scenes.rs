@@ -3,7 +3,7 @@
 use super::{bytes, picture, pixels_unlike, report, with};
 use crate::cli::{folder, path};
 
-/// A ball of few faces that stands for a sphere, and all settings that options can override.
+/// A coarse mesh of a sphere, and all settings that options can override.
 fn scene(settings: &str) -> String {
     format!(
         "[settings]\n{settings}\n
@@ -72,7 +72,7 @@ fn cameras_lights_and_materials_of_a_scene_can_be_changed() {
     assert_eq!(plain["settings"]["bits"], 8);
 }
 
-/// The lectures' brute force beside the approximations of it.
+/// The exact surface of the lectures next to the approximations of it.
 #[test]
 fn panels_compare_shading_with_the_exact_surface() {
     let folder = folder(&[("ball.toml", &scene("size = [64, 64]"))]);
@@ -84,7 +84,7 @@ fn panels_compare_shading_with_the_exact_surface() {
     assert!(covered[3] > covered[0], "the sphere is larger than the mesh within: {covered:?}");
 }
 
-/// What lies beside a scene's folder is read if `--root` says so.
+/// Files outside the scene's folder are read if `--root` allows it.
 #[test]
 fn meshes_elsewhere_need_a_root() {
     let text = "[settings]\nsize = [40, 40]\n[[object]]\nmesh = \"../square.obj\"\n";

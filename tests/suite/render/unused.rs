@@ -1,11 +1,11 @@
-//! Options that change nothing are told, and only they: each claim is held against the bytes of the picture.
+//! Options that change nothing are reported, and no others: each claim is checked with the bytes of the picture.
 
 use super::notes::notes;
 use super::{bytes, picture, render, with};
 use crate::cli::{folder, path, text};
 use crease::num::{LinearRgb, Srgb8};
 
-/// A bent strip of two unlike faces, one face that turns its back, and colours at all corners.
+/// A folded strip of two different faces, a face seen from behind, and colours at all corners.
 const STRIP: &str = "\
 v -1 -1 0 1 0 0\nv 0 -1 0.4 0 1 0\nv 0 1 0.4 0 0 1\nv -1 1 0 1 1 0\nv 2 -1 0 0 1 1\nv 2 0.5 0 1 0 1\n
 v -2 -1 0 1 1 1\nv -1.2 -1 0 0 0 0\nv -1.2 1 -0.5 1 0 0\nf 1 2 3 4\nf 2 5 6 3\nf 7 9 8\n";
@@ -150,7 +150,7 @@ fn options_that_change_nothing_are_reported() {
         }
         assert!(
             bytes(&plain) == bytes(&typed),
-            "{words} {options:?} changes the picture, but is told not to"
+            "{words} {options:?} changes the picture, but is reported not to"
         );
     }
 }
@@ -167,7 +167,7 @@ fn options_that_change_something_are_not_reported() {
     }
 }
 
-/// One fact is told once.
+/// One fact is reported once.
 #[test]
 fn analytic_surfaces_are_reported_once() {
     let stage = Stage::new();
@@ -178,7 +178,7 @@ fn analytic_surfaces_are_reported_once() {
     }
 }
 
-/// Colours that a file gives its vertices are told where light hides them, whatever the format.
+/// Vertex colours of a file are reported if light hides them, whatever the format.
 #[test]
 fn colours_of_vertices_are_reported_where_they_are_lost() {
     let stage = Stage::new();
@@ -205,7 +205,7 @@ fn colours_of_vertices_are_reported_where_they_are_lost() {
     assert!(!notes(&stage.args("given.toml")).contains("have colours"));
 }
 
-/// Faces that are left out have no edges in a wireframe, and the report counts what is drawn.
+/// Culled faces have no edges in a wireframe, and the report counts what is drawn.
 #[test]
 fn wireframes_leave_out_the_edges_of_faces_that_are_left_out() {
     let (_folder, square) = super::square();
@@ -221,7 +221,7 @@ fn wireframes_leave_out_the_edges_of_faces_that_are_left_out() {
     }
 }
 
-/// A probe tells weights and normals of corners also where they make no colour.
+/// A probe reports weights and normals of corners even if they do not affect the colour.
 #[test]
 fn options_that_change_what_a_probe_reports_are_not_reported() {
     let stage = Stage::new();
@@ -258,7 +258,7 @@ fn materials_are_judged_where_they_are_lit() {
     }
 }
 
-/// Lines that hardly differ from what is behind them are told, by the contrast ratio of WCAG 2.1.
+/// Lines that hardly differ from their background are reported, by the contrast ratio of WCAG 2.1.
 #[test]
 fn wireframes_of_little_contrast_are_reported() {
     let on = |wire: &str, background: &str, more: &str| {
@@ -271,9 +271,9 @@ fn wireframes_of_little_contrast_are_reported() {
     assert!(on("1", "1", "").contains("has the colour of the background; choose another"));
     // (1 + 0.05)/(0.9 + 0.05), about.
     assert!(on("1", "0.9", "").contains("contrast 1.10:1"), "{}", on("1", "0.9", ""));
-    // Red on green of the same luminance, which eyes that do not tell hues do not tell at all.
+    // Red on green of the same luminance, which look alike without colour vision.
     assert!(on("[1, 0, 0]", "[0, 0.297, 0]", "").contains("contrast 1.00:1"));
-    // Either side of 3:1, which is light of 0.3 on white, and as a code of its own 0.586.
+    // Both sides of the limit 3:1, which is a linear value of 0.3 on white, or 0.586 with the direct transfer.
     assert!(on("0.31", "1", "").contains("contrast ") && !on("0.29", "1", "").contains("background"));
     let direct = "transfer = \"direct\"\n";
     assert!(on("0.6", "1", direct).contains("contrast ") && !on("0.57", "1", direct).contains("background"));
@@ -282,8 +282,8 @@ fn wireframes_of_little_contrast_are_reported() {
     assert!(!found.contains("choose another"), "no line is drawn: {found}");
 }
 
-/// What is black or white by itself is told from any background, however light becomes codes: the better of the two has
-/// a contrast of √(1.05 · 0.05)/0.05 or more, which is 4.58, as a screen shows it.
+/// Default lines, which are black or white, differ from any background with any transfer: the better of the two has a contrast of
+/// √(1.05 · 0.05)/0.05 or more, which is 4.58, on a screen.
 #[test]
 fn wireframes_of_bare_meshes_have_contrast() {
     let stage = Stage::new();

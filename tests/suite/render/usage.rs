@@ -189,8 +189,8 @@ fn each_kind_of_failure_has_its_code_and_names_its_cause() {
     assert_eq!(names(work.path()), before, "nothing is written");
 }
 
-/// Values that only make no sense together with the scene are the command line's fault all the same: the message names
-/// the option, and not the file.
+/// Values that are wrong only together with the scene are still errors of the command line: the message names the option, and not
+/// the file.
 #[test]
 fn values_that_a_scene_rejects_are_errors_of_usage() {
     let wire = "[settings]\nshading = \"wireframe\"\n[[object]]\nmesh = \"good.obj\"\n";

@@ -260,7 +260,7 @@ fn an_empty_scene_has_nothing_to_draw() {
     }
 }
 
-/// What is wrong with a mesh that a scene names is told at the scene's key, with the place in the mesh.
+/// Faults of a mesh that a scene names are reported at the scene's key, with the place in the mesh.
 #[test]
 fn faults_of_meshes_are_reported_where_the_scene_names_them() {
     let folder = tempfile::tempdir().unwrap();
@@ -304,7 +304,7 @@ fn deep_nesting_is_an_error() {
     assert!(refused(&dotted).starts_with("line 1: "));
 }
 
-/// The same bad text in the middle of much that is right takes no longer than the text is long.
+/// The time of reading is linear in the length of the text, also with an error in the middle.
 #[test]
 fn large_scenes_are_read_in_good_time() {
     let text = BALL.repeat(20_000);

@@ -7,8 +7,8 @@ use crease::raster::{LoadOptions, Projection, SceneFile, probe, render};
 use crease::shade::{Attenuation, Light, Material, Reflectance, Reflection};
 use glam::{DMat4, DVec3};
 
-/// A square of two units in the plane z = 0, seen by an orthographic camera from z = 3; the middle of a picture of odd
-/// size is the origin. `nodes` follow the square's and the camera's, `material` and `lights` fill in.
+/// A square of two units in the plane z = 0, seen by an orthographic camera from z = 3; the middle pixel of a picture is the
+/// origin. `nodes` follow the square's and the camera's, `material` and `lights` fill in.
 fn square(nodes: &str, material: &str, lights: &str) -> Result<SceneFile, ReadError> {
     from_text(square_text(nodes, material, lights))
 }
@@ -160,7 +160,7 @@ fn metal_and_roughness_become_a_highlight() {
     }
 }
 
-/// What the standard takes where a file says nothing, metal that is as rough as can be, shows its shape.
+/// The default material of the standard, metal of full roughness, shows the shape.
 #[test]
 fn the_standards_own_material_shows_shape() {
     for material in ["", r#""pbrMetallicRoughness": {"roughnessFactor": 0.5}"#] {
@@ -216,8 +216,7 @@ fn what_is_not_taken_is_reported() {
     }
 }
 
-/// A camera that is none is an error where it would be taken, not a reason to look from somewhere else; and a note where
-/// it is not.
+/// An invalid camera is an error if it would be used, and a note otherwise. No other camera replaces it.
 #[test]
 fn cameras_that_are_none_are_refused_with_their_place() {
     let lens = r#""orthographic", "orthographic": {"xmag": 1, "ymag": 1.5, "znear": 0, "zfar": 9}"#;
@@ -242,21 +241,20 @@ fn cameras_that_are_none_are_refused_with_their_place() {
         let elsewhere = LoadOptions { from_elsewhere: true, ..LoadOptions::default() };
         let file = SceneFile::from_loaded(loaded.unwrap(), &elsewhere).unwrap();
         assert!(file.camera.is_none() && is_reported(&file), "{:?}", file.notes);
-        // What is never looked through does no harm.
+        // A camera that is not used does no harm.
         let two = text.replace(lens, &format!(r#"{lens}}}, {{"type": {faulty}"#));
         let two = two.replace(r#""translation": [0, 0, 3]}"#, r#""translation": [0, 0, 3]}, {"camera": 1}"#);
         let two = two.replace(r#""nodes": [0,1]"#, r#""nodes": [0,1,2]"#);
         let file = from_text(two).unwrap();
         assert!(file.camera.is_some() && is_reported(&file), "{:?}", file.notes);
     }
-    // No zero of a number, but a place that nothing can be seen from.
+    // A finite position that is too far away to see anything.
     let far = square_text("", MATTE, "").replace("[0, 0, 3]", "[0, 0, 1e200]");
     let error = from_text(far).unwrap_err().to_string();
     assert!(error.contains("/cameras/0") && error.contains("invalid camera"), "{error}");
 }
 
-/// What a camera shows has nothing of the scale of its node (glTF 2.0, §3.10.2): neither a mirror nor a scale of zero turns
-/// it.
+/// The scale of a camera's node does not affect the view (glTF 2.0, §3.10.2): neither mirroring nor a scale of zero rotates it.
 #[test]
 fn a_cameras_scale_is_ignored() {
     let text = square_text("", MATTE, "");
@@ -274,7 +272,7 @@ fn a_cameras_scale_is_ignored() {
     {
         assert_eq!(of_node(&format!(r#", "scale": {scale:?}"#)), plain, "{scale:?}");
         assert_eq!(of_node(&format!(r#", "scale": {scale:?}, {turn}"#)), turned, "{scale:?}");
-        // That of a node above moves the camera, as all that stands below, and does not turn it.
+        // The scale of a parent node moves the camera, like everything below it, and does not rotate it.
         let below = format!(
             r#"{{{place}, "scale": {scale:?}, "children": [2]}}, {{"camera": 0, "translation": [1, 0, 0], {turn}}}"#
         );
@@ -285,7 +283,7 @@ fn a_cameras_scale_is_ignored() {
     }
 }
 
-/// A matrix tells its rotation, unless it has no inverse.
+/// A matrix determines the rotation, unless it has no inverse.
 #[test]
 fn a_cameras_matrix_is_decomposed() {
     let text = square_text("", MATTE, "");
@@ -310,7 +308,7 @@ fn a_cameras_matrix_is_decomposed() {
     }
 }
 
-/// Nothing is cut off far away, which is told where the file wants something cut off.
+/// Nothing is cut off far away; a note reports if the file asks for that.
 #[test]
 fn a_far_distance_that_would_cut_is_reported() {
     let notes = |far: &str, options: &LoadOptions| {
@@ -330,7 +328,7 @@ fn a_far_distance_that_would_cut_is_reported() {
     assert!(notes("2.5", &LoadOptions { from_elsewhere: true, ..own }).is_empty());
 }
 
-/// A library of meshes that no node shows is drawn all the same, and says why it stands where it does.
+/// Meshes that no node shows are drawn at their own positions, and a note gives the reason.
 #[test]
 fn meshes_without_nodes_are_drawn_as_they_stand() {
     let text = square_text("", MATTE, "").replace(r#"[{"mesh": 0}, "#, r#"[{"name": "empty"}, "#);

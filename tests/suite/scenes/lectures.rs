@@ -1,4 +1,4 @@
-//! The worked numbers of the lecture notes, each at a pixel of its scene: what a student who probes it is told.
+//! The worked numbers of the lecture notes, each in a probe of a pixel of its scene.
 
 use super::scene;
 use crate::lectures::{all_digits, digits};
@@ -12,7 +12,7 @@ use glam::DVec3;
 /// The middle of the picture.
 const MIDDLE: [u32; 2] = [320, 240];
 
-/// What a pixel is told to be, beside what the picture shows there.
+/// The probe of a pixel. Asserts that the picture shows the same colour.
 fn probe(file: &SceneFile, pixel: [u32; 2]) -> PixelReport {
     let scene = file.scene();
     let image = render(&scene, &file.settings).unwrap();
@@ -29,7 +29,7 @@ fn seen(report: &PixelReport) -> &ProbePoint {
     sample.seen.as_ref().unwrap()
 }
 
-/// How the light of the one point that is lit comes about.
+/// The explanation of the light at the only point that is lit.
 fn explanation(report: &PixelReport) -> &Explanation {
     let [lit] = &seen(report).lit[..] else { panic!("one point is lit") };
     lit.light.as_ref().unwrap()

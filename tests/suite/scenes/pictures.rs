@@ -42,12 +42,12 @@ fn every_scene_draws_and_its_probes_agree_with_its_picture() {
     }
 }
 
-/// Nothing in the examples needs a note: they are all that they say.
+/// The examples have no notes.
 #[test]
 fn examples_have_nothing_to_note() {
     for name in names() {
         let notes = scene(&name).notes;
-        // Its objects are wanted without its camera and lights, which the scene says in its first lines.
+        // It uses the objects of a file without its camera and lights, as its first lines say.
         let expected = if name == "stage.toml" { 1 } else { 0 };
         assert_eq!(notes.len(), expected, "{name}: {notes:?}");
     }

@@ -33,9 +33,9 @@ fn commands_in_the_comments_work() {
             let output = run(&command, &[], here.path());
             let said = text(&output.stderr);
             assert!(output.status.success(), "{command}: {said}");
-            // Only the lectures' own numbers may be more than there is.
+            // Only the scenes of the lectures may reflect more light than arrives.
             assert!(!said.contains("warning") || name.starts_with("lectures/"), "{command}: {said}");
-            // A probe says what the picture shows there, and anything else nothing.
+            // A probe prints what the picture shows there; other commands do not.
             assert_eq!(
                 text(&output.stdout).contains("in the picture ["),
                 command.contains("--probe"),

@@ -83,7 +83,7 @@ fn size_and_place_do_not_matter() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// glTF files say little of looks but that they are metal: what is seen is a shape in many tones, no white silhouette.
+/// Many glTF files specify only that the material is metal. Pictures show a shape in many tones, no white silhouette.
 #[test]
 fn gltf_files_show_their_shape() {
     let mut wrong = Vec::new();

@@ -62,7 +62,7 @@ fn f1_more_light_out_than_in_is_a_warning() {
     let material = of(0.5, 0.7);
     let text = material.gain().unwrap().to_string();
     assert!(text.contains("1.200 in red, 1.200 in green, 1.200 in blue"), "{text}");
-    // What counts is what each component gets back: a red and a green coat share nothing.
+    // The sum of each component counts: a red and a green coat have no component in common.
     let apart = Material {
         diffuse: Reflectance::new(0.9, LinearRgb::new(1.0, 0.0, 0.0)),
         specular: Reflectance::new(0.9, LinearRgb::new(0.0, 1.0, 0.0)),
@@ -228,7 +228,7 @@ fn f9_three_attenuations_with_the_distance_to_the_light() {
         let window = (1.0 - libm::pow(d / range, 4.0)).max(0.0);
         close(at(Attenuation::InverseSquareWithin(range), d), window / (d * d));
     }
-    // 1/(d + k) stays under 1/k; 1/d² has no bound and leaves the numbers at the light.
+    // 1/(d + k) stays under 1/k; 1/d² is unbounded near the light.
     assert!(at(Attenuation::Offset(2.0), 1e-12) < 0.5 + 1e-12);
     assert!(at(Attenuation::InverseSquare, 1e-9) > 1e17);
 }
@@ -447,7 +447,7 @@ fn f25_colours_out_of_range_are_clamped_or_divided() {
 
 #[test]
 fn f29_fresnel_and_snell() {
-    // The figures are tested beside the functions; here, that light is kept (F1): what is not reflected goes on.
+    // Unit tests check the figures. Here, light is conserved (F1): what is not reflected is transmitted.
     for degrees in [0.0, 20.0, 45.0, 70.0, 89.0] {
         let part = fresnel(1.0, 1.5, Degrees(degrees).into());
         close(part.reflected() + part.transmitted(), 1.0);

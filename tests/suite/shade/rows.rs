@@ -81,7 +81,7 @@ fn rows_have_the_bits_of_their_points() {
         let lights: Vec<Light> = (0..random.below(4)).map(|_| any_light(&mut random)).collect();
         let (material, settings) = (any_material(&mut random), any_settings(&mut random));
         let shader = Shader::<f32>::new(&lights, &material, &settings).unwrap();
-        // Blocks of 128, vectors, and what is left over.
+        // Blocks of 128, whole vectors, and remainders.
         let count = [0, 1, 7, 64, 128, 129, 300][round % 7];
         let mut positions = [(); 3].map(|()| vec![0.0_f32; count]);
         let mut normals = positions.clone();
@@ -131,7 +131,7 @@ fn positions_may_be_missing_where_nothing_needs_them() {
     assert!(out[0].iter().all(|&c| (c - 0.76).abs() < 1e-6), "{out:?}");
     let near = ShadeSettings { viewer: Viewer::At(DVec3::Z), ..ShadeSettings::default() };
     assert!(Shader::<f32>::new(&[sun], &Material::default(), &near).unwrap().needs_positions());
-    // Without highlight nobody asks where the viewer is.
+    // Without a highlight the position of the viewer is not used.
     let matte = Material::matte(LinearRgb::WHITE);
     assert!(!Shader::<f32>::new(&[sun], &matte, &near).unwrap().needs_positions());
     let night = Light::Ambient { colour: LinearRgb::WHITE };

@@ -134,7 +134,7 @@ fn every_pattern_is_written_or_refused_with_its_reason() {
     assert_eq!(refused, 9 + 2 + 9);
 }
 
-/// What an offset loses is told in every format: in doubles by the verb, in single precision by the writer.
+/// A loss of shape by an offset is reported in every format: in doubles by the verb, in single precision by the writer.
 #[test]
 fn offsets_that_lose_the_shape_are_reported() {
     let warned = |offset: &str, name: &str| {

@@ -42,7 +42,7 @@ impl Cylinder {
         slope(vertex, vertex + self.delta) - slope(vertex - self.delta, vertex)
     }
 
-    /// Jump of the slope of the colours of interpolated normals, by differences beside the vertex.
+    /// Jump of the slope of the colours of interpolated normals, by differences next to the vertex.
     fn phong(&self, vertex: f64) -> f64 {
         let side = |other: f64| {
             let (a, b) = (round(vertex), round(other));
@@ -125,7 +125,7 @@ fn phong_becomes_worse_at_half_the_lights_angle_first() {
     };
     let turning = libm::acos(1.0 / 3.0).to_degrees();
     assert!((turning - 70.5288).abs() < 5e-5);
-    // 10⁻³ degrees beside it the ratio is 7.4e-5 off 1; differences leave 1e-6 of it.
+    // At 10⁻³ degrees from it the ratio is 7.4e-5 off 1; differences resolve it to 1e-6.
     assert!(ratio(turning - 1e-3, 0.5 * turning) < 1.0 && ratio(turning + 1e-3, 0.5 * turning) > 1.0);
     for light in [60.0, turning, 80.0] {
         let places: Vec<f64> = (1..40).map(|k| light * f64::from(k) / 40.0).collect();

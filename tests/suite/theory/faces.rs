@@ -170,7 +170,7 @@ fn the_cone_test_holds_for_a_local_half_vector_widened() {
         missed_unwidened += usize::from(room > 0.0 && brightest >= HALF_STEP);
     }
     assert!(skipped > 500, "{skipped}");
-    // What the cone misses that is not widened.
+    // Highlights that the cone misses if it is not widened.
     assert!(missed_unwidened > 0, "{missed_unwidened}");
 }
 
@@ -209,7 +209,7 @@ fn the_cone_test_never_misses_a_highlight() {
     }
     assert!(skipped > 1000 && kept > 1000, "{skipped} {kept}");
     assert!(closest > 0.9 * HALF_STEP, "the test could skip more: {closest}");
-    // What looking at the corners alone would lose.
+    // Highlights that a test of the corners alone would miss.
     assert!(missed_by_corners > 100, "{missed_by_corners}");
 }
 

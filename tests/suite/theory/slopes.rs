@@ -1,4 +1,4 @@
-//! What an error of a normal makes of a colour.
+//! The error of a colour that follows from an error of a normal.
 
 use super::{HALF_STEP, Lit, diffuse, near, shiny, turned};
 use crate::random::Random;

@@ -155,8 +155,8 @@ impl Package<'_> {
         }
     }
 
-    /// The last buffer whose file an earlier edit of this document wrote, which this one may replace. The new file has another
-    /// name all the same: until the document is stored, the old one needs its file.
+    /// The last buffer whose file an earlier edit of this document wrote, which this one may replace. The new file still has
+    /// another name: until the document is stored, the old one needs its file.
     fn own_earlier(&self, stem: &str) -> Option<usize> {
         let is_own = |name: &str| {
             let number = name.strip_prefix(stem).and_then(|name| name.strip_prefix(".normals"));

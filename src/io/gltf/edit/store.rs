@@ -16,7 +16,7 @@ pub struct Store<'a> {
     pub document: &'a GltfDocument,
     pub splices: Splices<'a>,
     pub is_quantized: bool,
-    /// How often each remark is due.
+    /// How often each remark applies.
     pub remarks: BTreeMap<Remark, usize>,
     refs: References,
     patches: Vec<Patch>,

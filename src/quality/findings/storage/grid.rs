@@ -35,7 +35,7 @@ enum Layout {
     Components,
     /// Each component, before the vector is normalised.
     MadeUnit,
-    /// Two coordinates on an octahedron. The third is what they leave of 1, and so on the grid as well.
+    /// Two coordinates on an octahedron. The third is 1 less their magnitudes, and so on the grid as well.
     Octahedral,
 }
 

@@ -18,7 +18,7 @@ const EXPLAINED: f64 = 0.75;
 /// The difference that rounding makes between equal mean cosines.
 pub(crate) const ALIKE: f64 = 1e-6;
 
-/// Looks for one cause that explains all stored normals. Returns whether there is one.
+/// Searches for one cause that explains all stored normals. Returns whether there is one.
 pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) -> bool {
     let sums = Sums::new(facts);
     let area = facts.total_area;
@@ -96,8 +96,8 @@ fn smallest_of_the_best(changes: &[(DMat3, f64)], is_closest: impl Fn(DMat3) -> 
     })
 }
 
-/// Whether there is a disagreement, by mean cosines, and a rotation of all normals explains it. What negating single ones explains
-/// as well is no rotation of all: on a box with the normals of some sides negated, half a turn fits.
+/// Whether there is a disagreement, by mean cosines, and a rotation of all normals explains it. It is no rotation if negating
+/// some normals explains it as well: on a box with the normals of some sides negated, half a turn fits.
 pub(crate) fn explains(rotated: f64, either_way: f64, thresholds: &Thresholds) -> bool {
     let disagreement = 1.0 - either_way;
     disagreement > least(thresholds) && rotated >= AGREES && 1.0 - rotated <= (1.0 - EXPLAINED) * disagreement
@@ -114,7 +114,7 @@ struct Sums {
     /// Σ stored · expectedᵀ.
     correlation: DMat3,
     weight: f64,
-    /// Cosines, if each stored normal may stand for its opposite.
+    /// Cosines, if each stored normal may be replaced by its opposite.
     either_way: f64,
     faces: DVec3,
     expected: DVec3,

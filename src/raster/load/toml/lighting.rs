@@ -123,7 +123,7 @@ impl From<SpotTable> for Light {
     /// Without a cut-off and an exponent it is the lectures' spot.
     fn from(table: SpotTable) -> Self {
         let radians = |degrees: f64| match degrees {
-            // 180 degrees stand for no cut-off, which is π to the bit.
+            // 180 degrees mean no cut-off, which is π to the bit.
             180.0 => Radians(PI),
             degrees => Degrees(degrees).into(),
         };
