@@ -10,7 +10,7 @@ use super::compare::{Difference, Truth, outline_distance};
 use super::cost::{Cost, Minimise, object_cost};
 use super::stage::{PlanError, Stage};
 use crate::mesh::NONE;
-use crate::raster::{Camera, Image, Projection, Samples};
+use crate::raster::{Camera, Image, Projection};
 use crate::shade::Light;
 use std::cell::{Cell, RefCell};
 use std::cmp::Reverse;
@@ -136,7 +136,7 @@ pub struct Search<'a> {
     witnesses: RefCell<HashMap<(usize, Option<[u32; 2]>), Vec<Witness>>>,
 }
 
-/// A pixel of a view that shows a single face.
+/// A pixel of a view of which all samples show one face.
 #[derive(Clone, Copy, Debug)]
 struct Witness {
     view: usize,
@@ -438,9 +438,7 @@ impl<'a> Search<'a> {
         pixel: [u32; 2],
     ) -> Result<(), PlanError> {
         let camera = &self.views[view].camera;
-        // Other samples of the pixel may show other faces.
-        let is_single = self.stage.settings.samples == Samples::One;
-        let face = if is_single { self.stage.face_at((unit, model), camera, pixel)? } else { None };
+        let face = self.stage.face_at((unit, model), camera, pixel)?;
         if let Some(face) = face {
             let mut witnesses = self.witnesses.borrow_mut();
             let list = witnesses.entry((unit, model.segments)).or_default();

@@ -156,7 +156,7 @@ impl<'a> Stage<'a> {
         object
     }
 
-    /// The face of a unit that a pixel shows, with the number of its object in the unit; `None` if it shows no face.
+    /// The face of a unit that all samples of a pixel show, with the number of its object in the unit; `None` if there is none.
     ///
     /// # Errors
     /// What makes a picture impossible.
@@ -168,8 +168,16 @@ impl<'a> Stage<'a> {
     ) -> Result<Option<(usize, u32)>, PlanError> {
         let file = self.geometry(unit, model)?;
         let scene = self.scene(file.unframed().objects, &[], camera);
-        let point = probe(&scene, &self.settings, pixel, 0)?;
-        Ok(point.and_then(|point| Some((point.object, point.face?))))
+        let mut found = None;
+        for sample in 0..self.settings.samples.count() {
+            let point = probe(&scene, &self.settings, pixel, sample)?;
+            let face = point.and_then(|point| Some((point.object, point.face?)));
+            if face.is_none() || sample > 0 && face != found {
+                return Ok(None);
+            }
+            found = face;
+        }
+        Ok(found)
     }
 
     /// The linear colour of a pixel that shows only this face of a unit: as in the whole picture, to the bit.

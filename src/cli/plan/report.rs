@@ -83,7 +83,7 @@ pub fn text(report: &Report, style: Style) -> String {
         plan.drawn as f64 / 1e6
     );
     row(&mut out, "search", &search);
-    row(&mut out, "time", &crate::cli::common::numbers::seconds(report.seconds, &[]));
+    row(&mut out, "time", &format!("{:.3} s", report.seconds));
     out
 }
 
