@@ -49,6 +49,23 @@ impl Default for PlanOptions {
     }
 }
 
+impl PlanOptions {
+    fn check(&self) -> Result<(), PlanError> {
+        let limits = [
+            ("tolerance", self.tolerance, f64::MAX),
+            ("share of pixels", self.share, 1.0),
+            ("distance of outlines", self.outline, f64::MAX),
+        ];
+        match limits.into_iter().find(|(_, value, most)| !(0.0..=*most).contains(value)) {
+            None => Ok(()),
+            Some((name, value, most)) => {
+                let range = if most == 1.0 { "a number from 0 to 1" } else { "a finite number, 0 or more" };
+                Err(PlanError::Invalid(format!("the {name} is {value}; {range} was expected")))
+            }
+        }
+    }
+}
+
 /// A change of an object or a light.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Decision {
@@ -117,6 +134,7 @@ pub fn plan(
     options: &PlanOptions,
     progress: &dyn Fn(f64),
 ) -> Result<Plan, PlanError> {
+    options.check()?;
     // Errors of the text have lines if the reader of scenes finds them.
     let whole = SceneFile::from_toml(text, base, load)?;
     let document =
