@@ -76,7 +76,7 @@ impl Mesh {
         for labels in [&mut columns.materials, &mut columns.objects].into_iter().flatten() {
             of_face(&mut labels.of_face);
         }
-        Mesh { positions: self.positions.clone(), faces: faces.into(), columns }
+        Mesh { positions: self.positions.clone(), faces: faces.into(), columns, printed: self.printed }
     }
 
     /// The mesh with other normals.

@@ -6,7 +6,7 @@ mod faces;
 mod columns;
 // What a half-edge meets, in four bytes.
 mod link;
-// Positions in single or double precision.
+// Positions in single or double precision, and printed digits.
 mod positions;
 // The mesh, and the builder that checks it.
 mod polygon_mesh;
@@ -55,7 +55,8 @@ pub(crate) use obstacles::Obstacles;
 pub use orient::{Confidence, Orient, Orientation, orient};
 pub(crate) use orient::{Orientations, Placed, cavities};
 pub use polygon_mesh::{Mesh, MeshBuilder, MeshError};
-pub use positions::{PositionIter, Positions, PositionsRef, Storage};
+pub(crate) use positions::decimals;
+pub use positions::{PositionIter, Positions, PositionsRef, PrintedDigits, Storage};
 pub(crate) use rings::{Rings, Scatter};
 pub use topology::Topology;
 pub use transform::{NormalMatrix, TransformFault, normal_matrix};

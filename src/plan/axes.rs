@@ -116,6 +116,12 @@ pub struct ObjectModel {
 }
 
 impl ObjectModel {
+    /// The model with another storage of normals.
+    #[must_use]
+    pub fn with_format(&self, format: Option<StoredFormat>) -> Self {
+        Self { normals: self.normals.map(|normals| Normals { format, ..normals }), ..*self }
+    }
+
     /// The model with the value of another on an axis.
     #[must_use]
     pub fn with(&self, axis: Axis, other: &Self) -> Self {

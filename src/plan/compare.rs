@@ -5,6 +5,9 @@ use crate::num::Transfer;
 use crate::raster::{Image, RenderSettings};
 use crate::shade::ToneRule;
 
+/// Pixels beyond the tolerance, in excess of those allowed, after which a comparison ends.
+const ENOUGH: u64 = 256;
+
 /// The largest value of a code.
 const STEPS: f64 = 255.0;
 
@@ -39,8 +42,8 @@ impl Truth {
         Self { image, codes, tone, transfer }
     }
 
-    /// The difference of a picture over the pixels that `is_compared`. At most `most` pixels beyond the tolerance are counted: with one
-    /// more the search ends.
+    /// The difference of a picture over the pixels that `is_compared`. Pixels beyond the tolerance are counted
+    /// up to `most` and a few more, so that a bad one is found.
     pub fn difference(
         &self,
         picture: &Image,
@@ -67,11 +70,18 @@ impl Truth {
                 worst.pixel = [(pixel % width) as u32, (pixel / width) as u32];
             }
             worst.beyond += u64::from(steps > tolerance);
-            if worst.beyond > most {
+            if worst.beyond > most.saturating_add(ENOUGH) {
                 break;
             }
         }
         worst
+    }
+
+    /// The difference of a linear colour from that of a pixel, in steps.
+    pub fn steps_at(&self, [x, y]: [u32; 2], colour: [f32; 3]) -> f64 {
+        let Some(pixel) = self.image.index(x, y) else { return 0.0 };
+        let codes = self.codes[pixel].iter().zip(encoded(self.tone, self.transfer, colour));
+        codes.map(|(code, other)| (code - other).abs()).fold(0.0, f64::max)
     }
 
     /// Whether two colours may differ by more than so many steps. The curve of sRGB is concave but for a step of 10⁻⁷ where its

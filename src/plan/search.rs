@@ -9,7 +9,8 @@ use super::axes::{LightModel, ObjectModel};
 use super::compare::{Difference, Truth, outline_distance};
 use super::cost::{Cost, Minimise, object_cost};
 use super::stage::{PlanError, Stage};
-use crate::raster::{Camera, Image, Projection};
+use crate::mesh::NONE;
+use crate::raster::{Camera, Image, Projection, Samples};
 use crate::shade::Light;
 use std::cell::{Cell, RefCell};
 use std::cmp::Reverse;
@@ -38,6 +39,10 @@ pub struct View {
     pub truth: Truth,
     /// Pixels that something covers.
     covered: u64,
+    /// The number of the object that all samples of a pixel show; [`NONE`] for others.
+    object_of: Vec<u32>,
+    /// Samples of pixels that show only a unit.
+    samples: Vec<u64>,
     /// The picture of each unit alone, for its outline; drawn where it is needed.
     alone: Vec<RefCell<Option<Image>>>,
 }
@@ -51,15 +56,27 @@ impl View {
         let models: Vec<_> = stage.units.iter().map(|unit| unit.reference).enumerate().collect();
         let image = stage.draw(&models, &lights, &camera)?;
         let covered = image.statistics.covered_pixels;
+        let samples_of_pixel = stage.settings.samples.count();
+        let objects: HashMap<u32, u32> = (0..stage.objects() as u32)
+            .map(|object| (Image::number_of(object as usize, samples_of_pixel), object))
+            .collect();
+        let numbers = image.objects.iter().flatten();
+        let object_of: Vec<u32> =
+            numbers.map(|number| objects.get(number).copied().unwrap_or(NONE)).collect();
+        let mut samples = vec![0; stage.units.len()];
+        for &object in object_of.iter().filter(|&&object| object != NONE) {
+            samples[stage.unit_of(object)] += samples_of_pixel as u64;
+        }
         let alone = stage.units.iter().map(|_| RefCell::default()).collect();
-        Ok(Self { camera, lights, truth: Truth::new(image, &stage.settings), covered, alone })
-    }
-
-    /// Samples of pixels that show only a unit.
-    pub fn samples(&self, stage: &Stage, unit: usize) -> u64 {
-        let numbers: HashSet<u32> = stage.numbers(unit, false).into_iter().collect();
-        let shown = self.truth.image.objects.iter().flatten();
-        shown.filter(|number| numbers.contains(number)).count() as u64 * stage.settings.samples.count() as u64
+        Ok(Self {
+            camera,
+            lights,
+            truth: Truth::new(image, &stage.settings),
+            covered,
+            object_of,
+            samples,
+            alone,
+        })
     }
 }
 
@@ -115,7 +132,20 @@ pub struct Search<'a> {
     drawn: Cell<u64>,
     refused: Cell<u64>,
     known: RefCell<HashMap<(usize, usize, LightChoice), bool>>,
+    /// Pixels at which models of a unit with these cells were refused: most others fail there too. The latest comes first.
+    witnesses: RefCell<HashMap<(usize, Option<[u32; 2]>), Vec<Witness>>>,
 }
+
+/// A pixel of a view that shows a single face.
+#[derive(Clone, Copy, Debug)]
+struct Witness {
+    view: usize,
+    pixel: [u32; 2],
+    face: (usize, u32),
+}
+
+/// Most witnesses of a unit.
+const WITNESSES: usize = 12;
 
 /// A model of a unit with its cost and the number of changes.
 type Ranked = (u64, u32, usize, Cost);
@@ -129,8 +159,8 @@ impl<'a> Search<'a> {
         (limits, minimise): (Limits, Minimise),
         progress: &'a (dyn Fn(f64) + 'a),
     ) -> Self {
-        let (drawn, refused, known) = Default::default();
-        Self { stage, views, models, lights, limits, minimise, progress, drawn, refused, known }
+        let (drawn, refused, known, witnesses) = Default::default();
+        Self { stage, views, models, lights, limits, minimise, progress, drawn, refused, known, witnesses }
     }
 
     /// The lights of a view with a choice: all declared ones where no light has replacements.
@@ -213,7 +243,7 @@ impl<'a> Search<'a> {
     }
 
     fn unit_cost(&self, unit: usize, model: &ObjectModel, choice: &LightChoice) -> Result<Cost, PlanError> {
-        let samples = self.views.iter().map(|view| view.samples(self.stage, unit)).sum();
+        let samples = self.views.iter().map(|view| view.samples[unit]).sum();
         let sizes = self.stage.sizes(unit, model, samples, self.views.len() as u64)?;
         Ok(object_cost(
             &sizes,
@@ -251,7 +281,7 @@ impl<'a> Search<'a> {
             .iter()
             .enumerate()
             .map(|(unit, models)| {
-                let samples = self.views.iter().map(|view| view.samples(self.stage, unit)).sum();
+                let samples = self.views.iter().map(|view| view.samples[unit]).sum();
                 let mut sizes = HashMap::new();
                 let mut list: Vec<Ranked> = Vec::with_capacity(models.len());
                 for (number, model) in models.iter().enumerate() {
@@ -358,39 +388,89 @@ impl<'a> Search<'a> {
         if let Some(&known) = self.known.borrow().get(&key) {
             return Ok(known);
         }
-        let mut is_within = true;
-        for view in self.views {
-            if !self.is_within_view(view, unit, &model, choice)? {
-                is_within = false;
+        let mut is_within = !self.fails_at_witness(unit, &model, choice)?;
+        for view in 0..self.views.len() {
+            if !is_within {
                 break;
             }
+            is_within = self.is_within_view(view, unit, &model, choice)?;
         }
         self.refused.set(self.refused.get() + u64::from(!is_within));
         self.known.borrow_mut().insert(key, is_within);
         Ok(is_within)
     }
 
-    fn is_within_view(
+    /// Whether a model is beyond the tolerance at a pixel where others were: that takes a face, not a picture.
+    fn fails_at_witness(
         &self,
-        view: &View,
         unit: usize,
         model: &ObjectModel,
         choice: &LightChoice,
     ) -> Result<bool, PlanError> {
+        // With a share, one pixel refuses nothing.
+        if self.limits.share > 0.0 {
+            return Ok(false);
+        }
+        let key = (unit, model.segments);
+        let list = self.witnesses.borrow().get(&key).cloned().unwrap_or_default();
+        for (number, witness) in list.iter().enumerate() {
+            let view = &self.views[witness.view];
+            let lights = self.lights_of(view, choice);
+            let at = (witness.face, witness.pixel);
+            let colour = self.stage.colour_of_face((unit, model), &lights, &view.camera, at)?;
+            self.count(1 << 12);
+            if view.truth.steps_at(witness.pixel, colour) > self.limits.tolerance {
+                if let Some(list) = self.witnesses.borrow_mut().get_mut(&key) {
+                    list[..=number].rotate_right(1);
+                }
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Remembers a pixel at which a model was refused.
+    fn add_witness(
+        &self,
+        view: usize,
+        unit: usize,
+        model: &ObjectModel,
+        pixel: [u32; 2],
+    ) -> Result<(), PlanError> {
+        let camera = &self.views[view].camera;
+        // Other samples of the pixel may show other faces.
+        let is_single = self.stage.settings.samples == Samples::One;
+        let face = if is_single { self.stage.face_at((unit, model), camera, pixel)? } else { None };
+        if let Some(face) = face {
+            let mut witnesses = self.witnesses.borrow_mut();
+            let list = witnesses.entry((unit, model.segments)).or_default();
+            list.insert(0, Witness { view, pixel, face });
+            list.truncate(WITNESSES);
+        }
+        Ok(())
+    }
+
+    fn is_within_view(
+        &self,
+        number: usize,
+        unit: usize,
+        model: &ObjectModel,
+        choice: &LightChoice,
+    ) -> Result<bool, PlanError> {
+        let view = &self.views[number];
         let lights = self.lights_of(view, choice);
         let picture = self.draw(&[(unit, *model)], &lights, view)?;
-        let (with_others, alone) = (self.stage.numbers(unit, false), self.stage.numbers(unit, true));
-        let (Some(truth), Some(shown)) = (&view.truth.image.objects, &picture.objects) else {
-            return Ok(true);
-        };
-        // Units have few objects; most have one.
+        let Some(shown) = &picture.objects else { return Ok(true) };
+        let objects = self.stage.objects_of(unit);
+        let samples = self.stage.settings.samples.count();
         let is_compared = |pixel: usize| {
-            let number = with_others.iter().position(|&number| number == truth[pixel]);
-            number.is_some_and(|number| shown[pixel] == alone[number])
+            let object = view.object_of[pixel] as usize;
+            objects.contains(&object) && shown[pixel] == Image::number_of(object - objects.start, samples)
         };
         let most = self.most_beyond(view);
         let difference = view.truth.difference(&picture, self.limits.tolerance, most, is_compared);
         if difference.beyond > most {
+            self.add_witness(number, unit, model, difference.pixel)?;
             return Ok(false);
         }
         if model.segments == self.stage.units[unit].reference.segments {
@@ -425,9 +505,14 @@ impl<'a> Search<'a> {
         view: &View,
     ) -> Result<Image, PlanError> {
         let [width, height] = self.stage.settings.size.map(u64::from);
-        self.drawn.set(self.drawn.get() + width * height);
-        (self.progress)((self.drawn.get() as f64 / self.limits.budget.max(1) as f64).min(1.0));
+        self.count(width * height);
         self.stage.draw(models, lights, &view.camera)
+    }
+
+    /// Counts drawn pixels.
+    fn count(&self, pixels: u64) {
+        self.drawn.set(self.drawn.get() + pixels);
+        (self.progress)((self.drawn.get() as f64 / self.limits.budget.max(1) as f64).min(1.0));
     }
 
     /// The largest difference of a whole plan with its view, and the largest distance of outlines; `None` if it is not within the limits.

@@ -7,11 +7,13 @@ use crate::io::ReadError;
 use crate::mesh::ColumnIndex;
 use crate::normals::{Precision, Weight};
 use crate::raster::{
-    Camera, Image, LoadOptions, ObjectSettings, Paint, RenderError, RenderSettings, Scene, SceneFile,
-    SceneShape, Shading, render,
+    Camera, Image, LoadOptions, Object, Paint, RenderError, RenderSettings, Scene, SceneFile, SceneShape,
+    Shading, Shape, pixel_colour, probe, render,
 };
 use crate::shade::{Light, Material};
+use std::borrow::Cow;
 use std::collections::HashMap;
+use std::ops::Range;
 use std::path::Path;
 use std::sync::{Arc, Mutex};
 
@@ -50,6 +52,8 @@ pub struct Stage<'a> {
     pub settings: RenderSettings,
     /// Its objects.
     pub units: Vec<Unit>,
+    /// The number of the first object of each unit, and of all objects at the end.
+    first: Vec<usize>,
     background: crate::num::LinearRgb,
     loaded: Mutex<HashMap<Geometry, Arc<SceneFile>>>,
 }
@@ -68,11 +72,13 @@ impl<'a> Stage<'a> {
             options,
             settings,
             units: Vec::new(),
+            first: vec![0],
             background: whole.background,
             loaded: Mutex::default(),
         };
         for object in 0..document.objects() {
             let declared = Arc::new(SceneFile::from_toml(&document.only(object).to_string(), base, options)?);
+            stage.first.push(stage.objects() + declared.objects.len());
             stage.units.push(unit(document, object, declared, &settings));
         }
         Ok(stage)
@@ -113,47 +119,108 @@ impl<'a> Stage<'a> {
         lights: &[Light],
         camera: &Camera,
     ) -> Result<Image, PlanError> {
-        let files: Vec<Arc<SceneFile>> =
-            models.iter().map(|(unit, model)| self.geometry(*unit, model)).collect::<Result<_, _>>()?;
-        let mut objects = Vec::new();
-        for ((unit, model), file) in models.iter().zip(&files) {
-            let Unit { reference, material, .. } = &self.units[*unit];
-            for mut object in file.unframed().objects {
-                let own = &mut object.settings;
-                let differs = ObjectSettings {
-                    shading: (model.shading != reference.shading).then_some(model.shading).or(own.shading),
-                    interpolation: (model.interpolation != reference.interpolation)
-                        .then_some(model.interpolation)
-                        .or(own.interpolation),
-                    two_sided: (model.two_sided != reference.two_sided)
-                        .then_some(model.two_sided)
-                        .or(own.two_sided),
-                };
-                *own = differs;
-                if let (Some(material), true) = (material, model.terms != Terms::Declared) {
-                    object.paint = Paint::Lit(with_terms(material, model.terms));
-                }
-                objects.push(object);
-            }
-        }
-        let scene = Scene {
+        let files = models.iter().map(|(unit, model)| self.geometry(*unit, model));
+        let files: Vec<Arc<SceneFile>> = files.collect::<Result<_, _>>()?;
+        let objects = models.iter().zip(&files).flat_map(|((unit, model), file)| {
+            file.unframed().objects.into_iter().map(|object| self.changed(*unit, model, object))
+        });
+        Ok(render(&self.scene(objects.collect(), lights, camera), &self.settings)?)
+    }
+
+    fn scene<'o>(&self, objects: Vec<Object<'o>>, lights: &[Light], camera: &Camera) -> Scene<'o> {
+        Scene {
             objects,
             lines: Vec::new(),
             lights: lights.to_vec(),
             camera: *camera,
             background: self.background,
-        };
-        Ok(render(&scene, &self.settings)?)
+        }
     }
 
-    /// The numbers that pixels of a unit have if it is drawn with the others, or alone: see [`Image::objects`].
-    pub fn numbers(&self, unit: usize, is_alone: bool) -> Vec<u32> {
-        let before =
-            if is_alone { 0 } else { self.units[..unit].iter().map(|it| it.declared.objects.len()).sum() };
-        let samples = self.settings.samples.count();
-        (before..before + self.units[unit].declared.objects.len())
-            .map(|object| Image::number_of(object, samples))
-            .collect()
+    /// An object of a unit with the settings and the material of a model.
+    fn changed<'o>(&self, unit: usize, model: &ObjectModel, mut object: Object<'o>) -> Object<'o> {
+        let Unit { reference, material, .. } = &self.units[unit];
+        let own = &mut object.settings;
+        if model.shading != reference.shading {
+            own.shading = Some(model.shading);
+        }
+        if model.interpolation != reference.interpolation {
+            own.interpolation = Some(model.interpolation);
+        }
+        if model.two_sided != reference.two_sided {
+            own.two_sided = Some(model.two_sided);
+        }
+        if let (Some(material), true) = (material, model.terms != Terms::Declared) {
+            object.paint = Paint::Lit(with_terms(material, model.terms));
+        }
+        object
+    }
+
+    /// The face of a unit that a pixel shows, with the number of its object in the unit; `None` if it shows no face.
+    ///
+    /// # Errors
+    /// What makes a picture impossible.
+    pub fn face_at(
+        &self,
+        (unit, model): (usize, &ObjectModel),
+        camera: &Camera,
+        pixel: [u32; 2],
+    ) -> Result<Option<(usize, u32)>, PlanError> {
+        let file = self.geometry(unit, model)?;
+        let scene = self.scene(file.unframed().objects, &[], camera);
+        let point = probe(&scene, &self.settings, pixel, 0)?;
+        Ok(point.and_then(|point| Some((point.object, point.face?))))
+    }
+
+    /// The linear colour of a pixel that shows only this face of a unit: as in the whole picture, to the bit.
+    ///
+    /// # Errors
+    /// What makes a picture impossible.
+    pub fn colour_of_face(
+        &self,
+        (unit, model): (usize, &ObjectModel),
+        lights: &[Light],
+        camera: &Camera,
+        ((object, face), pixel): ((usize, u32), [u32; 2]),
+    ) -> Result<[f32; 3], PlanError> {
+        let declared = self.units[unit].reference.normals.and_then(|normals| normals.format);
+        // Normals are rounded here, where the declared ones are not: a mesh has many, a face a few.
+        let rounds = model.normals.and_then(|normals| normals.format).filter(|_| declared.is_none());
+        let unrounded = match rounds {
+            Some(_) => model.with_format(None),
+            None => *model,
+        };
+        let file = self.geometry(unit, &unrounded)?;
+        let SceneShape::Mesh(number) = file.objects[object].shape else { return Ok([0.0; 3]) };
+        let mut mesh = file.meshes[number].of_face(face);
+        if let Some(format) = rounds {
+            format.round(&mut mesh.normals);
+        }
+        let shape = Shape::Mesh { mesh: &mesh.mesh, normals: &mesh.normals };
+        let whole = file.unframed().objects.swap_remove(object);
+        let paint = match whole.paint {
+            Paint::Given(_) => Paint::Given(Cow::Owned(mesh.colours.clone().unwrap_or_default())),
+            Paint::Lit(material) => Paint::Lit(material),
+        };
+        let alone =
+            Object { shape, transform: whole.transform, paint, surface: None, settings: whole.settings };
+        let alone = self.changed(unit, model, alone);
+        Ok(pixel_colour(&self.scene(vec![alone], lights, camera), &self.settings, pixel)?)
+    }
+
+    /// The number of objects of all units.
+    pub fn objects(&self) -> usize {
+        self.first.last().copied().unwrap_or(0)
+    }
+
+    /// The numbers of a unit's objects among those of all.
+    pub fn objects_of(&self, unit: usize) -> Range<usize> {
+        self.first[unit]..self.first[unit + 1]
+    }
+
+    /// The unit that an object belongs to.
+    pub fn unit_of(&self, object: u32) -> usize {
+        self.first.partition_point(|&first| first <= object as usize) - 1
     }
 
     /// The sizes of a unit with a model; its samples and pictures are those of the reference.

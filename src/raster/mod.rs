@@ -28,6 +28,7 @@ mod load;
 
 pub use error::RenderError;
 pub use frame::empty_picture::Unseen;
+pub(crate) use frame::render::pixel_colour;
 pub use frame::render::render;
 pub use load::{
     LoadOptions, NormalSettings, Recentring, SceneFile, SceneMesh, SceneObject, SceneShape, StoredFormat,

@@ -2,6 +2,7 @@
 
 mod edit;
 mod generated;
+mod printed_digits;
 mod real;
 
 use crate::random::Random;

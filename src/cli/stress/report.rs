@@ -3,7 +3,7 @@
 use crate::cli::common::console::Style;
 use crate::cli::common::numbers::count;
 use crate::cli::common::report::Head;
-use crease::trade::stress::{Bound, Group, StressCase, StressResult, Unit, Worst};
+use crease::trade::stress::{Bound, Cause, Group, StressCase, StressResult, Unit, Worst};
 use serde::Serialize;
 use std::fmt::Write as _;
 
@@ -38,6 +38,9 @@ struct Error {
     /// JSON has `null` for infinity.
     worst: f64,
     undefined: usize,
+    nan: usize,
+    infinite: usize,
+    zero: usize,
     unit: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     bound: Option<Bound>,
@@ -47,6 +50,10 @@ struct Error {
     formula: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     fails: Option<bool>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cause: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    definition: Option<Box<Error>>,
 }
 
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -54,15 +61,21 @@ pub struct Summary {
     pub cases: usize,
     pub broken: usize,
     pub plain_fails: usize,
+    pub plain_fails_by_rounding: usize,
+    pub plain_fails_by_definition: usize,
 }
 
 impl Summary {
     pub fn new(results: &[StressResult]) -> Self {
         let count = |of: &dyn Fn(&StressResult) -> bool| results.iter().filter(|result| of(result)).count();
+        let [by_rounding, by_definition] = [Cause::Rounding, Cause::Definition]
+            .map(|cause| count(&|result| result.plain_failure() == Some(cause)));
         Self {
             cases: results.len(),
             broken: count(&|result| !result.holds()),
-            plain_fails: count(&|result| result.plain_fails()),
+            plain_fails: by_rounding + by_definition,
+            plain_fails_by_rounding: by_rounding,
+            plain_fails_by_definition: by_definition,
         }
     }
 }
@@ -87,7 +100,9 @@ impl<'a> Case<'a> {
         });
         let plain = measured.plain.map(|worst| Error {
             formula: Some(case.plain_formula()),
-            fails: Some(result.plain_fails()),
+            fails: Some(result.plain_failure().is_some()),
+            cause: result.plain_failure().map(Cause::name),
+            definition: Some(Box::new(Error::new(measured.definition, case.plain_unit))),
             ..Error::new(worst, case.plain_unit)
         });
         Self {
@@ -106,9 +121,22 @@ impl<'a> Case<'a> {
 }
 
 impl Error {
-    fn new(Worst { error, undefined }: Worst, unit: Unit) -> Self {
-        let (bound, declined, formula, fails) = (None, None, None, None);
-        Self { worst: error, undefined, unit: unit.name(), bound, declined, formula, fails }
+    fn new(worst: Worst, unit: Unit) -> Self {
+        let Worst { error, nan, infinite, zero } = worst;
+        Self {
+            worst: error,
+            undefined: worst.undefined(),
+            nan,
+            infinite,
+            zero,
+            unit: unit.name(),
+            bound: None,
+            declined: None,
+            formula: None,
+            fails: None,
+            cause: None,
+            definition: None,
+        }
     }
 
     fn bounded(worst: Worst, bound: Bound) -> Self {
@@ -118,13 +146,15 @@ impl Error {
 
 /// Marks plain code that fails so that it can be seen.
 const CROSS: char = '✗';
-const HEADINGS: [&str; 6] = ["case", "allowed", "faithful", "fast", "plain f32", ""];
+/// Plain code has two columns: its error stands in that of its cause.
+const HEADINGS: [&str; 7] =
+    ["case", "allowed", "faithful", "fast", "f32: overflow or rounding", "f32: definition", ""];
 
-type Row = [String; 6];
+type Row = [String; 7];
 
 pub fn table(results: &[StressResult], seconds: f64, verbose: bool, style: Style) -> String {
     let rows: Vec<Row> = results.iter().map(row).collect();
-    let widths: [usize; 6] = std::array::from_fn(|column| {
+    let widths: [usize; 7] = std::array::from_fn(|column| {
         let cells = rows.iter().map(|row| row[column].chars().count());
         cells.chain([HEADINGS[column].len()]).max().unwrap_or(0)
     });
@@ -155,14 +185,16 @@ pub fn table(results: &[StressResult], seconds: f64, verbose: bool, style: Style
     };
     let _ = writeln!(
         out,
-        "\n{}: {verdict}. Plain f32 code fails visibly in {} of them ({CROSS}). {seconds:.1} s",
+        "\n{}: {verdict}. Plain f32 code fails visibly ({CROSS}) in {} by overflow or rounding, in {} by definition. \
+         {seconds:.1} s",
         count(summary.cases, "case"),
-        summary.plain_fails
+        summary.plain_fails_by_rounding,
+        summary.plain_fails_by_definition
     );
     out
 }
 
-fn line(out: &mut String, row: &Row, widths: &[usize; 6], result: &StressResult, style: Style) {
+fn line(out: &mut String, row: &Row, widths: &[usize; 7], result: &StressResult, style: Style) {
     let mut text = String::from("  ");
     for (cell, width) in row.iter().zip(widths) {
         let _ = write!(text, "{cell:width$}  ");
@@ -182,14 +214,19 @@ fn row(result: &StressResult) -> Row {
         (Some(worst), Some(bound)) => error(worst, bound.unit),
         _ => "none".to_owned(),
     };
-    let cross = if result.plain_fails() { format!(" {CROSS}") } else { String::new() };
-    let plain = measured.plain.map_or("–".to_owned(), |worst| error(worst, case.plain_unit) + &cross);
+    let plain = measured.plain.map_or("–".to_owned(), |worst| error(worst, case.plain_unit));
+    let [rounding, definition] = match result.plain_failure() {
+        None => [plain, String::new()],
+        Some(Cause::Rounding) => [format!("{plain} {CROSS}"), String::new()],
+        Some(Cause::Definition) => [String::new(), format!("{plain} {CROSS}")],
+    };
     [
         case.name.clone(),
         allowed(case.bound),
         error(measured.faithful, case.bound.unit),
         fast,
-        plain,
+        rounding,
+        definition,
         if result.holds() { "holds" } else { "BREAKS" }.to_owned(),
     ]
 }
@@ -204,7 +241,8 @@ fn detail(out: &mut String, result: &StressResult) {
         let _ = writeln!(out, "      fast: none: {}", case.group.without_fast());
     }
     if result.measured.plain.is_some() {
-        let _ = writeln!(out, "      plain: {}", case.plain_formula());
+        let definition = error(result.measured.definition, case.plain_unit);
+        let _ = writeln!(out, "      plain: {}; in exact arithmetic: {definition}", case.plain_formula());
     }
 }
 
@@ -216,14 +254,13 @@ fn allowed(bound: Bound) -> String {
     amount(bound.most, bound.unit)
 }
 
-/// The worst of many, and how many are none.
+/// The worst of many, and how many have no error.
 fn error(worst: Worst, unit: Unit) -> String {
-    let number = amount(worst.error, unit);
-    match worst.undefined {
-        0 => number,
-        undefined if worst.error == 0.0 => format!("NaN x{undefined}"),
-        undefined => format!("{number}, NaN x{undefined}"),
-    }
+    let number = (worst.error > 0.0 || worst.undefined() == 0).then(|| amount(worst.error, unit));
+    let kinds = [("NaN", worst.nan), ("inf", worst.infinite), ("zero", worst.zero)];
+    let kinds = kinds.into_iter().filter(|(_, count)| *count > 0);
+    let counts = kinds.map(|(kind, count)| format!("{kind} x{count}"));
+    number.into_iter().chain(counts).collect::<Vec<_>>().join(", ")
 }
 
 fn amount(x: f64, unit: Unit) -> String {

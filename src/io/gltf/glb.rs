@@ -93,16 +93,24 @@ impl Glb {
     }
 
     /// A file with the same chunks in the same order, but other JSON and, if given, another BIN.
-    pub fn rewrite(&self, bytes: &[u8], json: &str, bin: Option<&[u8]>) -> Result<Vec<u8>, WriteError> {
+    pub fn rewrite(
+        &self,
+        bytes: &[u8],
+        json: &str,
+        bin: Option<[&[u8]; 3]>,
+    ) -> Result<(Vec<u8>, usize), WriteError> {
         let chunk = |(kind, span): &(u32, Range<usize>)| (*kind, vec![&bytes[span.clone()]]);
         let mut chunks: Vec<(u32, Vec<&[u8]>)> = self.chunks.iter().map(chunk).collect();
         chunks[0].1 = vec![json.as_bytes()];
         match (self.bin_chunk(), bin) {
             (_, None) => {}
-            (Some(number), Some(bin)) => chunks[number].1 = vec![bin],
-            (None, Some(bin)) => chunks.insert(1, (BIN, vec![bin])),
+            (Some(number), Some(bin)) => chunks[number].1 = bin.to_vec(),
+            (None, Some(bin)) => chunks.insert(1, (BIN, bin.to_vec())),
         }
-        assemble(&chunks, 0)
+        let length = |pieces: &[&[u8]]| 8 + padded(pieces.iter().map(|piece| piece.len()).sum());
+        let before = chunks.iter().take_while(|(kind, _)| *kind != BIN);
+        let start = 12 + before.map(|(_, pieces)| length(pieces)).sum::<usize>() + 8;
+        Ok((assemble(&chunks, 0)?, start))
     }
 }
 
@@ -165,8 +173,9 @@ mod tests {
         assert_eq!(&file[glb.json()], b"{}  ");
         assert_eq!(&file[glb.bin().unwrap()], b"1234");
         assert_eq!(glb.other_chunks(), 2);
-        assert_eq!(glb.rewrite(&file, "{}  ", None).unwrap(), file);
-        let longer = glb.rewrite(&file, "{\"a\":1}", Some(b"12345")).unwrap();
+        assert_eq!(glb.rewrite(&file, "{}  ", None).unwrap().0, file);
+        let (longer, bin) = glb.rewrite(&file, "{\"a\":1}", Some([b"123", b"45", b""])).unwrap();
+        assert_eq!(&longer[bin..bin + 5], b"12345");
         let again = Glb::parse(&longer, &mut Vec::new()).unwrap();
         assert_eq!(&longer[again.json()], b"{\"a\":1} ");
         assert_eq!(&longer[again.bin().unwrap()], b"12345\0\0\0");

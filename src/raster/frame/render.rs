@@ -3,7 +3,7 @@
 use crate::num::{self, Kernel, Lanes, Transfer};
 use crate::raster::coverage::setup::{SIDE, TILE};
 use crate::raster::coverage::tile_bins::{Binning, Bins, tiles};
-use crate::raster::coverage::visible_triangle::{BLOCKS, LANES, PIXELS};
+use crate::raster::coverage::visible_triangle::{BLOCKS, LANES, PIXELS, number};
 use crate::raster::error::Result;
 use crate::raster::frame::job::Job;
 use crate::raster::frame::tile::{Finished, Worker};
@@ -71,6 +71,17 @@ pub fn render(scene: &Scene, settings: &RenderSettings) -> Result<Image> {
     image.statistics.triangles_culled = bins.counts.culled;
     image.statistics.times = Times { geometry, binning, tiles: start.elapsed() };
     Ok(image)
+}
+
+/// The linear colour of a pixel of the picture that [`render`] draws, to the bit, without the other tiles.
+pub(crate) fn pixel_colour(scene: &Scene, settings: &RenderSettings, pixel: [u32; 2]) -> Result<[f32; 3]> {
+    let job = Job::new(scene, settings)?;
+    let lines = LineJob::new(&job, scene)?;
+    let mut worker = Worker::new();
+    let tile = pixel.map(|n| n as usize / TILE);
+    let finished = worker.draw(&job, &bins(&job), &lines, tile)?;
+    let at = number(pixel.map(|n| n as usize % TILE));
+    Ok(finished.map_or(job.background, |tile| tile.colours.each_ref().map(|channel| channel[at])))
 }
 
 /// The triangles of all objects, by tile.

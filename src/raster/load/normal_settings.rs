@@ -52,6 +52,14 @@ impl StoredFormat {
         }
     }
 
+    /// Makes the normals of vertices what the storage gives back.
+    pub(crate) fn round(self, field: &mut NormalField) {
+        let encoding = self.encoding();
+        for normal in &mut field.normals.values {
+            *normal = encoding.decode(encoding.encode(*normal));
+        }
+    }
+
     /// The encoding, with its size and its error.
     pub fn encoding(self) -> Encoding {
         let octahedral = |bits| match Octahedral::new(bits) {
@@ -100,10 +108,7 @@ impl NormalSettings {
     pub(super) fn normals(&self, mesh: &Mesh, recipe: &NormalRecipe, when: When) -> NormalField {
         let mut field = compute(mesh, &self.recipe(recipe)).selected(mesh, when);
         if let Some(format) = self.format {
-            let encoding = format.encoding();
-            for normal in &mut field.normals.values {
-                *normal = encoding.decode(encoding.encode(*normal));
-            }
+            format.round(&mut field);
         }
         field
     }

@@ -22,6 +22,31 @@ impl SceneMesh {
     }
 }
 
+impl SceneMesh {
+    /// One face with its normals, whose vertices and corners are numbered in its order.
+    pub(crate) fn of_face(&self, face: u32) -> Self {
+        let (mesh, field) = (&self.mesh, &self.normals);
+        let range = mesh.faces().range(face as usize);
+        let vertices = &mesh.faces().corners()[range.clone()];
+        let corners = 0..vertices.len() as u32;
+        let mut faces = Faces::with_capacity(vertices.len());
+        faces.push(&corners.clone().collect::<Vec<_>>());
+        let normal =
+            |(corner, &vertex): (usize, &u32)| field.normals.get(corner, vertex).copied().unwrap_or_default();
+        let normals = NormalField {
+            normals: Column::per_corner(range.zip(vertices).map(normal).collect(), corners.clone().collect()),
+            entry_vertex: corners.collect(),
+            face_normals: vec![field.face_normals[face as usize]],
+            ..NormalField::default()
+        };
+        let positions = mesh.positions().gather(vertices);
+        let builder = MeshBuilder { positions, faces, columns: Columns::default() };
+        let mesh = builder.build().expect("a face of a mesh that was checked");
+        let colours = self.colours.as_ref().map(|all| vertices.iter().map(|&v| all[v as usize]).collect());
+        Self { mesh, normals, colours, source_faces: None }
+    }
+}
+
 /// Colours of vertices. Those of glTF are linear; other formats do not say, and their programs write what screens show.
 fn linear(colours: &[[f32; 4]], format: Format) -> Vec<LinearRgb> {
     let decode = |component: f32| match format {

@@ -30,6 +30,15 @@ impl Target {
         Self { planes, volume, nearest: Whole::new(DVec3::new(nearest, 0.0, 0.0)) }
     }
 
+    /// On which side of each edge a ray passes: 1, −1, or 0 for a ray through the edge.
+    pub(crate) fn sides(&self, direction: DVec3) -> [i8; 3] {
+        let direction = Whole::new(direction);
+        self.planes.each_ref().map(|plane| {
+            let side = direction.dot(plane);
+            i8::from(side.is_positive()) - i8::from(side.is_negative())
+        })
+    }
+
     /// Whether the ray along a direction meets the interior, edges excluded, at least the nearest distance away.
     pub(crate) fn is_hit(&self, direction: DVec3) -> bool {
         let direction = Whole::new(direction);

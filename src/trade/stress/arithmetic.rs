@@ -85,8 +85,8 @@ fn measure_unit_vectors(low: f64, high: f64) -> Measured {
         }
         let truth = exact::unit(&v.to_array().map(big))?;
         let faithful = UnitVec3::new(v).map_or(DVec3::NAN, UnitVec3::get);
-        let plain = plain::direction(plain::unit(v.as_vec3()));
-        Some([faithful, plain].map(|found| exact::distance(found, &truth)))
+        let plain = plain::unit(v.as_vec3()).as_dvec3();
+        Some([faithful, plain].map(|unit| Outcome::vector(unit, |unit| exact::distance(unit, &truth))))
     });
     Measured { samples: VECTORS, ..Measured::pairs(errors) }
 }
@@ -134,17 +134,17 @@ fn true_angle(e1: DVec3, e2: DVec3) -> f64 {
 
 fn measure_straight() -> Measured {
     let mut numbers = Numbers::new(11);
-    let (mut wrong, mut plain_wrong, mut undefined) = (0, 0, 0);
+    let (mut wrong, mut plain_wrong, mut nan) = (0, 0, 0);
     for _ in 0..CORNERS {
         let e1 = Vec3::from_array([0; 3].map(|_| numbers.below(1000) as f32 + 1.0));
         let times = numbers.below(100) as f32 + 1.0;
         for (e2, angle) in [(e1 * times, 0.0), (e1 * -times, PI)] {
             wrong += usize::from(computed_angle(e1.as_dvec3(), e2.as_dvec3()) != angle);
             let plain = plain::angle(plain::unit(e1), plain::unit(e2));
-            undefined += usize::from(plain.is_nan());
+            nan += usize::from(plain.is_nan());
             plain_wrong += usize::from(!plain.is_nan() && plain != angle as f32);
         }
     }
-    let plain = Some(Worst { error: plain_wrong as f64, undefined });
-    Measured { plain, ..Measured::wrong(2 * CORNERS, wrong, 0) }
+    let plain = Some(Worst { nan, ..Worst::wrong(plain_wrong) });
+    Measured { plain, ..Measured::wrong(2 * CORNERS, [wrong, 0, 0]) }
 }

@@ -1,5 +1,6 @@
 //! The groups of the catalogue, a case, and its result.
 
+use super::measured::{Measured, Worst};
 use crate::text::{Catalogue, Language, catalogue};
 use crate::trade::described::described;
 
@@ -45,6 +46,15 @@ static TEXTS: Catalogue = catalogue!("texts", en);
 
 fn text(key: &str) -> String {
     TEXTS.get(key).get(Language::English).to_owned()
+}
+
+described! {
+    /// Why a plain formula fails.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+    Cause {
+        Rounding = "rounding": "overflow or rounding: the formula holds in exact arithmetic",
+        Definition = "definition": "the formula fails in exact arithmetic too",
+    }
 }
 
 /// The unit of an error.
@@ -118,77 +128,7 @@ impl Bound {
 
     /// Whether errors are within the bound.
     pub fn holds(&self, worst: &Worst) -> bool {
-        worst.undefined == 0 && worst.error <= self.most
-    }
-}
-
-/// The worst of many results.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Worst {
-    /// The largest error of those that are numbers.
-    pub error: f64,
-    /// How many results are no numbers, or no directions.
-    pub undefined: usize,
-}
-
-impl Worst {
-    pub(super) fn wrong(count: usize) -> Self {
-        Self { error: count as f64, undefined: 0 }
-    }
-
-    /// Includes one more error; NaN is an undefined result.
-    pub(super) fn add(&mut self, error: f64) {
-        if error.is_nan() {
-            self.undefined += 1;
-        } else {
-            self.error = self.error.max(error);
-        }
-    }
-}
-
-impl FromIterator<f64> for Worst {
-    fn from_iter<I: IntoIterator<Item = f64>>(errors: I) -> Self {
-        let mut worst = Self::default();
-        errors.into_iter().for_each(|error| worst.add(error));
-        worst
-    }
-}
-
-/// The errors of a case.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Measured {
-    /// The number of results.
-    pub samples: usize,
-    /// Errors of [`Precision::Faithful`](crate::normals::Precision), or of `f64` where there is no such choice.
-    pub faithful: Worst,
-    /// Errors of [`Precision::Fast`](crate::normals::Precision), or of `f32` where there is no such choice.
-    pub fast: Option<Worst>,
-    /// How many of the samples are out of the range of `fast`, which left them to `faithful`.
-    pub declined: usize,
-    /// Errors of the formula in plain `f32`.
-    pub plain: Option<Worst>,
-}
-
-impl Measured {
-    pub(super) fn pairs(errors: impl IntoIterator<Item = [f64; 2]>) -> Self {
-        let errors = errors.into_iter().map(|[faithful, plain]| [faithful, 0.0, plain]);
-        Self { fast: None, ..Self::triples(errors) }
-    }
-
-    /// Triples of errors: of `faithful`, `fast` and the plain formula.
-    pub(super) fn triples(errors: impl IntoIterator<Item = [f64; 3]>) -> Self {
-        let (mut samples, mut worst) = (0, [Worst::default(); 3]);
-        for triple in errors {
-            samples += 1;
-            worst.iter_mut().zip(triple).for_each(|(worst, error)| worst.add(error));
-        }
-        let [faithful, fast, plain] = worst;
-        Self { samples, faithful, fast: Some(fast), declined: 0, plain: Some(plain) }
-    }
-
-    pub(super) fn wrong(samples: usize, faithful: usize, plain: usize) -> Self {
-        let [faithful, plain] = [faithful, plain].map(Worst::wrong);
-        Self { samples, faithful, plain: Some(plain), ..Self::default() }
+        worst.undefined() == 0 && worst.error <= self.most
     }
 }
 
@@ -280,15 +220,18 @@ impl StressResult<'_> {
         self.faithful_holds && self.fast_holds
     }
 
-    /// Whether plain `f32` code fails visibly: an undefined result, or an error of [`Unit::visible`] or more. False
-    /// where `faithful` has half of that error or more and is visibly wrong too: storage loses the same for both.
-    pub fn plain_fails(&self) -> bool {
-        let is_visible = |worst: Worst, unit: Unit| worst.undefined > 0 || worst.error >= unit.visible();
+    /// Why plain `f32` code fails visibly: by an undefined result, or by an error of [`Unit::visible`] or more. `None`
+    /// also where `faithful` has half of that error or more and is visibly wrong too: storage loses the same for both.
+    pub fn plain_failure(&self) -> Option<Cause> {
         let faithful = self.measured.faithful;
-        self.measured.plain.is_some_and(|plain| {
-            let both = is_visible(faithful, self.case.bound.unit) && plain.error <= 2.0 * faithful.error;
-            is_visible(plain, self.case.plain_unit) && !both
-        })
+        let is_visible = |worst: Worst, unit: Unit| worst.undefined() > 0 || worst.error >= unit.visible();
+        let fails = |worst: Worst| {
+            let both = is_visible(faithful, self.case.bound.unit) && worst.error <= 2.0 * faithful.error;
+            is_visible(worst, self.case.plain_unit) && !both
+        };
+        let by_definition = fails(self.measured.definition);
+        let cause = if by_definition { Cause::Definition } else { Cause::Rounding };
+        self.measured.plain.is_some_and(fails).then_some(cause)
     }
 }
 
@@ -300,10 +243,14 @@ mod tests {
     #[test]
     fn bounds_are_broken_by_more_and_by_nothing() {
         let bound = Bound::new(1.0, Unit::Ulps, "a test");
-        assert!(bound.holds(&Worst { error: 1.0, undefined: 0 }));
-        assert!(!bound.holds(&Worst { error: 1.0 + f64::EPSILON, undefined: 0 }));
-        assert!(!bound.holds(&Worst { error: f64::INFINITY, undefined: 0 }));
-        assert!(!bound.holds(&[0.0, f64::NAN].into_iter().collect()));
+        for (errors, holds) in [
+            ([0.0, 1.0], true),
+            ([0.0, 1.0 + f64::EPSILON], false),
+            ([0.0, f64::INFINITY], false),
+            ([0.0, f64::NAN], false),
+        ] {
+            assert_eq!(bound.holds(&errors.into_iter().collect()), holds, "{errors:?}");
+        }
         assert!(!Bound::none_wrong("a test").holds(&Worst::wrong(1)));
     }
 

@@ -38,7 +38,7 @@ pub(super) fn cases() -> Vec<StressCase> {
 
 /// Edges whose splits are not those of their angle in 256 bits, and side edges that split.
 fn measure_splits(stored: Stored) -> Measured {
-    let (mut samples, mut declined, mut wrong) = (0, 0, [0; 3]);
+    let (mut samples, mut declined, mut wrong) = (0, 0, [0; 4]);
     for prism in prisms(stored) {
         let limit = exact::radians(prism.angle() + SLACK);
         let over: Vec<bool> = prism.edges().map(|edge| prism.true_angle(edge) > limit).collect();
@@ -52,26 +52,29 @@ fn measure_splits(stored: Stored) -> Measured {
         let [faithful, fast] = [Precision::Faithful, Precision::Fast].map(|precision| prism.field(precision));
         samples += over.len();
         declined += if fast.summary.fast_declined { over.len() } else { 0 };
-        for (wrong, of_prism) in wrong.iter_mut().zip([count(&faithful), count(&fast), prism.plain_splits()])
-        {
-            *wrong += of_prism;
-        }
+        let angle = exact::radians(prism.angle());
+        let definition = prism.side_angles().filter(|side| *side > angle).count();
+        let of_prism = [count(&faithful), count(&fast), prism.plain_splits(), definition];
+        wrong.iter_mut().zip(of_prism).for_each(|(wrong, of_prism)| *wrong += of_prism);
     }
-    let [faithful, fast, plain] = wrong;
-    Measured { fast: Some(Worst::wrong(fast)), declined, ..Measured::wrong(samples, faithful, plain) }
+    let [faithful, fast, plain, definition] = wrong;
+    let measured = Measured::wrong(samples, [faithful, plain, definition]);
+    Measured { fast: Some(Worst::wrong(fast)), declined, ..measured }
 }
 
 /// Edges that are wrongly counted as near the crease angle, or wrongly not.
 fn measure_counts(decimals: usize) -> Measured {
-    let (mut samples, mut wrong, mut plain) = (0, 0, 0);
+    let (mut samples, mut wrong, mut plain, mut definition) = (0, 0, 0, 0);
     for prism in prisms(Stored::Text { decimals }) {
         let near = prism.truly_near(decimals);
         let counted = prism.field(Precision::Faithful).summary.near_crease;
         samples += prism.sides;
         wrong += counted.abs_diff(near) + near.abs_diff(prism.sides);
         plain += prism.sides - prism.plain_near();
+        let (angle, near) = (exact::radians(prism.angle()), exact::radians(NEAR));
+        definition += prism.side_angles().filter(|side| (side - &angle).abs() > near).count();
     }
-    Measured::wrong(samples, wrong, plain)
+    Measured::wrong(samples, [wrong, plain, definition])
 }
 
 struct Prism {
@@ -169,6 +172,16 @@ impl Prism {
             (self.true_angle(edge) - &angle).abs() <= (a + b).max(near.clone())
         };
         self.edges().filter(is_near).count()
+    }
+
+    /// The angles at side edges by the plain formula in 256 bits: between the normals of the first three corners.
+    fn side_angles(&self) -> impl Iterator<Item = Big> {
+        let corners: Vec<Vec<DVec3>> = (0..self.sides).map(|side| self.corners(side)).collect();
+        let angle = |side: usize| {
+            let [a, b] = [side, (side + 1) % self.sides].map(|side| &corners[side][..3]);
+            exact::dihedral(a, b).expect("corners that are not collinear")
+        };
+        (0..self.sides).map(angle).collect::<Vec<_>>().into_iter()
     }
 
     fn plain_normals(&self) -> Vec<Vec3> {

@@ -49,7 +49,7 @@ fn thin_triangles(thinness: f64) -> Vec<Triangle> {
 
 /// Heights of 1 to 8 spacings over a base from 1 to 1.75, along each pair of axes, at three sizes.
 fn measure_threshold() -> Measured {
-    let (mut samples, mut declined, mut wrong) = (0, 0, [0; 3]);
+    let (mut samples, mut declined, mut wrong) = (0, 0, [0; 4]);
     for spacings in 1..=8_u8 {
         for axis in 0..3 {
             let point = |along: f32, up: f32| {
@@ -65,10 +65,12 @@ fn measure_threshold() -> Measured {
                 let faults = faults.expect("slices of matching lengths").faces;
                 let [a, b, c] = corners.map(Vec3::from);
                 let fast = face_normals::fast(&[a, b, c]);
+                let [e1, e2] = [b - a, c - a].map(|e| e.as_dvec3());
                 let is_sliver = [
                     faults.iter().any(|fault| fault.reason == FaultReason::BelowStorage),
                     fast.fault == Some(FaultReason::BelowStorage),
                     (b - a).cross(c - a).length() < 1e-6,
+                    e1.cross(e2).length() < 1e-6,
                 ];
                 samples += 1;
                 declined += usize::from(fast.declined);
@@ -78,16 +80,17 @@ fn measure_threshold() -> Measured {
             }
         }
     }
-    let [faithful, fast, plain] = wrong;
-    Measured { fast: Some(Worst::wrong(fast)), declined, ..Measured::wrong(samples, faithful, plain) }
+    let [faithful, fast, plain, definition] = wrong;
+    let measured = Measured::wrong(samples, [faithful, plain, definition]);
+    Measured { fast: Some(Worst::wrong(fast)), declined, ..measured }
 }
 
 /// A sliver, whose direction is rounding, must not change the normal of a vertex.
 fn measure_neighbour() -> Measured {
     const FANS: usize = 50;
     let mut numbers = Numbers::new(5);
-    let mut declined = 0;
-    let errors = [0; FANS].map(|_| {
+    let (mut declined, mut definition) = (0, Worst::default());
+    let outcomes = [0; FANS].map(|_| {
         let mut fan = Fan::cone(6, 0.3);
         let truth = fan.true_normal(Weight::Uniform);
         // Half way to the rim, but for a spacing.
@@ -99,10 +102,11 @@ fn measure_neighbour() -> Measured {
         let mesh = face_normals::indexed(&positions, &indices);
         let fast = fans::fast(&mesh, Weight::Uniform, Slivers::Exclude);
         declined += usize::from(fast.summary.fast_declined);
-        let plain = plain::direction(plain::vertex_normal(fan.centre, &fan.triangles, Weight::Uniform));
-        [faithful, fast.normals.values[0], plain].map(|normal| exact::degrees_to(normal, &truth))
+        let plain = plain::vertex_normal(fan.centre, &fan.triangles, Weight::Uniform).as_dvec3();
+        definition.add(small(&exact::angle(&fan.true_normal(Weight::Uniform), &truth)).to_degrees());
+        [faithful, fast.normals.values[0], plain].map(|normal| Outcome::degrees(normal, &truth))
     });
-    Measured { declined, ..Measured::triples(errors) }
+    Measured { declined, definition, ..Measured::triples(outcomes) }
 }
 
 pub(super) fn zero_area_cases() -> Vec<StressCase> {
@@ -122,7 +126,8 @@ pub(super) fn zero_area_cases() -> Vec<StressCase> {
                 let mut fan = Fan::cone(6, 0.3);
                 let (centre, [a, b]) = (fan.centre, fan.triangles[0]);
                 fan.triangles.extend([[a, a], [centre, b], [centre, centre]]);
-                fans::measure(&[fan], &WEIGHTS)
+                // 0/0 in any arithmetic.
+                fans::measure(&[fan], &WEIGHTS).by_definition()
             },
         ),
     ]
@@ -143,14 +148,17 @@ fn reported_case(texts: &'static str, name: &str, triangle: fn(&mut Numbers) -> 
         let missed = fast.iter().filter(|fast| {
             fast.fault != Some(FaultReason::ZeroArea) || !is_unit(fast.normal.as_vec3().to_array())
         });
-        let undefined =
-            triangles.iter().filter(|triangle| face_normals::plain_direction(triangle).is_nan()).count();
+        let samples = triangles.len();
+        let plain = triangles.iter().map(|triangle| Outcome::vector(face_normals::plain(triangle), |_| 1.0));
+        let plain: Worst = plain.collect();
         Measured {
-            samples: triangles.len(),
+            samples,
             faithful: Worst::wrong(wrong.count()),
             fast: Some(Worst::wrong(missed.count())),
             declined: fast.iter().filter(|fast| fast.declined).count(),
-            plain: Some(Worst { error: (triangles.len() - undefined) as f64, undefined }),
+            plain: Some(Worst { error: (samples - plain.undefined()) as f64, ..plain }),
+            // 0/0.
+            definition: Worst::not_a_number(samples),
         }
     })
 }
@@ -242,14 +250,14 @@ fn measure_non_finite(bad: f32) -> Measured {
         triangles.iter().filter_map(turned).map(|pair| pair.map(|v| positions[v as usize])).collect()
     };
     let plain_normal = |vertex| plain::vertex_normal(positions[vertex], &around(vertex), Weight::Uniform);
-    let plain = (0..positions.len()).map(|vertex| plain::direction(plain_normal(vertex)));
-    let undefined = plain.filter(|normal| normal.is_nan()).count();
-    Measured {
+    let plain = (0..positions.len()).map(|vertex| Outcome::vector(plain_normal(vertex).as_dvec3(), |_| 0.0));
+    let measured = Measured {
         samples: triangles.len() + WEIGHTS.len() * positions.len() + 1,
         faithful: Worst::wrong(wrong),
-        plain: Some(Worst { error: 0.0, undefined }),
+        plain: Some(plain.collect()),
         ..Measured::default()
-    }
+    };
+    measured.by_definition()
 }
 
 /// Face normals, and the faces that are reported as not finite.

@@ -42,36 +42,63 @@ fn case(encoding: Encoding, poles: bool) -> StressCase {
     let bounds = (Bound::new(encoding.worst_angle().0, Unit::Degrees, "encoding-bound"), None);
     StressCase::new(Group::Encoding, texts, name, bounds, move || {
         let directions = if poles { self::poles() } else { edges() };
-        Measured::pairs(directions.into_iter().map(|direction| errors(encoding, direction)))
+        let mut definition = Worst::default();
+        let errors = directions.into_iter().map(|direction| {
+            let [encoded, plain, exact] = errors(encoding, direction);
+            definition.add(exact);
+            [encoded, plain]
+        });
+        let measured = Measured::pairs(errors);
+        Measured { definition, ..measured }
     })
 }
 
-fn errors(encoding: Encoding, direction: DVec3) -> [f64; 2] {
+/// The errors of this library, of the plain formula in `f32`, and of the same in `f64`.
+fn errors(encoding: Encoding, direction: DVec3) -> [f64; 3] {
     let truth = exact::unit(&direction.to_array().map(exact::big)).expect("a direction");
-    let single = direction.as_vec3();
-    let plain = match encoding {
-        Encoding::Octahedral(codec, _) => plain_octahedral(single, codec.bits()),
+    let single = direction.to_array().map(|x| x as f32);
+    let formulas = [plain(encoding, single), plain(encoding, direction.to_array())];
+    let encoded = encoding.decode(encoding.encode(direction));
+    [encoded, formulas[0], formulas[1]].map(|v| exact::degrees_to(v, &truth))
+}
+
+fn plain<R: Real>(encoding: Encoding, v: [R; 3]) -> DVec3 {
+    let decoded = match encoding {
+        Encoding::Octahedral(codec, _) => plain_octahedral(v, codec.bits()),
         Encoding::Snorm(codec) => {
-            let steps = ((1 << (codec.bits() - 1)) - 1) as f32;
-            single.map(|x| libm::roundf(x * steps) / steps)
+            let steps = steps(codec.bits());
+            v.map(|x| (x * steps).nearest() / steps)
         }
-        Encoding::Half | Encoding::Single => single.map(|x| from_half(to_half(f64::from(x))) as f32),
+        Encoding::Half | Encoding::Single => v.map(|x| R::of(from_half(to_half(x.to_f64())))),
     };
-    [encoding.decode(encoding.encode(direction)), plain.as_dvec3()].map(|v| exact::degrees_to(v, &truth))
+    DVec3::from(decoded.map(R::to_f64))
+}
+
+/// The largest code of so many bits.
+fn steps<R: Real>(bits: u32) -> R {
+    R::of(f64::from((1 << (bits - 1)) - 1))
 }
 
 /// Encoded and decoded as shaders do it: the sign of 0 is 0.
-fn plain_octahedral(v: Vec3, bits: u32) -> Vec3 {
-    let steps = ((1 << (bits - 1)) - 1) as f32;
-    let sign = |x: f32| if x == 0.0 { 0.0 } else { x.signum() };
-    let fold = |x: f32, y: f32| [(1.0 - y.abs()) * sign(x), (1.0 - x.abs()) * sign(y)];
-    let sum = v.x.abs() + v.y.abs() + v.z.abs();
-    let [x, y] = [v.x / sum, v.y / sum];
-    let [x, y] = if v.z <= 0.0 { fold(x, y) } else { [x, y] };
-    let [x, y] = [x, y].map(|x| libm::rintf(x * steps) / steps);
-    let z = 1.0 - x.abs() - y.abs();
-    let [x, y] = if z < 0.0 { fold(x, y) } else { [x, y] };
-    Vec3::new(x, y, z)
+fn plain_octahedral<R: Real>([x, y, z]: [R; 3], bits: u32) -> [R; 3] {
+    let steps: R = steps(bits);
+    let sign = |x: R| {
+        if x == R::ZERO {
+            R::ZERO
+        } else if x < R::ZERO {
+            -R::ONE
+        } else {
+            R::ONE
+        }
+    };
+    let fold = |x: R, y: R| [(R::ONE - y.abs()) * sign(x), (R::ONE - x.abs()) * sign(y)];
+    let sum = x.abs() + y.abs() + z.abs();
+    let [x, y] = [x / sum, y / sum];
+    let [x, y] = if z <= R::ZERO { fold(x, y) } else { [x, y] };
+    let [x, y] = [x, y].map(|x| (x * steps).nearest() / steps);
+    let z = R::ONE - x.abs() - y.abs();
+    let [x, y] = if z < R::ZERO { fold(x, y) } else { [x, y] };
+    [x, y, z]
 }
 
 fn poles() -> Vec<DVec3> {

@@ -30,15 +30,15 @@ fn measure(triangles: &[Triangle]) -> Measured {
             continue;
         };
         measured.faithful.add(exact::error_in_ulps(normal, truth));
-        fast_worst.add(exact::degrees_to(fast.normal, truth));
-        plain_worst.add(exact::degrees_to(plain_direction(triangle), truth));
+        fast_worst.add(Outcome::degrees(fast.normal, truth));
+        plain_worst.add(Outcome::degrees(plain(triangle), truth));
     }
     Measured { fast: Some(fast_worst), plain: Some(plain_worst), ..measured }
 }
 
-/// The plain face normal, NaN if it has no direction.
-pub(super) fn plain_direction(triangle: &Triangle) -> DVec3 {
-    plain::direction(plain::face_normal(*triangle))
+/// The plain face normal.
+pub(super) fn plain(triangle: &Triangle) -> DVec3 {
+    plain::face_normal(*triangle).as_dvec3()
 }
 
 /// The result of [`Precision::Fast`] for a triangle.

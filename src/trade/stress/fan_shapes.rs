@@ -112,7 +112,7 @@ fn measure_opposite() -> Measured {
         for [a, b, c] in positions.as_chunks::<3>().0 {
             for [centre, e1, e2] in [[a, b, c], [b, c, a], [c, a, b]] {
                 let normal = plain::vertex_normal(*centre, &[[*e1, *e2], [*e2, *e1]], weight);
-                plain.add(if plain::direction(normal).is_nan() { f64::NAN } else { 1.0 });
+                plain.add(Outcome::vector(normal.as_dvec3(), |_| 1.0));
             }
         }
     }
@@ -120,6 +120,8 @@ fn measure_opposite() -> Measured {
         faithful: Worst::wrong(faithful_wrong),
         fast: Some(Worst::wrong(fast_wrong)),
         plain: Some(plain),
+        // 0/0.
+        definition: Worst::not_a_number(measured.samples),
         ..measured
     }
 }
@@ -155,7 +157,7 @@ fn quadric_case((name, moved, store): Stored) -> StressCase {
 
 fn measure(store: fn(f64) -> f64) -> Measured {
     let mut numbers = Numbers::new(41);
-    let mut errors = Vec::new();
+    let (mut outcomes, mut definition) = (Vec::new(), Worst::default());
     for sides in SIDES {
         for _ in 0..TURNS {
             let turn = rotation(&mut numbers);
@@ -164,12 +166,16 @@ fn measure(store: fn(f64) -> f64) -> Measured {
             for (&normal, &vertex) in field.normals.values.iter().zip(&field.entry_vertex) {
                 let truth = exact::unit(&(turn * spoke(vertex, sides)).to_array().map(exact::big));
                 let truth = truth.expect("a spoke has a direction");
-                let plain = plain::direction(plain_mean(&mesh, vertex));
-                errors.push([normal, plain].map(|normal| exact::degrees_to(normal, &truth)));
+                let (centre, fan) = (mesh.positions().at(vertex), fan_at(&mesh, vertex));
+                let mean = exact::vertex_normal(centre, &fan, Weight::Uniform).expect("a sum of half a turn");
+                definition.add(small(&exact::angle(&mean, &truth)).to_degrees());
+                let fan: Vec<[Vec3; 2]> = fan.iter().map(|pair| pair.map(|p| p.as_vec3())).collect();
+                let plain = plain::vertex_normal(centre.as_vec3(), &fan, Weight::Uniform).as_dvec3();
+                outcomes.push([normal, plain].map(|normal| Outcome::degrees(normal, &truth)));
             }
         }
     }
-    Measured::pairs(errors)
+    Measured { definition, ..Measured::pairs(outcomes) }
 }
 
 /// The direction from the axis to a vertex before rotation.
@@ -190,8 +196,11 @@ fn cylinder(sides: u32, turn: DQuat, store: fn(f64) -> f64) -> Mesh {
     MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().expect("a good mesh")
 }
 
-fn plain_mean(mesh: &Mesh, vertex: u32) -> Vec3 {
-    let around = mesh.faces().iter().filter(|face| face.contains(&vertex));
-    let normal = |face: &[u32]| plain::face_normal([0, 1, 2].map(|k| mesh.positions().at(face[k]).as_vec3()));
-    plain::unit(around.map(normal).fold(Vec3::ZERO, |sum, normal| sum + normal))
+/// The two other corners of each triangle at a vertex.
+fn fan_at(mesh: &Mesh, vertex: u32) -> Vec<[DVec3; 2]> {
+    let others = |face: &[u32]| {
+        let first = face.iter().position(|&corner| corner == vertex)?;
+        Some([1, 2].map(|k| mesh.positions().at(face[(first + k) % 3])))
+    };
+    mesh.faces().iter().filter_map(others).collect()
 }

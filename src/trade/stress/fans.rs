@@ -97,13 +97,13 @@ pub(super) fn measure(fans: &[Fan], weights: &[Weight]) -> Measured {
             let faithful = faithful(&positions, &indices, weight, Slivers::Keep)[0];
             let fast = fast(&mesh, weight, Slivers::Keep);
             declined += usize::from(fast.summary.fast_declined);
-            let plain = plain::direction(plain::vertex_normal(fan.centre, &fan.triangles, weight));
-            [faithful, fast.normals.values[0], plain].map(|normal| exact::degrees_to(normal, &truth))
+            let plain = plain::vertex_normal(fan.centre, &fan.triangles, weight).as_dvec3();
+            [faithful, fast.normals.values[0], plain].map(|normal| Outcome::degrees(normal, &truth))
         };
         weights.iter().map(of_weight).collect::<Vec<_>>()
     };
-    let errors: Vec<[f64; 3]> = fans.iter().flat_map(of_fan).collect();
-    Measured { declined, ..Measured::triples(errors) }
+    let outcomes: Vec<[Outcome; 3]> = fans.iter().flat_map(of_fan).collect();
+    Measured { declined, ..Measured::triples(outcomes) }
 }
 
 pub(super) fn fast(mesh: &Mesh, weight: Weight, slivers: Slivers) -> NormalField {

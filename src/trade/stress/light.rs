@@ -81,21 +81,20 @@ impl Scene {
         exact::dot(&normal, &light).max(big(0.0))
     }
 
-    /// max(cos, 0)ⁿ, and 0 where N·L is not above 0.
-    fn true_highlight(&self) -> Big {
+    /// max(cos, 0)ⁿ, whatever N·L is; `None` without a half-vector.
+    fn highlight_formula(&self) -> Option<Big> {
         let [normal, light, view] = self.true_directions();
-        let incoming = exact::dot(&normal, &light);
-        if self.dark || incoming <= big(0.0) {
-            return big(0.0);
-        }
         let cosine = match self.reflection {
             Reflection::Blinn => {
                 let sum: exact::Vector = std::array::from_fn(|axis| &light[axis] + &view[axis]);
-                exact::dot(&normal, &exact::unit(&sum).expect("a half-vector"))
+                exact::dot(&normal, &exact::unit(&sum)?)
             }
-            Reflection::Phong => big(2.0) * incoming * exact::dot(&normal, &view) - exact::dot(&light, &view),
+            Reflection::Phong => {
+                big(2.0) * exact::dot(&normal, &light) * exact::dot(&normal, &view)
+                    - exact::dot(&light, &view)
+            }
         };
-        cosine.max(big(0.0)).powi(self.exponent.into())
+        Some(cosine.max(big(0.0)).powi(self.exponent.into()))
     }
 
     /// The formulas as usually written.
@@ -110,12 +109,19 @@ impl Scene {
 }
 
 fn measure_scenes(scenes: impl Iterator<Item = Scene>) -> Measured {
-    Measured::triples(scenes.map(|scene| {
-        let truth = scene.true_highlight();
-        let error = |found: f64| if found.is_nan() { found } else { small(&(big(found) - &truth).abs()) };
+    let mut definition = Worst::default();
+    let measured = Measured::triples(scenes.map(|scene| {
+        let formula = scene.highlight_formula();
+        // No highlight where N·L is not above 0.
+        let is_dark = scene.dark || scene.true_diffuse() == Big::ZERO;
+        let truth = if is_dark { Big::ZERO } else { formula.clone().expect("a half-vector") };
+        definition
+            .add(formula.map_or(Outcome::NotANumber, |formula| small(&(formula - &truth).abs()).into()));
         let [double, single] = scene.highlights();
-        [double, single, f64::from(scene.plain_highlight())].map(error)
-    }))
+        [double, single, f64::from(scene.plain_highlight())]
+            .map(|found| Outcome::number(found, |found| small(&(big(found) - &truth).abs())))
+    }));
+    Measured { definition, ..measured }
 }
 
 const EXPONENTS: [u32; 7] = [1, 10, 100, 1000, 10_000, 100_000, 1_000_000];
@@ -277,17 +283,14 @@ fn measure_near(distance: f64) -> Measured {
         let [x, y] = [0; 2].map(|_| signed(&mut numbers));
         let lamp = (DVec3::new(x, y, 1.0).normalize() * distance).as_vec3();
         let truth = truth(lamp);
-        let relative = |found: f64| {
-            if found.is_nan() { found } else { small(&((big(found) - &truth).abs() / &truth)) }
-        };
-        measured.faithful.add(relative(shade::<f64>(lamp).unwrap_or(f64::NAN)));
+        let relative = |found: f64| small(&((big(found) - &truth).abs() / &truth));
+        measured.faithful.add(Outcome::number(shade::<f64>(lamp).unwrap_or(f64::NAN), relative));
         match shade::<f32>(lamp) {
             Some(found) => fast.add(relative(found)),
             None => measured.declined += 1,
         }
         let d = lamp.length();
-        let plain_light = f64::from(plain::unit(lamp).z / (d * d));
-        plain.add(if plain_light.is_finite() { relative(plain_light) } else { f64::NAN });
+        plain.add(Outcome::number(f64::from(plain::unit(lamp).z / (d * d)), relative));
     }
     Measured { fast: Some(fast), plain: Some(plain), ..measured }
 }
@@ -322,5 +325,6 @@ fn measure_at_light() -> Measured {
         fast: Some(wrong(shade::<f32>(Vec3::ZERO))),
         declined: 0,
         plain: Some([f64::from(plain::unit(Vec3::ZERO).z / 0.0)].into_iter().collect()),
+        definition: Worst::not_a_number(1),
     }
 }

@@ -102,15 +102,15 @@ fn measure_storage(offset: f64) -> Measured {
     let normals = face_normals::faithful(&triangles);
     let errors = originals.iter().zip(&triangles).zip(normals).map(|((original, triangle), faithful)| {
         let truth = exact::face_normal(original).expect("an equilateral triangle has an area");
-        let degrees = |normal: DVec3| exact::degrees_to(normal, &truth);
+        let degrees = |normal: DVec3| Outcome::degrees(normal, &truth);
         let (normal, is_degenerate) = faithful;
         let fast = face_normals::fast(triangle);
         declined += usize::from(fast.declined);
         // Rounding made the triangle degenerate: a fallback normal, by up to half a turn off.
         [
-            if is_degenerate { 180.0 } else { degrees(DVec3::from(normal.map(f64::from))) },
-            if fast.fault.is_some() { 180.0 } else { degrees(fast.normal) },
-            degrees(face_normals::plain_direction(triangle)),
+            if is_degenerate { 180.0.into() } else { degrees(DVec3::from(normal.map(f64::from))) },
+            if fast.fault.is_some() { 180.0.into() } else { degrees(fast.normal) },
+            degrees(face_normals::plain(triangle)),
         ]
     });
     let measured = Measured::triples(errors);

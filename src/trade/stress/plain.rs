@@ -1,7 +1,7 @@
 //! The formulas as they are usually written, in `f32`, for comparison. Nothing of the library uses them.
 
 use crate::normals::Weight;
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 
 /// v / √(v·v).
 pub(super) fn unit(v: Vec3) -> Vec3 {
@@ -35,9 +35,4 @@ pub(super) fn vertex_normal(centre: Vec3, fan: &[[Vec3; 2]], weight: Weight) -> 
         unit(cross) * weight
     };
     unit(fan.iter().map(term).fold(Vec3::ZERO, |sum, term| sum + term))
-}
-
-/// The vector in `f64`, or NaN if it is shorter than 1/2 and so has no direction.
-pub(super) fn direction(v: Vec3) -> DVec3 {
-    if v.is_finite() && v.length() > 0.5 { v.as_dvec3() } else { DVec3::NAN }
 }

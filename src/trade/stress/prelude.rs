@@ -1,7 +1,8 @@
 //! The names that the cases of every group use.
 
 pub(super) use super::case::Group;
-pub(super) use super::case::{Bound, Measured, StressCase, Unit, Worst};
+pub(super) use super::case::{Bound, StressCase, Unit};
+pub(super) use super::measured::{Measured, Outcome, Worst};
 pub(super) use super::plain;
 pub(super) use super::random::{rotation, signed, vector};
 pub(super) use crate::mesh::{Faces, Mesh, MeshBuilder, Storage};

@@ -40,8 +40,8 @@ impl View {
     }
 
     /// A point of the picture, y down, as a point of the scene, y up.
-    fn upright(&self, point: Vec3) -> Vec3 {
-        Vec3::new(point.x, self.size[1] as f32 - point.y, point.z)
+    fn upright(&self, [x, y]: [f32; 2]) -> Vec3 {
+        Vec3::new(x, self.size[1] as f32 - y, 0.0)
     }
 
     fn draw(&self, positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<u8> {
@@ -67,18 +67,26 @@ impl View {
     }
 
     /// Corners on the picture of [`perspective`](Self::perspective) by division, whatever the divisor.
-    fn plain_projection(&self, triangle: &[Vec3; 3]) -> [Vec3; 3] {
+    fn plain_projection(&self, triangle: &[Vec3; 3]) -> [[f32; 2]; 3] {
         let [width, height] = self.size.map(|n| n as f32);
         triangle.map(|p| {
             let (x, y) = (p.x / -p.z, p.y / -p.z);
-            Vec3::new((x + 1.0) * 0.5 * width, (1.0 - y) * 0.5 * height, 0.0)
+            [(x + 1.0) * 0.5 * width, (1.0 - y) * 0.5 * height]
         })
     }
 }
 
-/// Whether each pixel of a perspective view shows a triangle, by exact arithmetic; `None` so close to an edge that the
-/// rounding of corners to 1/256 pixel may decide.
-fn true_coverage(triangle: &[Vec3; 3], view: &View) -> Vec<Option<bool>> {
+/// Whether the plain formula covers a pixel in exact arithmetic: edge functions of corners divided by w, whatever its sign.
+fn covers_by_definition(triangle: &[Vec3; 3], target: &Target, ray: DVec3) -> bool {
+    let w = triangle.map(|corner| if corner.z == 0.0 { 0 } else { -corner.z.signum() as i8 });
+    let sides = target.sides(ray);
+    let edges = [0, 1, 2].map(|k| sides[k] * w[k] * w[(k + 1) % 3]);
+    !w.contains(&0) && (edges.iter().all(|&edge| edge >= 0) || edges.iter().all(|&edge| edge <= 0))
+}
+
+/// Whether each pixel of a perspective view shows a triangle, by exact arithmetic, and whether by the plain formula; `None` so
+/// close to an edge that the rounding of corners to 1/256 pixel may decide.
+fn true_coverage(triangle: &[Vec3; 3], view: &View) -> Vec<Option<[bool; 2]>> {
     let target = Target::new(&triangle.map(|corner| corner.as_dvec3()), View::NEAR);
     let sees = |x: f64, y: f64| target.is_hit(view.ray(x, y));
     let [width, height] = view.size;
@@ -87,7 +95,8 @@ fn true_coverage(triangle: &[Vec3; 3], view: &View) -> Vec<Option<bool>> {
         const OFF: f64 = 1.0 / 128.0;
         let middle = sees(x, y);
         let around = [(OFF, OFF), (OFF, -OFF), (-OFF, OFF), (-OFF, -OFF)];
-        around.iter().all(|(dx, dy)| sees(x + dx, y + dy) == middle).then_some(middle)
+        let is_certain = around.iter().all(|(dx, dy)| sees(x + dx, y + dy) == middle);
+        is_certain.then(|| [middle, covers_by_definition(triangle, &target, view.ray(x, y))])
     };
     centres.map(certain).collect()
 }
@@ -104,20 +113,25 @@ fn coverage_count(view: &View, positions: &[Vec3], triangles: &[[u32; 3]], passe
     count
 }
 
-/// Edge functions in `f32` at the pixel centres of the triangle's bounding box, edges included.
-fn plain_coverage(corners: &[Vec3; 3], [width, height]: [u32; 2]) -> Vec<u8> {
+/// Edge functions at the pixel centres of the triangle's bounding box, edges included.
+fn plain_coverage<R: Real>(corners: &[[R; 2]; 3], [width, height]: [u32; 2]) -> Vec<u8> {
     let mut coverage = vec![0; (width * height) as usize];
-    let edge = |a: Vec3, b: Vec3, x: f32, y: f32| (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
+    let edge = |a: [R; 2], b: [R; 2], x: R, y: R| (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
     let [a, b, c] = *corners;
-    let area = edge(a, b, c.x, c.y);
-    let low = a.min(b).min(c).max(Vec3::ZERO);
-    let high = a.max(b).max(c);
-    for j in low.y as u32..(high.y as u32).saturating_add(1).min(height) {
-        for i in low.x as u32..(high.x as u32).saturating_add(1).min(width) {
-            let (x, y) = (i as f32 + 0.5, j as f32 + 0.5);
+    let area = edge(a, b, c[0], c[1]);
+    let sign = if area < R::ZERO { -R::ONE } else { R::ONE };
+    let range = |axis: usize, size: u32| {
+        let all = corners.map(|corner| corner[axis].to_f64());
+        let (low, high) =
+            (all.into_iter().fold(f64::NAN, f64::min), all.into_iter().fold(f64::NAN, f64::max));
+        low.max(0.0) as u32..(high as u32).saturating_add(1).min(size)
+    };
+    for j in range(1, height) {
+        for i in range(0, width) {
+            let (x, y) = (R::of(f64::from(i) + 0.5), R::of(f64::from(j) + 0.5));
             let sides = [edge(a, b, x, y), edge(b, c, x, y), edge(c, a, x, y)];
-            let is_inside = sides.iter().all(|side| side * area.signum() >= 0.0);
-            coverage[(j * width + i) as usize] = u8::from(is_inside);
+            coverage[(j * width + i) as usize] =
+                u8::from(sides.into_iter().all(|side| side * sign >= R::ZERO));
         }
     }
     coverage
@@ -152,20 +166,20 @@ fn case(
 fn view_case(texts: &'static str, name: &str, triangle: fn(&mut Numbers) -> [Vec3; 3]) -> StressCase {
     case(texts, name, "view-bound", move || {
         let mut numbers = Numbers::new(24);
-        let (mut samples, mut wrong, mut plain_wrong) = (0, 0, 0);
+        let (mut samples, mut wrong) = (0, [0; 3]);
         for _ in 0..TRIANGLES {
             let triangle = triangle(&mut numbers);
             let view = View::perspective();
             let drawn = view.draw(&triangle, &[[0, 1, 2]]);
             let plain = plain_coverage(&view.plain_projection(&triangle), view.size);
             for (pixel, truth) in true_coverage(&triangle, &view).into_iter().enumerate() {
-                let Some(truth) = truth else { continue };
+                let Some([truth, by_definition]) = truth else { continue };
                 samples += 1;
-                wrong += usize::from((drawn[pixel] > 0) != truth);
-                plain_wrong += usize::from((plain[pixel] > 0) != truth);
+                let shown = [drawn[pixel] > 0, plain[pixel] > 0, by_definition];
+                wrong.iter_mut().zip(shown).for_each(|(wrong, shown)| *wrong += usize::from(shown != truth));
             }
         }
-        Measured::wrong(samples, wrong, plain_wrong)
+        Measured::wrong(samples, wrong)
     })
 }
 
@@ -199,9 +213,10 @@ fn near_zero(numbers: &mut Numbers) -> [Vec3; 3] {
 /// A triangle of 1.5 million pixels, with the centres of 1024 of them on its long edge.
 fn measure_large() -> Measured {
     let view = View::orthographic(LARGE);
-    let corners = [[0.0, 0.0], [0.0, 2048.0], [2048.0, 0.0]].map(|[x, y]| Vec3::new(x, y, 0.0));
+    let corners: [[f32; 2]; 3] = [[0.0, 0.0], [0.0, 2048.0], [2048.0, 0.0]];
     let drawn = view.draw(&corners.map(|corner| view.upright(corner)), &[[0, 1, 2]]);
     let plain = plain_coverage(&corners, LARGE);
+    let exact = plain_coverage(&corners.map(|corner| corner.map(f64::from)), LARGE);
     let wrong = |coverage: &[u8]| {
         let is_wrong = |&pixel: &usize| {
             let (i, j) = (pixel % LARGE[0] as usize, pixel / LARGE[0] as usize);
@@ -209,7 +224,7 @@ fn measure_large() -> Measured {
         };
         (0..coverage.len()).filter(is_wrong).count()
     };
-    Measured::wrong(drawn.len(), wrong(&drawn), wrong(&plain))
+    Measured::wrong(drawn.len(), [&drawn, &plain, &exact].map(|coverage| wrong(coverage)))
 }
 
 /// Slivers that together are a disc: each pixel of it belongs to exactly one.
@@ -222,18 +237,22 @@ fn measure_slivers() -> Measured {
         let turn = TAU * k as f64 / SLIVERS as f64;
         [middle[0] + 30.0 * libm::cos(turn), middle[1] + 30.0 * libm::sin(turn)]
     };
-    let points: Vec<[f64; 2]> = std::iter::once(middle).chain((0..SLIVERS).map(rim)).collect();
-    let points: Vec<Vec3> = points.iter().map(|p| Vec3::new(p[0] as f32, p[1] as f32, 0.0)).collect();
+    let points = std::iter::once(middle).chain((0..SLIVERS).map(rim));
+    let points: Vec<[f32; 2]> = points.map(|point| point.map(|x| x as f32)).collect();
     let triangles: Vec<[u32; 3]> =
         (0..SLIVERS as u32).map(|k| [0, (k + 1) % SLIVERS as u32 + 1, k + 1]).collect();
     let upright: Vec<Vec3> = points.iter().map(|&point| view.upright(point)).collect();
     // Sixteen passes, so that no two slivers of one pass share an edge.
     let count = coverage_count(&view, &upright, &triangles, 16);
-    let mut plain = vec![0_u32; count.len()];
+    let mut plain = [(); 2].map(|()| vec![0_u32; count.len()]);
     for triangle in &triangles {
         let corners = triangle.map(|v| points[v as usize]);
-        plain.iter_mut().zip(plain_coverage(&corners, size)).for_each(|(n, c)| *n += u32::from(c));
+        let exact = plain_coverage(&corners.map(|corner| corner.map(f64::from)), size);
+        for (count, coverage) in plain.iter_mut().zip([plain_coverage(&corners, size), exact]) {
+            count.iter_mut().zip(coverage).for_each(|(n, c)| *n += u32::from(c));
+        }
     }
+    let [plain, exact] = plain;
     let wrong = |count: &[u32]| {
         let is_wrong = |&pixel: &usize| {
             let (x, y) = ((pixel % 64) as f64 + 0.5 - middle[0], (pixel / 64) as f64 + 0.5 - middle[1]);
@@ -242,5 +261,5 @@ fn measure_slivers() -> Measured {
         };
         (0..count.len()).filter(is_wrong).count()
     };
-    Measured::wrong(count.len(), wrong(&count), wrong(&plain))
+    Measured::wrong(count.len(), [&count, &plain, &exact].map(|count| wrong(count)))
 }

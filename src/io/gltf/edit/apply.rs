@@ -3,7 +3,7 @@
 use super::group::Group;
 use super::member::Member;
 use super::rows::Tables;
-use super::store::{Changed, Remark, Store};
+use super::store::{Changed, NewBin, Remark, Store};
 use crate::io::companion_files::{leads_to, output_name};
 use crate::io::gltf::buffers::{Storage, address, encode_data, percent_encoded};
 use crate::io::gltf::document::GltfDocument;
@@ -15,6 +15,7 @@ use crate::io::gltf::splice::{Splices, changed_object};
 use crate::io::{
     Format, Loaded, Note, OutputContent, OutputFile, Part, PartEdit, Place, WriteError, WriteOptions, Written,
 };
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -132,7 +133,12 @@ impl Package<'_> {
         let changed = store.finish(None, |extra| Some(encode_data(extra)));
         let is_same = changed.json == document.records.json.text();
         let json = if is_same { &changed.json } else { unpadded(&changed.json) };
-        self.written.bytes = glb.rewrite(&document.buffers.file, json, changed.bin.as_deref())?;
+        let pieces = changed.bin.as_ref().map(NewBin::pieces);
+        let (mut bytes, bin) = glb.rewrite(&document.buffers.file, json, pieces)?;
+        if let Some(changed) = &changed.bin {
+            changed.patch(&mut bytes[bin..]);
+        }
+        self.written.bytes = bytes;
         Ok(())
     }
 
@@ -235,9 +241,9 @@ impl Package<'_> {
         let first = json.items(json.root(), "buffers").next();
         if let Some(first) = first.filter(|&first| json.member(first, "uri").is_none()) {
             let bin = match (&changed.bin, glb.bin()) {
-                (Some(bin), _) => bin.as_slice(),
-                (None, Some(range)) => &self.document.buffers.file[range],
-                (None, None) => &[],
+                (Some(bin), _) => Cow::Owned(bin.to_vec()),
+                (None, Some(range)) => Cow::Borrowed(&self.document.buffers.file[range]),
+                (None, None) => Cow::Borrowed(&[][..]),
             };
             let length =
                 json.member(first, "byteLength").and_then(|length| json.integer(length)).unwrap_or(0);

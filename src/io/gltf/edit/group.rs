@@ -55,11 +55,11 @@ impl Group<'_, '_> {
         rows.repair_unused(&mut new_rows, &split);
 
         store.is_quantized |= stored.format.component != Component::F32;
-        self.put(store, 0, "NORMAL", stored.format, &new_rows.normals(&stored), false);
+        self.put(store, 0, "NORMAL", stored.format, new_rows.take_normals(&stored), false);
         for (target, set) in target_sets.enumerate().take(stored.targets) {
             let deltas = new_rows.deltas(&stored, target);
             if has_normals(set) || deltas.iter().any(|&byte| byte != 0) {
-                self.put(store, set, "NORMAL", Format::vector(Component::F32, false, 3), &deltas, false);
+                self.put(store, set, "NORMAL", Format::vector(Component::F32, false, 3), deltas, false);
             }
         }
         self.write_tangents(store, &split, new_tangents.as_ref())?;
@@ -95,7 +95,7 @@ impl Group<'_, '_> {
             let Some(accessor) = self.vertices.of_set(set, "POSITION") else { continue };
             let elements = self.source.elements(accessor).map_err(unreadable)?;
             if let Some(bytes) = finite(&elements) {
-                self.put(store, set, "POSITION", elements.format, &bytes, false);
+                self.put(store, set, "POSITION", elements.format, bytes, false);
             }
         }
         Ok(())
@@ -116,11 +116,11 @@ impl Group<'_, '_> {
         set: usize,
         semantic: &str,
         format: Format,
-        bytes: &[u8],
+        bytes: Vec<u8>,
         same_bounds: bool,
     ) {
         let data = NewData { format, bytes, target: Target::Vertices, same_bounds };
-        store.put(self.vertices.of_set(set, semantic), semantic, &self.sites(set), &data);
+        store.put(self.vertices.of_set(set, semantic), semantic, &self.sites(set), data);
     }
 
     /// Tangents to go with the new normals, if they are wanted and can be had.
@@ -188,7 +188,7 @@ impl Group<'_, '_> {
             };
             let values: Vec<[f32; 4]> = split.sample.iter().zip(&split.source).map(value).collect();
             let format = Format::vector(Component::F32, false, 4);
-            self.put(store, 0, "TANGENT", format, bytemuck::cast_slice(&values), false);
+            self.put(store, 0, "TANGENT", format, bytemuck::cast_slice(&values).to_vec(), false);
         } else if !keep {
             self.sites(0).into_iter().for_each(|site| store.splices.remove(site, "TANGENT"));
             store.remark(Remark::TANGENTS_REMOVED, self.members.len());
@@ -223,7 +223,7 @@ impl Group<'_, '_> {
                 for &vertex in &split.source {
                     bytes.extend_from_slice(&raw[vertex as usize * size..(vertex as usize + 1) * size]);
                 }
-                self.put(store, set, semantic, elements.format, &bytes, same_bounds);
+                self.put(store, set, semantic, elements.format, bytes, same_bounds);
             }
         }
         Ok(())

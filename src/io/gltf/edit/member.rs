@@ -182,8 +182,8 @@ pub fn rewrite_indices(
         _ => bytemuck::cast_slice(&indices).to_vec(),
     };
     let format = Format::vector(component, false, 1);
-    let data = NewData { format, bytes: &bytes, target: Target::Indices, same_bounds: false };
-    store.put(primitive.indices, "indices", &[primitive.object], &data);
+    let data = NewData { format, bytes, target: Target::Indices, same_bounds: false };
+    store.put(primitive.indices, "indices", &[primitive.object], data);
     if primitive.mode != u64::from(TRIANGLES) {
         store.splices.set(primitive.object, "mode", TRIANGLES);
     }

@@ -20,22 +20,23 @@ impl Rows {
         &self.bytes[number * self.size..(number + 1) * self.size]
     }
 
-    pub fn normals(&self, stored: &Stored) -> Cow<'_, [u8]> {
-        self.column(0, stored.format.size())
+    /// The normals, which are taken out if there is nothing else.
+    pub fn take_normals(&mut self, stored: &Stored) -> Vec<u8> {
+        match stored.format.size() == self.size {
+            true => std::mem::take(&mut self.bytes),
+            false => self.column(0, stored.format.size()),
+        }
     }
 
-    pub fn deltas(&self, stored: &Stored, target: usize) -> Cow<'_, [u8]> {
+    pub fn deltas(&self, stored: &Stored, target: usize) -> Vec<u8> {
         self.column(stored.format.size() + DELTA * target, DELTA)
     }
 
-    fn column(&self, start: usize, size: usize) -> Cow<'_, [u8]> {
-        if size == self.size {
-            return Cow::Borrowed(&self.bytes);
-        }
+    fn column(&self, start: usize, size: usize) -> Vec<u8> {
         let mut column = Vec::with_capacity(self.bytes.len() / self.size * size);
         let rows = self.bytes.chunks_exact(self.size);
         rows.for_each(|row| column.extend_from_slice(&row[start..start + size]));
-        Cow::Owned(column)
+        column
     }
 }
 
@@ -141,7 +142,7 @@ pub type Tables = FxHashMap<usize, Vec<u32>>;
 pub struct CornerRows<'a> {
     stored: &'a Stored,
     rows: Rows,
-    /// The row of each corner, over all members; corners with equal rows have the first of them.
+    /// The row of each corner, over all members; corners of a vertex with equal rows have the first of them.
     pub of_corner: Vec<u32>,
     /// Corners without a normal of their own, among others that have one.
     pub missing: usize,
@@ -149,7 +150,12 @@ pub struct CornerRows<'a> {
 
 impl<'a> CornerRows<'a> {
     pub fn new(stored: &'a Stored, members: &[Member<'_>], tables: &mut Tables) -> CornerRows<'a> {
-        let (mut bytes, mut of_corner) = (Vec::new(), Vec::new());
+        let corners = members.iter().map(|member| member.corners.len()).sum();
+        let vertices = members.first().map_or(0, |member| member.block.count as usize);
+        let mut of_corner = Vec::with_capacity(corners);
+        let mut bytes = Vec::with_capacity(vertices * stored.rows.size);
+        // Whether a vertex has several rows, which may be equal.
+        let (mut of_vertex, mut has_several) = (vec![NONE; vertices], false);
         let (mut count, mut missing) = (0, 0);
         for member in members {
             let Some(normals) = &member.edit.normals else { continue };
@@ -158,7 +164,11 @@ impl<'a> CornerRows<'a> {
             for &corner in &member.corners {
                 let slot = member.slot(normals, corner);
                 let known = slot.map(|slot| table[slot as usize]).filter(|&row| row != NONE);
-                of_corner.push(known.unwrap_or(count));
+                let row = known.unwrap_or(count);
+                of_corner.push(row);
+                let first = &mut of_vertex[member.vertex(corner) as usize];
+                has_several |= *first != NONE && *first != row;
+                *first = row;
                 if known.is_some() {
                     continue;
                 }
@@ -179,10 +189,13 @@ impl<'a> CornerRows<'a> {
             }
             seen.iter().for_each(|&slot| table[slot as usize] = NONE);
         }
-        let mut first: FxHashMap<&[u8], u32> = FxHashMap::default();
-        let numbered = bytes.chunks_exact(stored.rows.size).zip(0..);
-        let first: Vec<u32> = numbered.map(|(row, number)| *first.entry(row).or_insert(number)).collect();
-        of_corner.iter_mut().for_each(|row| *row = first[*row as usize]);
+        drop(of_vertex);
+        if has_several {
+            let mut first: FxHashMap<&[u8], u32> = FxHashMap::default();
+            let numbered = bytes.chunks_exact(stored.rows.size).zip(0..);
+            let first: Vec<u32> = numbered.map(|(row, number)| *first.entry(row).or_insert(number)).collect();
+            of_corner.iter_mut().for_each(|row| *row = first[*row as usize]);
+        }
         CornerRows { stored, rows: Rows { bytes, size: stored.rows.size }, of_corner, missing }
     }
 
@@ -192,7 +205,7 @@ impl<'a> CornerRows<'a> {
 
     /// The rows of the vertices of a split: as stored where no corner uses the vertex.
     pub fn gather(&self, split: &VertexSplit) -> Rows {
-        let mut bytes = Vec::new();
+        let mut bytes = Vec::with_capacity(split.sample.len() * self.rows.size);
         for (&sample, &source) in split.sample.iter().zip(&split.source) {
             bytes.extend_from_slice(match sample {
                 NONE => self.stored.rows.get(source as usize),

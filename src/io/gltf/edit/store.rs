@@ -48,24 +48,57 @@ struct Placed {
     target: Target,
 }
 
-pub struct NewData<'d> {
+pub struct NewData {
     pub format: Format,
-    pub bytes: &'d [u8],
+    pub bytes: Vec<u8>,
     pub target: Target,
     /// The values are the old ones, only more of each, so that their bounds stay right.
     pub same_bounds: bool,
 }
 
-impl NewData<'_> {
+impl NewData {
     fn count(&self) -> usize {
         self.bytes.len() / self.format.size()
     }
 }
 
+/// A BIN chunk: the old one with new data behind it and over parts of it.
+pub struct NewBin<'a> {
+    old: &'a [u8],
+    /// Where new data begin.
+    base: usize,
+    appended: Vec<u8>,
+    patches: Vec<Patch>,
+}
+
+impl NewBin<'_> {
+    /// The bytes before they are [patched](Self::patch).
+    pub fn pieces(&self) -> [&[u8]; 3] {
+        let filler = if self.appended.is_empty() { 0 } else { self.base - self.old.len() };
+        [self.old, &[0; 4][..filler], &self.appended]
+    }
+
+    /// Writes new data over the old ones.
+    pub fn patch(&self, bytes: &mut [u8]) {
+        for patch in &self.patches {
+            let elements = bytes[patch.start..].chunks_mut(patch.stride);
+            for (to, from) in elements.zip(patch.bytes.chunks_exact(patch.size)) {
+                to[..patch.size].copy_from_slice(from);
+            }
+        }
+    }
+
+    pub fn to_vec(&self) -> Vec<u8> {
+        let mut bytes = self.pieces().concat();
+        self.patch(&mut bytes);
+        bytes
+    }
+}
+
 /// All that was collected, in the form that a file is made of.
-pub struct Changed {
+pub struct Changed<'a> {
     pub json: String,
-    pub bin: Option<Vec<u8>>,
+    pub bin: Option<NewBin<'a>>,
     /// The content of the additional buffer, if there is one.
     pub extra: Option<Vec<u8>>,
     /// The old buffer that the additional one replaces.
@@ -101,54 +134,59 @@ impl<'a> Store<'a> {
     }
 
     /// Stores new elements for a member of the objects `sites`, which all refer to the accessor `old`, or to none.
-    pub fn put(&mut self, old: Option<usize>, name: &str, sites: &[Value], data: &NewData<'_>) {
+    pub fn put(&mut self, old: Option<usize>, name: &str, sites: &[Value], data: NewData) {
         let records = &self.document.records;
         let json = match old {
             Some(old) if self.refs.is_only_at(old, sites.len()) => {
-                if !self.patch(old, data) {
+                if self.is_patch(old, &data) {
+                    self.patch(old, data);
+                } else {
                     let record = &records.accessors[old];
                     let own_view = record.view.filter(|_| record.sparse.is_none());
                     let view = own_view
                         .filter(|&view| self.refs.is_only_user(view) && !records.views[view].extended);
-                    let changes = self.accessor_changes(old, view, data);
+                    let changes = self.accessor_changes(old, view, &data);
                     self.splices.change(record.object, changes);
                 }
                 return;
             }
             Some(old) => {
-                let changes = self.accessor_changes(old, None, data);
+                let changes = self.accessor_changes(old, None, &data);
                 changed_object(&records.json, records.accessors[old].object, &changes)
             }
-            None => accessor_json(self.append(data, None), data.format, data.count(), None),
+            None => accessor_json(self.append(&data, None), data.format, data.count(), None),
         };
         self.splices.push("accessors", json);
         sites.iter().for_each(|&site| self.splices.set(site, name, self.next_accessor));
         self.next_accessor += 1;
     }
 
-    /// Writes over the old bytes, if that touches nothing else.
-    fn patch(&mut self, old: usize, data: &NewData<'_>) -> bool {
+    /// Whether data can be written over the old bytes, which touches nothing else.
+    fn is_patch(&self, old: usize, data: &NewData) -> bool {
         let records = &self.document.records;
         let record = &records.accessors[old];
         let is_same = record.format == Some(data.format)
             && record.count == data.count() as u64
             && record.sparse.is_none()
             && data.target == Target::Vertices;
-        let view = record.view.map(|view| &records.views[view]);
-        let Some(view) = view.filter(|view| is_same && !view.extended && self.refs.unaliased.contains(&old))
-        else {
-            return false;
-        };
+        let is_own = |view: usize| !records.views[view].extended && self.refs.unaliased.contains(&old);
+        is_same && record.view.is_some_and(is_own)
+    }
+
+    /// Writes over the old bytes.
+    fn patch(&mut self, old: usize, data: NewData) {
+        let records = &self.document.records;
+        let record = &records.accessors[old];
+        let Some(view) = record.view.map(|view| &records.views[view]) else { return };
         let size = data.format.size();
         let stride = view.stride.map_or(size, |stride| stride as usize);
         let start = (view.offset + record.offset) as usize;
-        self.patches.push(Patch { start, stride, size, bytes: data.bytes.to_vec() });
-        self.splices.change(record.object, self.bound_changes(record.object, data));
-        true
+        self.splices.change(record.object, self.bound_changes(record.object, &data));
+        self.patches.push(Patch { start, stride, size, bytes: data.bytes });
     }
 
     /// Changes to an accessor's JSON for new data, which are appended: into `view`, which is moved, or into a new view.
-    fn accessor_changes(&mut self, old: usize, view: Option<usize>, data: &NewData<'_>) -> Changes {
+    fn accessor_changes(&mut self, old: usize, view: Option<usize>, data: &NewData) -> Changes {
         let record = &self.document.records.accessors[old];
         let view = self.append(data, view);
         let (Format { component, normalized, .. }, count) = (data.format, data.count());
@@ -172,12 +210,12 @@ impl<'a> Store<'a> {
     }
 
     /// New `min` and `max`, where the accessor has them.
-    fn bound_changes(&self, accessor: Value, data: &NewData<'_>) -> Changes {
+    fn bound_changes(&self, accessor: Value, data: &NewData) -> Changes {
         let json = &self.document.records.json;
         let mut changes = Changes::new();
         let has = |name| json.member(accessor, name).is_some();
         if has("min") || has("max") {
-            let bounds = bounds(data.bytes, data.format);
+            let bounds = bounds(&data.bytes, data.format);
             for (name, values) in [("min", &bounds.low), ("max", &bounds.high)] {
                 changes.extend(has(name).then(|| (name.to_owned(), Some(number_list(values)))));
             }
@@ -186,12 +224,12 @@ impl<'a> Store<'a> {
     }
 
     /// Appends data, and returns the number of their view: `view`, which is moved there, or that of a new one.
-    fn append(&mut self, data: &NewData<'_>, view: Option<usize>) -> usize {
+    fn append(&mut self, data: &NewData, view: Option<usize>) -> usize {
         let (size, target, stride) = (data.format.size(), data.target, data.target.stride(data.format));
         let start = padded(self.appended.len());
         self.appended.resize(start, 0);
         match stride {
-            None => self.appended.extend_from_slice(data.bytes),
+            None => self.appended.extend_from_slice(&data.bytes),
             Some(stride) => {
                 for element in data.bytes.chunks_exact(size) {
                     self.appended.extend_from_slice(element);
@@ -251,13 +289,19 @@ impl<'a> Store<'a> {
     }
 
     /// Makes all changes. An additional buffer has the address that `uri` makes of its content; it replaces an unused `stale` one.
-    pub fn finish(mut self, stale: Option<usize>, uri: impl FnOnce(&[u8]) -> Option<String>) -> Changed {
+    pub fn finish(mut self, stale: Option<usize>, uri: impl FnOnce(&[u8]) -> Option<String>) -> Changed<'a> {
         let document = self.document;
         let bin = document.glb.as_ref().and_then(|glb| glb.bin());
         let old: &[u8] = bin.map_or(&[], |range| &document.buffers.file[range]);
         let appended = std::mem::take(&mut self.appended);
         let replaced = stale.filter(|&buffer| self.is_deserted(buffer));
-        let (mut bin, mut extra) = (None, None);
+        let mut bin = NewBin {
+            old,
+            base: self.home.1,
+            appended: Vec::new(),
+            patches: std::mem::take(&mut self.patches),
+        };
+        let mut extra = None;
         let (buffer, base) = self.home;
         self.write_views(replaced.filter(|_| !self.in_bin).unwrap_or(buffer), base);
         if appended.is_empty() {
@@ -267,11 +311,7 @@ impl<'a> Store<'a> {
                 Some(&buffer) => self.splices.set(buffer, "byteLength", length),
                 None => self.splices.push("buffers", format!("{{\"byteLength\":{length}}}")),
             }
-            let mut bytes = Vec::with_capacity(length);
-            bytes.extend_from_slice(old);
-            bytes.resize(base, 0);
-            bytes.extend_from_slice(&appended);
-            bin = Some(bytes);
+            bin.appended = appended;
         } else {
             let (length, uri) = (appended.len(), uri(&appended).map(|uri| quoted(&uri)));
             match (replaced.map(|buffer| document.records.buffers[buffer]), uri) {
@@ -286,15 +326,7 @@ impl<'a> Store<'a> {
             }
             extra = Some(appended);
         }
-        if !self.patches.is_empty() {
-            let bytes = bin.get_or_insert_with(|| old.to_vec());
-            for patch in &self.patches {
-                let elements = bytes[patch.start..].chunks_mut(patch.stride);
-                for (to, from) in elements.zip(patch.bytes.chunks_exact(patch.size)) {
-                    to[..patch.size].copy_from_slice(from);
-                }
-            }
-        }
+        let bin = Some(bin).filter(|bin| !bin.appended.is_empty() || !bin.patches.is_empty());
         Changed { json: self.splices.apply(), bin, extra, replaced }
     }
 }
