@@ -167,14 +167,20 @@ impl Document {
         }
     }
 
-    /// Replaces all lights, each with the comment of its table.
-    pub fn set_lights(&mut self, lights: &[(LightModel, String)]) {
+    /// Replaces all lights, each with the comment of its table, and marks those to keep. A file without lights has default ones, so black
+    /// ambient light is written if all are omitted.
+    pub fn set_lights(&mut self, lights: &[(LightModel, String)], kept: &[usize]) {
         let mut all = Table::new();
         all.set_implicit(true);
+        let black = [(LightModel(Some(Light::Ambient { colour: LinearRgb::default() })), String::new())];
+        let lights = if lights.iter().any(|(light, _)| light.0.is_some()) { lights } else { &black };
         for kind in KINDS {
             let of_kind = lights.iter().enumerate().filter_map(|(number, (light, comment))| {
                 let light = light.0.as_ref().filter(|light| light.kind() == kind)?;
                 let mut table = light_table(light);
+                if kept.contains(&number) {
+                    table.insert("plan", value("keep"));
+                }
                 // The order of lights, which their sum is formed in.
                 table.set_position(Some(isize::try_from(1000 + number).unwrap_or(isize::MAX)));
                 table.decor_mut().set_prefix(if comment.is_empty() {
@@ -234,7 +240,7 @@ pub fn scene_text(path: &Path, options: &LoadOptions) -> Result<String, ReadErro
     }
     if let Some(lights) = &file.lights {
         let lights: Vec<_> = lights.iter().map(|light| (LightModel(Some(*light)), String::new())).collect();
-        document.set_lights(&lights);
+        document.set_lights(&lights, &[]);
     }
     Ok(document.to_string())
 }

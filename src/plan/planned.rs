@@ -8,7 +8,7 @@ use super::document::Document;
 use super::lights::replacements;
 use super::models::models_of;
 use super::search::{Found, Limits, Outcome, Search, View};
-use super::stage::{PlanError, Stage};
+use super::stage::{PlanError, Stage, Unit};
 use super::views::around;
 use crate::num::{Radians, three_digits};
 use crate::raster::{Camera, LoadOptions, SceneFile, default_lights};
@@ -45,6 +45,23 @@ impl Default for PlanOptions {
             views: None,
             keep: Vec::new(),
             budget: 10_000_000_000,
+        }
+    }
+}
+
+impl PlanOptions {
+    fn check(&self) -> Result<(), PlanError> {
+        let limits = [
+            ("tolerance", self.tolerance, f64::MAX),
+            ("share of pixels", self.share, 1.0),
+            ("distance of outlines", self.outline, f64::MAX),
+        ];
+        match limits.into_iter().find(|(_, value, most)| !(0.0..=*most).contains(value)) {
+            None => Ok(()),
+            Some((name, value, most)) => {
+                let range = if most == 1.0 { "a number from 0 to 1" } else { "a finite number, 0 or more" };
+                Err(PlanError::Invalid(format!("the {name} is {value}; {range} was expected")))
+            }
         }
     }
 }
@@ -117,6 +134,7 @@ pub fn plan(
     options: &PlanOptions,
     progress: &dyn Fn(f64),
 ) -> Result<Plan, PlanError> {
+    options.check()?;
     // Errors of the text have lines if the reader of scenes finds them.
     let whole = SceneFile::from_toml(text, base, load)?;
     let document =
@@ -182,7 +200,8 @@ pub fn plan(
             views.push(view);
             continue;
         }
-        let scene = Described { stage: &stage, document: &document, lights: &lights, middle, radius };
+        let whole = &whole;
+        let scene = Described { stage: &stage, document: &document, lights: &lights, whole, middle, radius };
         let mut plan = scene.describe(&search, &outcome, options)?;
         plan.held_out = worst.map(|(difference, _)| difference);
         plan.repairs = repairs;
@@ -194,6 +213,7 @@ struct Described<'a> {
     stage: &'a Stage<'a>,
     document: &'a Document,
     lights: &'a [Vec<LightModel>],
+    whole: &'a SceneFile,
     middle: DVec3,
     radius: f64,
 }
@@ -335,7 +355,12 @@ impl Described<'_> {
                 let is_it = |it: &&Decision| it.axis == Axis::Lights && it.number == light;
                 (self.lights[light][number], decisions.iter().find(is_it).map(&comment).unwrap_or_default())
             });
-            document.set_lights(&lights.collect::<Vec<_>>());
+            document.set_lights(&lights.collect::<Vec<_>>(), &self.whole.kept_lights);
+        }
+        let is_coarser = |(model, unit): (&ObjectModel, &Unit)| model.segments != unit.reference.segments;
+        if self.whole.camera.is_none() && found.models.iter().zip(&self.stage.units).any(is_coarser) {
+            // Fewer cells are smaller, and would be framed closer.
+            document.set_camera(&self.whole.scene().camera);
         }
         let tolerance = options.tolerance;
         let steps = three_digits(worst.steps);

@@ -119,7 +119,7 @@ pub struct Search<'a> {
     pub stage: &'a Stage<'a>,
     /// The views.
     pub views: &'a [View],
-    /// The models that each unit may have, with what they cost beside light.
+    /// The models that each unit may have.
     pub models: Vec<Vec<ObjectModel>>,
     /// What may replace each light.
     pub lights: Vec<Vec<LightModel>>,

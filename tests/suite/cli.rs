@@ -3,6 +3,7 @@
 mod inspect;
 mod options;
 mod outputs;
+mod plan;
 mod report;
 mod streams;
 mod usage;

@@ -380,7 +380,7 @@ fn help_is_short_and_in_plain_words() {
         let output = Command::new(env!("CARGO_BIN_EXE_crease")).args(args).env("COLUMNS", "100").output();
         String::from_utf8(output.unwrap().stdout).unwrap()
     };
-    for verb in ["normals", "inspect", "render", "artefact", "surface", "trade", "stress"] {
+    for verb in ["normals", "inspect", "render", "artefact", "surface", "trade", "stress", "plan"] {
         let (short, long) = (help(&[verb, "-h"]), help(&[verb, "--help"]));
         assert!(short.lines().count() < 45, "{verb}: {} lines\n{short}", short.lines().count());
         for line in short.lines().chain(long.lines()) {
@@ -396,7 +396,7 @@ fn help_is_short_and_in_plain_words() {
     assert!(scenes.contains("cut-off") && !scenes.contains("|---"), "{scenes}");
     assert!(scenes.lines().all(|line| line.chars().count() <= 100), "{scenes}");
     let verbs = help(&["--help"]);
-    let order = ["normals", "inspect", "render", "artefact", "surface", "trade", "stress"];
+    let order = ["normals", "inspect", "render", "artefact", "surface", "trade", "stress", "plan"];
     let places = order.map(|verb| verbs.find(&format!("\n  {verb} ")).unwrap());
     assert!(places.is_sorted(), "{verbs}");
 }

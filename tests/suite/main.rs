@@ -22,6 +22,7 @@ mod meshes;
 mod obj;
 mod orient;
 mod pipeline;
+mod plan;
 mod ply;
 mod random;
 mod raster;

@@ -1,0 +1,162 @@
+//! `crease plan`: its text, its JSON, and command lines that are refused.
+
+use super::{code, crease, data, folder, path, text};
+use std::fs;
+use std::process::Output;
+
+/// A matt cube under a sun, whose plan is flat and omits a lamp that lights nothing.
+const SCENE: &str = "\
+[settings]\nsize = [24, 18]\n[camera]\neye = [4, 3, 5]\ntarget = [0, 0, 0]\nheight = 4\n\
+[[light.directional]]\ntowards = [1, 2, 3]\n[[light.directional]]\ntowards = [-1, -2, -3]\ncolour = 0.5\n\
+[[object]]\nname = \"block\"\nmaterial = { specular = 0 }\n\
+polygons = { vertices = [[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]], \
+faces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [2, 3, 7, 6], [1, 2, 6, 5], [0, 4, 7, 3]] }\n";
+
+fn plan(args: &[&str]) -> Output {
+    crease().arg("plan").args(args).output().unwrap()
+}
+
+#[test]
+fn the_report_has_a_line_for_each_decision() {
+    let folder = folder(&[("scene.toml", SCENE)]);
+    let (input, output) = (path(folder.path().join("scene.toml")), path(folder.path().join("planned.toml")));
+    let done = plan(&[&input, "-o", &output]);
+    assert_eq!(code(&done), 0, "{}", text(&done.stderr));
+    let report = text(&done.stdout);
+    let lines: Vec<&str> = report.lines().collect();
+    assert_eq!(lines[0], format!("{input} -> {output}"));
+    let decisions: Vec<&str> =
+        lines.iter().filter_map(|line| line.strip_prefix("  plan ")).map(str::trim).collect();
+    assert_eq!(decisions.len(), 2, "{report}");
+    assert!(decisions[0].starts_with("block: shading Phong to flat; saves "), "{report}");
+    assert!(decisions[1].starts_with("light 1: directional to omitted; saves "), "{report}");
+    for label in ["work", "bytes", "vertices", "worst", "search", "time"] {
+        assert_eq!(
+            lines.iter().filter(|line| line.starts_with(&format!("  {label} "))).count(),
+            1,
+            "{label}:\n{report}"
+        );
+    }
+    assert!(report.contains("the cheapest plan"), "{report}");
+    // The planned scene can be drawn and planned.
+    let picture = path(folder.path().join("picture.png"));
+    assert_eq!(code(&crease().args(["render", &output, "-o", &picture, "-q"]).output().unwrap()), 0);
+    let second = plan(&[&output, "--tolerance", "0.001"]);
+    assert!(
+        text(&second.stdout).contains("nothing can be left out within the tolerance"),
+        "{}",
+        text(&second.stdout)
+    );
+}
+
+/// The members that docs/json.md lists.
+#[test]
+fn the_json_has_the_documented_members() {
+    let folder = folder(&[("scene.toml", SCENE)]);
+    let input = path(folder.path().join("scene.toml"));
+    let done = plan(&[&input, "--json", "-q"]);
+    assert_eq!(code(&done), 0, "{}", text(&done.stderr));
+    let report: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    assert_eq!((&report["schema"], &report["status"]), (&"crease-plan/1".into(), &"ok".into()));
+    let page = fs::read_to_string(path(data("../docs/json.md"))).unwrap();
+    let section = page.split("## `crease-plan/1`").nth(1).unwrap().split("\n## ").next().unwrap();
+    let check = |value: &serde_json::Value| {
+        for member in value.as_object().unwrap().keys() {
+            let shared = ["schema", "crease", "status", "seconds"].contains(&member.as_str());
+            assert!(shared || section.contains(&format!("`{member}`")), "{member} is not in docs/json.md");
+        }
+    };
+    check(&report);
+    check(&report["decisions"][0]);
+    check(&report["planned"]);
+    check(&report["worst"]);
+    assert_eq!(report["decisions"].as_array().unwrap().len(), 2);
+    assert_eq!(report["decisions"][0]["axis"], "shading");
+    assert_eq!(report["planned"]["vertices"], 8);
+    assert_eq!(report["is_cheapest"], true);
+    // Only the time differs from run to run, and with the number of threads.
+    let mut again: serde_json::Value =
+        serde_json::from_slice(&plan(&[&input, "--json", "-q", "--threads", "2"]).stdout).unwrap();
+    again["seconds"] = report["seconds"].clone();
+    assert_eq!(again, report);
+}
+
+#[test]
+fn standard_output_carries_the_scene() {
+    let folder = folder(&[("scene.toml", SCENE)]);
+    let (input, output) = (path(folder.path().join("scene.toml")), path(folder.path().join("planned.toml")));
+    let streamed = plan(&[&input, "-o", "-"]);
+    assert_eq!(code(&streamed), 0);
+    assert_eq!(code(&plan(&[&input, "-o", &output, "-q"])), 0);
+    assert_eq!(text(&streamed.stdout), fs::read_to_string(&output).unwrap());
+    assert!(text(&streamed.stderr).contains("the cheapest plan"), "{}", text(&streamed.stderr));
+}
+
+#[test]
+fn wrong_command_lines_are_refused() {
+    let folder = folder(&[("scene.toml", SCENE)]);
+    let input = path(folder.path().join("scene.toml"));
+    let wrong: &[&[&str]] = &[
+        &["--tolerance", "nan"],
+        &["--tolerance", "-1"],
+        &["--tolerance", "inf"],
+        &["--share", "2"],
+        &["--outline", "-1"],
+        &["--views", "0"],
+        &["--keep", "colours"],
+        &["--keep", "lights", "--only", "shading"],
+        &["--minimise", "time"],
+        &["--size", "0x0"],
+        &["-o", &input],
+    ];
+    for args in wrong {
+        let refused = plan(&[&[input.as_str()], *args].concat());
+        assert_eq!(code(&refused), 2, "{args:?}: {}", text(&refused.stderr));
+        assert!(text(&refused.stderr).starts_with("error: "), "{args:?}: {}", text(&refused.stderr));
+    }
+    assert_eq!(fs::read_to_string(&input).unwrap(), SCENE);
+    assert_eq!(code(&plan(&[])), 2);
+}
+
+#[test]
+fn unreadable_scenes_are_bad_input() {
+    let away = SCENE.replace("target = [0, 0, 0]", "target = [9, 9, 9]");
+    let files = [
+        ("syntax.toml", "[settings\n"),
+        ("unknown.toml", "[[object]]\nshape = 1\n"),
+        ("empty.toml", "[settings]\nsize = [8, 8]\n"),
+        ("away.toml", away.as_str()),
+    ];
+    let folder = folder(&files);
+    for name in ["syntax.toml", "unknown.toml", "empty.toml", "away.toml", "missing.toml"] {
+        let (input, output) = (path(folder.path().join(name)), path(folder.path().join("out.toml")));
+        let failed = plan(&[&input, "-o", &output]);
+        assert_eq!(code(&failed), 3, "{name}: {}", text(&failed.stderr));
+        assert!(text(&failed.stderr).contains(name), "{name}: {}", text(&failed.stderr));
+        assert!(!folder.path().join("out.toml").exists());
+    }
+    let input = path(folder.path().join("away.toml"));
+    let report: serde_json::Value = serde_json::from_slice(&plan(&[&input, "--json"]).stdout).unwrap();
+    assert_eq!((&report["status"], &report["error"]["kind"]), (&"failed".into(), &"input".into()));
+}
+
+#[test]
+fn axes_and_size_are_options() {
+    let folder = folder(&[("scene.toml", SCENE)]);
+    let input = path(folder.path().join("scene.toml"));
+    let report = |args: &[&str]| -> serde_json::Value {
+        let output = plan(&[&[input.as_str(), "--json", "-q"], args].concat());
+        serde_json::from_slice(&output.stdout).unwrap()
+    };
+    let axes = |report: &serde_json::Value| -> Vec<String> {
+        let decisions = report["decisions"].as_array().unwrap();
+        decisions.iter().map(|decision| decision["axis"].as_str().unwrap().to_owned()).collect()
+    };
+    assert_eq!(axes(&report(&["--keep", "lights"])), ["shading"]);
+    assert_eq!(axes(&report(&["--only", "lights"])), ["lights"]);
+    let text_of =
+        |args: &[&str]| text(&plan(&[&[input.as_str(), "-o", "-", "-q"], args].concat()).stdout).to_owned();
+    assert!(text_of(&["--size", "12x9"]).contains("size = [12, 9]"));
+    let explained = plan(&[&input, "--explain"]);
+    assert!(text(&explained.stdout).contains("The reference is the scene as declared"));
+}

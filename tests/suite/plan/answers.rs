@@ -1,0 +1,276 @@
+//! Objects whose cheapest model follows from a formula.
+
+use super::{assert_near, change, drawn, only, planned, scene, srgb, steps, switch};
+use crease::normals::encoding::Encoding;
+use crease::num::{Radians, largest_exponent};
+use crease::plan::{Axis, Minimise, PlanOptions};
+use crease::raster::StoredFormat;
+use std::f64::consts::PI;
+
+/// A camera on the z axis that sees 2 units from bottom to top, orthographically.
+const FRONT: &str = "[camera]\neye = [0, 0, 10]\ntarget = [0, 0, 0]\nheight = 2\n";
+
+const CUBE: &str = "polygons = { vertices = [[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, 1], \
+     [1, -1, 1], [1, 1, 1], [-1, 1, 1]], faces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [2, 3, 7, 6], \
+     [1, 2, 6, 5], [0, 4, 7, 3]] }\n";
+
+/// Seen from infinity, each face of a matt cube under a sun has one colour: flat shading is exact.
+#[test]
+fn a_cube_under_a_sun_is_flat() {
+    let text = format!(
+        "[settings]\nsize = [48, 48]\n[camera]\neye = [4, 3, 5]\ntarget = [0, 0, 0]\nheight = 4\n\
+         [[light.directional]]\ntowards = [1, 2, 3]\n[[object]]\n{CUBE}material = {{ specular = 0 }}\n"
+    );
+    let plan = planned(&text, &PlanOptions { tolerance: 0.01, ..PlanOptions::default() });
+    assert_eq!(change(&plan, Axis::Shading), Some("flat"));
+    assert_eq!(plan.decisions.len(), 1, "{:?}", plan.decisions);
+    assert!(plan.worst.steps < 1e-4 && plan.is_cheapest);
+    // 24 pairs of vertex and normal become 8 vertices: 30 operations to place each, 6 + 12 to light each of 6 faces.
+    assert_eq!((plan.declared.vertices, plan.planned.vertices), (24, 8));
+    assert_eq!(plan.planned.bytes, 8 * 12 + 12 * 12);
+    assert_eq!(plan.planned.work, 8 * 30 + 6 * (6 + 12));
+    assert!(steps(&scene(&text), &scene(&plan.text)) < 1e-4);
+}
+
+/// Light from everywhere: one colour, 255 encode(k_a I), and no normals.
+#[test]
+fn an_object_in_ambient_light_has_no_normals() {
+    let text = format!(
+        "[settings]\nsize = [32, 32]\n{FRONT}[[light.ambient]]\ncolour = 0.25\n[[object]]\n\
+         surface = {{ sphere = {{ radius = 0.8 }} }}\ntessellation = {{ segments = [24, 12] }}\n\
+         material = {{ colour = 1, ambient = 0.8 }}\n"
+    );
+    let plan = planned(&text, &PlanOptions { keep: vec![Axis::Tessellation], ..PlanOptions::default() });
+    assert_eq!(change(&plan, Axis::Shading), Some("flat"));
+    let (vertices, triangles) = (plan.planned.vertices, 2 * 24 * 11);
+    assert_eq!(plan.planned.bytes, 12 * vertices + 12 * triangles);
+    assert!(plan.worst.steps < 1e-4);
+    let picture = drawn(&scene(&plan.text));
+    let middle = picture.linear.as_ref().unwrap()[picture.index(16, 16).unwrap()];
+    assert_near(srgb(f64::from(middle[0])), srgb(0.8 * 0.25), 1e-5);
+}
+
+/// A square between two depths under Gouraud shading, whose corners have the colours c₀ below and c₁ above. Colours depend on the row alone.
+/// At the share s of the rows, perspective interpolation is at t = s/(s + (1 − s) r) with the ratio r of the depths, affine at s. Their
+/// largest distance, at t = 1/(√r + 1), is (√r − 1)/(√r + 1).
+fn tilted_square(degrees: f64) -> (String, f64) {
+    let (sine, cosine) = libm::sincos(degrees.to_radians());
+    let text = format!(
+        "[settings]\nsize = [64, 128]\nshading = \"gouraud\"\ntransfer = \"direct\"\n[camera]\neye = [0, 0, 4]\n\
+         target = [0, 0, 0]\nangle = 40\n[[light.directional]]\ntowards = [0, 0, 1]\n[[object]]\npolygons = {{ \
+         vertices = [[-1, {0:?}, {sine:?}], [1, {0:?}, {sine:?}], [1, {cosine:?}, {1:?}], [-1, {cosine:?}, {1:?}]], \
+         faces = [[0, 1, 2, 3]], normals = [[0, 0, 1], [0, 0, 1], [0, 3, 4], [0, 3, 4]] }}\n\
+         material = {{ colour = 1, diffuse = 1, specular = 0 }}\n",
+        -cosine, -sine
+    );
+    let root = ((4.0 + sine) / (4.0 - sine)).sqrt();
+    (text, 255.0 * (1.0 - 0.8) * (root - 1.0) / (root + 1.0))
+}
+
+#[test]
+fn a_frontal_square_is_affine_and_a_tilted_one_is_not() {
+    let is_affine = |text: &str, tolerance: f64| {
+        let plan = planned(text, &only(&[Axis::Interpolation], tolerance));
+        (change(&plan, Axis::Interpolation) == Some("affine"), plan.worst.steps)
+    };
+    let (frontal, none) = tilted_square(0.0);
+    assert_eq!(none, 0.0);
+    let (is_frontal_affine, worst) = is_affine(&frontal, 1e-3);
+    assert!(is_frontal_affine && worst < 1e-3, "{worst}");
+    for degrees in [20.0, 40.0, 60.0] {
+        let (text, expected) = tilted_square(degrees);
+        let switch = switch(0.5 * expected, 2.0 * expected, |tolerance| !is_affine(&text, tolerance).0);
+        assert_near(switch, expected, 0.01);
+    }
+    // At the default tolerance the tilt decides: 2 = 51 (√r − 1)/(√r + 1).
+    let switch = switch(10.0, 80.0, |degrees| is_affine(&tilted_square(degrees).0, 2.0).0);
+    assert_near(tilted_square(switch).1, 2.0, 0.05);
+}
+
+/// The outline of a sphere of n × m cells, seen along its axis, is a polygon of n corners at the ring next to the equator: at most
+/// R (1 − ρ cos(π/n)) inside the circle, where ρ is 1 if m is even, else cos(π/(2m)).
+#[test]
+fn the_outline_decides_the_cells_of_a_sphere() {
+    let text = "[settings]\nsize = [220, 220]\nsamples = 16\n[camera]\neye = [0, 0, 10]\ntarget = [0, 0, 0]\nup = [0, 1, 0]\n\
+         height = 2.2\n[[light.ambient]]\ncolour = 0.5\n[[object]]\nsurface = { sphere = { radius = 1 } }\n\
+         tessellation = { segments = [64, 32] }\ntransform = [{ rotate = [90, 0, 0] }]\n\
+         material = { diffuse = 0, ambient = 1, specular = 0 }\n";
+    let sag = |[u, v]: [u32; 2]| {
+        let ring = if v % 2 == 0 { 1.0 } else { libm::cos(0.5 * PI / f64::from(v)) };
+        100.0 * (1.0 - ring * libm::cos(PI / f64::from(u)))
+    };
+    let mut sequence = vec![[64, 32]];
+    while let Some([u, v]) =
+        sequence.last().map(|[u, v]| [u * 3 / 4, v * 3 / 4]).filter(|[u, v]| *u >= 4 && *v >= 3)
+    {
+        sequence.push([u, v]);
+    }
+    for outline in [0.9, 1.8, 3.3, 6.0] {
+        let plan = planned(text, &PlanOptions { outline, ..only(&[Axis::Tessellation], 2.0) });
+        // The reference is a polygon, too: its outline is up to 0.12 pixels inside the circle.
+        let expected = sequence.iter().rev().find(|cells| sag(**cells) <= outline).unwrap();
+        let [u, v] = expected;
+        assert_eq!(change(&plan, Axis::Tessellation), Some(format!("{u}×{v}").as_str()), "{outline} pixels");
+        assert!((plan.outline - sag(*expected)).abs() < 0.3, "{} and {}", plan.outline, sag(*expected));
+    }
+}
+
+/// Light on the axis of a square at height h: Phong's centre has k_d + k_s. Gouraud takes the colour of the corners for all, where the
+/// cosine is h/√(h² + 2a²), and flat shading that of the centre.
+#[test]
+fn a_highlight_between_vertices_keeps_phong() {
+    let text = format!(
+        "[settings]\nsize = [65, 65]\ntransfer = \"direct\"\n{FRONT}[[light.point]]\nposition = [0, 0, 1]\n[[object]]\n\
+         polygons = {{ vertices = [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], faces = [[0, 1, 2, 3]] }}\n\
+         material = {{ colour = 1, ambient = 0, diffuse = 0.5, specular = 0.4, exponent = 50, reflection = \"blinn\" }}\n"
+    );
+    let cosine = 1.0 / 3.0_f64.sqrt();
+    let half = (0.5 * (1.0 + cosine)).sqrt();
+    let corner = 0.5 * cosine + 0.4 * libm::pow(half, 50.0);
+    let expected = 255.0 * (0.9 - corner);
+    let shading = |tolerance: f64| {
+        let plan = planned(&text, &only(&[Axis::Shading], tolerance));
+        change(&plan, Axis::Shading).map(str::to_owned)
+    };
+    assert_eq!(shading(2.0), None);
+    let switch = switch(2.0, 200.0, |tolerance| shading(tolerance).is_none());
+    assert_near(switch, expected, 0.03);
+}
+
+/// With the light at the camera, the mean of two unit normals at an angle α has the length cos(α/2): Gouraud shading is darker by
+/// up to k (1 − cos(α/2)). The largest α is that of a cell's diagonal.
+#[test]
+fn a_fine_matt_ball_takes_gouraud() {
+    let text = format!(
+        "[settings]\nsize = [128, 128]\ntransfer = \"direct\"\n{FRONT}[[light.directional]]\ntowards = [0, 0, 1]\n[[object]]\n\
+         surface = {{ sphere = {{ radius = 0.9 }} }}\ntessellation = {{ segments = [48, 24] }}\n\
+         material = {{ colour = 1, diffuse = 0.9, specular = 0 }}\n"
+    );
+    let side = 2.0 * PI / 48.0;
+    let diagonal = side * 2.0_f64.sqrt();
+    let bound = 255.0 * 0.9 * (1.0 - libm::cos(0.5 * diagonal));
+    let shading = |tolerance: f64| {
+        let plan = planned(&text, &only(&[Axis::Shading], tolerance));
+        change(&plan, Axis::Shading).map(str::to_owned)
+    };
+    assert_eq!(shading(bound), Some("Gouraud".to_owned()), "{bound}");
+    // Sides of cells have half of that, and some pixel shows the middle of one that is lit from the front.
+    assert_eq!(shading(0.5 * 255.0 * 0.9 * (1.0 - libm::cos(0.5 * side))), None);
+    assert_eq!(shading(2.0), Some("Gouraud".to_owned()));
+    assert_eq!(shading(60.0), Some("flat".to_owned()));
+}
+
+/// A block whose front face has 3 × 3 cells. The inner cell has the same normals with and without creases, those at the rim have not.
+fn block(height: f64) -> String {
+    let mut vertices = String::new();
+    for index in 0..16 {
+        vertices += &format!("[{}, {}, 1], ", index % 4 * 2 - 3, index / 4 * 2 - 3);
+    }
+    let mut faces = String::new();
+    for (x, y) in (0..9).map(|cell| (cell % 3, cell / 3)) {
+        let first = 4 * y + x;
+        faces += &format!("[{}, {}, {}, {}], ", first, first + 1, first + 5, first + 4);
+    }
+    for (side, [a, b, c, d]) in
+        [[0, 1, 2, 3], [3, 7, 11, 15], [15, 14, 13, 12], [12, 8, 4, 0]].into_iter().enumerate()
+    {
+        faces += &format!("[{d}, {c}, {b}, {a}, {}, {}], ", 16 + side, 16 + (side + 1) % 4);
+    }
+    format!(
+        "[settings]\nsize = [32, 32]\ntransfer = \"direct\"\n[camera]\neye = [0, 0, 10]\ntarget = [0, 0, 0]\nheight = {height}\n\
+         [[light.directional]]\ntowards = [0, 0, 1]\n[[object]]\nweight = \"angle\"\nmaterial = {{ colour = 1, diffuse = 1, specular = 0 }}\n\
+         polygons = {{ vertices = [{vertices}[-3, -3, -1], [3, -3, -1], [3, 3, -1], [-3, 3, -1]], faces = [{faces}] }}\n"
+    )
+}
+
+#[test]
+fn creases_that_no_pixel_shows_are_dropped() {
+    let options = PlanOptions { minimise: Minimise::Bytes, ..only(&[Axis::Creases], 2.0) };
+    let plan = planned(&block(1.9), &options);
+    assert_eq!(change(&plan, Axis::Creases), Some("none"));
+    assert!(plan.worst.steps < 1e-4);
+    // 20 vertices: the corners in front have three normals, the 8 others of the rim two. Those behind have two.
+    assert_eq!((plan.declared.vertices, plan.planned.vertices), (20 + 4 * 2 + 8 + 4, 20));
+    // A corner of three right angles has the mean (1, 1, 1)/√3: the face becomes darker by up to 1 − 1/√3.
+    let plan = planned(&block(6.1), &options);
+    assert_eq!(change(&plan, Axis::Creases), None);
+    let most = 255.0 * (1.0 - 1.0 / 3.0_f64.sqrt());
+    let plan = planned(&block(6.1), &PlanOptions { tolerance: most, ..options });
+    assert_eq!(change(&plan, Axis::Creases), Some("none"));
+    assert!(plan.worst.steps > 0.8 * most, "{} of {most}", plan.worst.steps);
+}
+
+#[test]
+fn a_closed_mesh_is_lit_on_one_side_and_an_open_one_from_behind_on_both() {
+    let head = "[settings]\nsize = [32, 32]\ntwo-sided = true\n[camera]\neye = [0, 0, -10]\ntarget = [0, 0, 0]\nheight = 3\n\
+         [[light.directional]]\ntowards = [0, 1, -2]\n[[object]]\nmaterial = { colour = 1, specular = 0 }\n";
+    let two_sided = |object: &str| {
+        let plan = planned(&format!("{head}{object}"), &only(&[Axis::TwoSided], 2.0));
+        (change(&plan, Axis::TwoSided).map(str::to_owned), plan.worst.steps)
+    };
+    let (closed, worst) = two_sided(CUBE);
+    assert_eq!((closed.as_deref(), worst), (Some("off"), 0.0));
+    let square = "polygons = { vertices = [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], faces = [[0, 1, 2, 3]] }\n";
+    assert_eq!(two_sided(square).0, None);
+}
+
+/// A frontal square under a sun in front shows k_d + k_s everywhere: without its highlight it is darker by
+/// 255 (encode(k_d + k_s) − encode(k_d)).
+#[test]
+fn a_faint_highlight_is_omitted() {
+    let difference = |specular: f64| 255.0 * (srgb(0.5 + specular) - srgb(0.5));
+    let reflection = |specular: f64| {
+        let text = format!(
+            "[settings]\nsize = [16, 16]\n{FRONT}[[light.directional]]\ntowards = [0, 0, 1]\n[[object]]\npolygons = {{ vertices = \
+             [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], faces = [[0, 1, 2, 3]] }}\nmaterial = {{ colour = 1, \
+             ambient = 0, diffuse = 0.5, specular = {specular:?}, exponent = 30, reflection = \"blinn\" }}\n"
+        );
+        let plan = planned(&text, &only(&[Axis::Reflection], 2.0));
+        change(&plan, Axis::Reflection).map(str::to_owned)
+    };
+    let switch = switch(1e-3, 0.4, |specular| reflection(specular).as_deref() == Some("diffuse"));
+    assert_near(difference(switch), 2.0, 0.01);
+}
+
+/// A highlight whose steepest slope is in the middle of the picture. A normal off by δ changes it by at most M(n) δ, so a format is
+/// within the tolerance up to `largest_exponent`: the plan may use it for larger exponents, never refuse it before.
+#[test]
+fn larger_exponents_need_finer_normals() {
+    let tolerance = 6.0;
+    let format = |exponent: f64| {
+        // cosⁿ is steepest where the tangent is 1/√(n − 1); the half vector is there if the light is at twice that angle.
+        let angle = 2.0 * libm::atan(1.0 / (exponent - 1.0).sqrt());
+        let (sine, cosine) = libm::sincos(angle);
+        let height = (2.0 * sine).min(0.6);
+        let text = format!(
+            "[settings]\nsize = [48, 48]\ntransfer = \"direct\"\n[camera]\neye = [0, 0, 10]\ntarget = [0, 0, 0]\nheight = {height:?}\n\
+             [[light.directional]]\ntowards = [{sine:?}, 0, {cosine:?}]\n[[object]]\nsurface = {{ sphere = {{ radius = 1 }} }}\n\
+             tessellation = {{ segments = [96, 48] }}\ntransform = [{{ rotate = [17, 33, 5] }}]\n\
+             material = {{ colour = 1, ambient = 0, diffuse = 0, specular = 1, \
+             exponent = {exponent:?}, reflection = \"blinn\" }}\n"
+        );
+        let options = PlanOptions { minimise: Minimise::Bytes, ..only(&[Axis::Storage], tolerance) };
+        change(&planned(&text, &options), Axis::Storage).unwrap_or("f32").to_owned()
+    };
+    let proven = |format: StoredFormat| {
+        let worst = Radians::from(format.encoding().worst_angle());
+        largest_exponent(worst, tolerance / 255.0).unwrap() as f64
+    };
+    let bytes = |name: &str| {
+        let format = StoredFormat::ALL.into_iter().find(|format| format.name() == name).unwrap();
+        format.encoding().bytes()
+    };
+    assert_eq!([12, 3, 2], [Encoding::Single.bytes(), bytes("oct12"), bytes("oct8")]);
+    for (stored, next) in [(StoredFormat::Oct8, "oct12"), (StoredFormat::Oct12, "i16")] {
+        let proven = proven(stored);
+        for share in [0.4, 0.7, 1.0] {
+            let exponent = (share * proven).floor().max(4.0);
+            assert!(bytes(&format(exponent)) <= stored.encoding().bytes(), "{stored:?} at {exponent}");
+        }
+        let switch =
+            switch(proven, 1000.0 * proven, |exponent| bytes(&format(exponent)) <= stored.encoding().bytes());
+        assert!(switch < 40.0 * proven, "{stored:?}: {switch}, proven {proven}");
+        println!("{} to {} at {switch:.0}, proven to {proven}", stored.name(), format(1.01 * switch));
+        assert_eq!(format(1.01 * switch), next);
+    }
+}
