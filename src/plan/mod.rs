@@ -22,6 +22,8 @@ mod compare;
 mod bounds;
 // Views around a scene.
 mod views;
+// Pictures of models, compared with the reference.
+mod trials;
 // The search.
 pub mod search;
 // The plan of a scene file.

@@ -5,10 +5,11 @@ use super::bounds;
 use super::compare::Difference;
 use super::cost::{Cost, Minimise};
 use super::document::Document;
-use super::lights::replacements;
+use super::lights::{bound_combinations, replacements};
 use super::models::models_of;
-use super::search::{Found, Limits, Outcome, Search, View};
+use super::search::{Found, Outcome, Search};
 use super::stage::{PlanError, Stage, Unit};
+use super::trials::{Limits, Trials, View};
 use super::views::around;
 use crate::num::{Radians, three_digits};
 use crate::raster::{Camera, LoadOptions, SceneFile, default_lights};
@@ -111,7 +112,7 @@ pub struct Plan {
     pub held_out: Option<Difference>,
     /// Views that were added because the plan was beyond the tolerance in them.
     pub repairs: usize,
-    /// No plan costs less than this.
+    /// No plan costs less than this; 0 if the scene has so many lights that not all of their replacements were tried.
     pub proven: u64,
     /// Whether the plan is proven to be the cheapest.
     pub is_cheapest: bool,
@@ -122,6 +123,9 @@ pub struct Plan {
     /// Pixels drawn.
     pub drawn: u64,
 }
+
+/// Most models of all objects together: 64 bytes each.
+const MOST_MODELS: usize = 1 << 23;
 
 /// Finds the cheapest model of a scene within a tolerance. `base` is the folder of the scene file.
 ///
@@ -146,8 +150,12 @@ pub fn plan(
     let is_open = |axis: Axis| !options.keep.contains(&axis);
     let models: Vec<Vec<ObjectModel>> =
         (0..stage.units.len()).map(|unit| models_of(&stage, unit, &is_open)).collect();
+    if models.iter().map(Vec::len).sum::<usize>() > MOST_MODELS {
+        let found = format!("{} objects have too many models together; open fewer axes", models.len());
+        return Err(PlanError::Invalid(found));
+    }
     let declared_lights = whole.lights.clone().unwrap_or_default();
-    let lights: Vec<Vec<LightModel>> = declared_lights
+    let mut lights: Vec<Vec<LightModel>> = declared_lights
         .iter()
         .enumerate()
         .map(|(number, light)| match is_open(Axis::Lights) && !whole.kept_lights.contains(&number) {
@@ -155,6 +163,7 @@ pub fn plan(
             false => vec![LightModel(Some(*light))],
         })
         .collect();
+    let is_bounded = bound_combinations(&mut lights);
     let lights_at = |camera: &Camera| whole.lights.clone().unwrap_or_else(|| default_lights(camera).to_vec());
     let cameras = options.views.map_or_else(|| vec![camera], |count| around(&camera, count.max(1), 0.0));
     let held_out = options.views.map_or_else(Vec::new, |count| around(&camera, count.max(1), 0.5));
@@ -173,18 +182,13 @@ pub fn plan(
     let mut waiting: Vec<View> = held_out_views;
     let mut repairs = 0;
     loop {
-        let search = Search::new(
-            &stage,
-            &views,
-            (models.clone(), lights.clone()),
-            (limits, options.minimise),
-            progress,
-        );
+        let trials = Trials::new(&stage, &views, &lights, limits, progress);
+        let search = Search::new(trials, &models, options.minimise);
         let outcome = search.run()?;
         let mut worst: Option<(Difference, usize)> = None;
         for (number, view) in waiting.iter().enumerate() {
             let (difference, distance) =
-                search.measure(view, &outcome.found.models, &outcome.found.lights)?;
+                search.trials.measure(view, &outcome.found.models, &outcome.found.lights)?;
             let distance_steps = if distance > limits.outline { f64::INFINITY } else { difference.steps };
             let difference = Difference { steps: distance_steps, ..difference };
             if worst.is_none_or(|(other, _)| difference.steps > other.steps) {
@@ -205,6 +209,9 @@ pub fn plan(
         let mut plan = scene.describe(&search, &outcome, options)?;
         plan.held_out = worst.map(|(difference, _)| difference);
         plan.repairs = repairs;
+        if is_bounded {
+            (plan.proven, plan.is_cheapest) = (0, false);
+        }
         return Ok(plan);
     }
 }
@@ -275,7 +282,7 @@ impl Described<'_> {
             worst,
             worst_view,
             outline: found.outline,
-            views: search.views.len(),
+            views: search.trials.views.len(),
             held_out: None,
             repairs: 0,
             proven: outcome.proven,
@@ -288,14 +295,14 @@ impl Described<'_> {
 
     /// The largest difference of models over all views, in steps.
     fn worst(&self, search: &Search, models: &[ObjectModel], lights: &Vec<usize>) -> Result<f64, PlanError> {
-        let measure = |view| Ok(search.measure(view, models, lights)?.0.steps);
-        let steps: Result<Vec<f64>, PlanError> = search.views.iter().map(measure).collect();
+        let measure = |view| Ok(search.trials.measure(view, models, lights)?.0.steps);
+        let steps: Result<Vec<f64>, PlanError> = search.trials.views.iter().map(measure).collect();
         Ok(steps?.into_iter().fold(0.0, f64::max))
     }
 
     fn bound(&self, search: &Search, unit: usize, axis: Axis, model: &ObjectModel) -> Option<f64> {
         let material = self.stage.units[unit].material?;
-        let lights = search.lights_of(&search.views[0], &vec![0; self.lights.len()]);
+        let lights = search.trials.lights_of(&search.trials.views[0], &vec![0; self.lights.len()]);
         match axis {
             Axis::Storage => {
                 let format = model.normals?.format?;

@@ -74,6 +74,7 @@ pub fn text(report: &Report, style: Style) -> String {
     row(&mut out, "worst", &worst);
     let proven = match plan.is_cheapest {
         true => "the cheapest plan".to_owned(),
+        false if plan.proven == 0 => "many lights: not all of their replacements were tried".to_owned(),
         false => format!("budget used up: no plan costs less than {} {}", plan.proven, name(report.minimise)),
     };
     let search = format!(

@@ -1,0 +1,328 @@
+//! Pictures of models, compared with the reference.
+
+use super::axes::{LightModel, ObjectModel};
+use super::compare::{Difference, Truth, outline_distance};
+use super::stage::{PlanError, Stage};
+use crate::mesh::NONE;
+use crate::raster::{Camera, Image};
+use crate::shade::Light;
+use std::cell::{Cell, RefCell};
+use std::collections::HashMap;
+
+/// What a plan has to keep to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Largest difference of a pixel, in steps of 1/255.
+    pub tolerance: f64,
+    /// Share of the covered pixels of a view that may be beyond it.
+    pub share: f64,
+    /// Largest distance of outlines, in pixels.
+    pub outline: f64,
+    /// Most pixels to draw.
+    pub budget: u64,
+}
+
+/// A view of the reference.
+pub struct View {
+    /// The camera.
+    pub camera: Camera,
+    /// The lights as declared.
+    pub lights: Vec<Light>,
+    /// The picture of the reference.
+    pub truth: Truth,
+    /// Pixels that something covers.
+    covered: u64,
+    /// The number of the object that all samples of a pixel show; [`NONE`] for others.
+    object_of: Vec<u32>,
+    /// Samples of pixels that show only a unit.
+    pub samples: Vec<u64>,
+    /// The picture of each unit alone, for its outline; drawn where it is needed.
+    alone: Vec<RefCell<Option<Image>>>,
+}
+
+impl View {
+    /// Draws the reference from a camera.
+    ///
+    /// # Errors
+    /// What makes the picture impossible.
+    pub fn new(stage: &Stage, camera: Camera, lights: Vec<Light>) -> Result<Self, PlanError> {
+        let models: Vec<_> = stage.units.iter().map(|unit| unit.reference).enumerate().collect();
+        let image = stage.draw(&models, &lights, &camera)?;
+        let covered = image.statistics.covered_pixels;
+        let samples_of_pixel = stage.settings.samples.count();
+        let objects: HashMap<u32, u32> = (0..stage.objects() as u32)
+            .map(|object| (Image::number_of(object as usize, samples_of_pixel), object))
+            .collect();
+        let numbers = image.objects.iter().flatten();
+        let object_of: Vec<u32> =
+            numbers.map(|number| objects.get(number).copied().unwrap_or(NONE)).collect();
+        let mut samples = vec![0; stage.units.len()];
+        for &object in object_of.iter().filter(|&&object| object != NONE) {
+            samples[stage.unit_of(object)] += samples_of_pixel as u64;
+        }
+        let alone = stage.units.iter().map(|_| RefCell::default()).collect();
+        Ok(Self {
+            camera,
+            lights,
+            truth: Truth::new(image, &stage.settings),
+            covered,
+            object_of,
+            samples,
+            alone,
+        })
+    }
+}
+
+/// The lights of a plan: one of the replacements of each declared light, by number.
+pub type LightChoice = Vec<usize>;
+
+/// Draws models and remembers which keep to the limits.
+pub struct Trials<'a> {
+    /// The scene.
+    pub stage: &'a Stage<'a>,
+    /// The views.
+    pub views: &'a [View],
+    /// What may replace each light.
+    pub lights: &'a [Vec<LightModel>],
+    /// What a plan keeps to.
+    pub limits: Limits,
+    /// Called with the share of the budget that is used up.
+    progress: &'a dyn Fn(f64),
+    drawn: Cell<u64>,
+    refused: Cell<u64>,
+    known: RefCell<HashMap<(usize, usize, LightChoice), bool>>,
+    /// Pixels at which models of a unit with these cells were refused: most others fail there too. The latest comes first.
+    witnesses: RefCell<HashMap<(usize, Option<[u32; 2]>), Vec<Witness>>>,
+}
+
+/// A pixel of a view of which all samples show one face.
+#[derive(Clone, Copy, Debug)]
+struct Witness {
+    view: usize,
+    pixel: [u32; 2],
+    face: (usize, u32),
+}
+
+/// Most witnesses of a unit.
+const WITNESSES: usize = 12;
+
+impl<'a> Trials<'a> {
+    /// Of the models of a scene.
+    pub fn new(
+        stage: &'a Stage<'a>,
+        views: &'a [View],
+        lights: &'a [Vec<LightModel>],
+        limits: Limits,
+        progress: &'a dyn Fn(f64),
+    ) -> Self {
+        let (drawn, refused, known, witnesses) = Default::default();
+        Self { stage, views, lights, limits, progress, drawn, refused, known, witnesses }
+    }
+
+    /// Pixels drawn.
+    pub fn drawn(&self) -> u64 {
+        self.drawn.get()
+    }
+
+    /// Models refused.
+    pub fn refused(&self) -> u64 {
+        self.refused.get()
+    }
+
+    /// Whether the budget is used up.
+    pub fn is_spent(&self) -> bool {
+        self.drawn.get() > self.limits.budget
+    }
+
+    /// The lights of a view with a choice: all declared ones where no light has replacements.
+    pub fn lights_of(&self, view: &View, choice: &LightChoice) -> Vec<Light> {
+        if self.lights.is_empty() {
+            return view.lights.clone();
+        }
+        self.lights.iter().zip(choice).filter_map(|(models, &number)| models[number].0).collect()
+    }
+
+    /// Whether a model of a unit, known by its number, keeps to the limits on the pixels that show nothing else.
+    ///
+    /// # Errors
+    /// What makes a picture impossible.
+    pub fn is_within(
+        &self,
+        (unit, number): (usize, usize),
+        model: &ObjectModel,
+        choice: &LightChoice,
+    ) -> Result<bool, PlanError> {
+        let key = (unit, number, choice.clone());
+        if let Some(&known) = self.known.borrow().get(&key) {
+            return Ok(known);
+        }
+        let mut is_within = !self.fails_at_witness(unit, model, choice)?;
+        for view in 0..self.views.len() {
+            if !is_within {
+                break;
+            }
+            is_within = self.is_within_view(view, unit, model, choice)?;
+        }
+        self.refused.set(self.refused.get() + u64::from(!is_within));
+        self.known.borrow_mut().insert(key, is_within);
+        Ok(is_within)
+    }
+
+    /// Whether a model is beyond the tolerance at a pixel where others were: that takes a face, not a picture.
+    fn fails_at_witness(
+        &self,
+        unit: usize,
+        model: &ObjectModel,
+        choice: &LightChoice,
+    ) -> Result<bool, PlanError> {
+        // With a share, one pixel refuses nothing.
+        if self.limits.share > 0.0 {
+            return Ok(false);
+        }
+        let key = (unit, model.segments);
+        let list = self.witnesses.borrow().get(&key).cloned().unwrap_or_default();
+        for (number, witness) in list.iter().enumerate() {
+            let view = &self.views[witness.view];
+            let lights = self.lights_of(view, choice);
+            let at = (witness.face, witness.pixel);
+            let colour = self.stage.colour_of_face((unit, model), &lights, &view.camera, at)?;
+            self.count(1 << 12);
+            if view.truth.steps_at(witness.pixel, colour) > self.limits.tolerance {
+                if let Some(list) = self.witnesses.borrow_mut().get_mut(&key) {
+                    list[..=number].rotate_right(1);
+                }
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Remembers a pixel at which a model was refused.
+    fn add_witness(
+        &self,
+        view: usize,
+        unit: usize,
+        model: &ObjectModel,
+        pixel: [u32; 2],
+    ) -> Result<(), PlanError> {
+        let camera = &self.views[view].camera;
+        let face = self.stage.face_at((unit, model), camera, pixel)?;
+        if let Some(face) = face {
+            let mut witnesses = self.witnesses.borrow_mut();
+            let list = witnesses.entry((unit, model.segments)).or_default();
+            list.insert(0, Witness { view, pixel, face });
+            list.truncate(WITNESSES);
+        }
+        Ok(())
+    }
+
+    fn is_within_view(
+        &self,
+        number: usize,
+        unit: usize,
+        model: &ObjectModel,
+        choice: &LightChoice,
+    ) -> Result<bool, PlanError> {
+        let view = &self.views[number];
+        let lights = self.lights_of(view, choice);
+        let picture = self.draw(&[(unit, *model)], &lights, view)?;
+        let Some(shown) = &picture.objects else { return Ok(true) };
+        let objects = self.stage.objects_of(unit);
+        let samples = self.stage.settings.samples.count();
+        let is_compared = |pixel: usize| {
+            let object = view.object_of[pixel] as usize;
+            objects.contains(&object) && shown[pixel] == Image::number_of(object - objects.start, samples)
+        };
+        let most = self.most_beyond(view);
+        let difference = view.truth.difference(&picture, self.limits.tolerance, most, is_compared);
+        if difference.beyond > most {
+            self.add_witness(number, unit, model, difference.pixel)?;
+            return Ok(false);
+        }
+        if model.segments == self.stage.units[unit].reference.segments {
+            return Ok(true);
+        }
+        Ok(self.outline(view, unit, &picture)? <= self.limits.outline)
+    }
+
+    /// The distance of a unit's outline from that of the reference, both alone.
+    fn outline(&self, view: &View, unit: usize, picture: &Image) -> Result<f64, PlanError> {
+        let mut alone = view.alone[unit].borrow_mut();
+        if alone.is_none() {
+            *alone = Some(self.draw(&[(unit, self.stage.units[unit].reference)], &view.lights, view)?);
+        }
+        let Some(truth) = &*alone else { return Ok(0.0) };
+        match outline_distance(picture, truth, &self.stage.settings) {
+            Ok(distance) => Ok(distance),
+            // Nothing is left of it, or nothing was there.
+            Err(crate::metric::MetricError::Empty) => Ok(f64::INFINITY),
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    fn most_beyond(&self, view: &View) -> u64 {
+        (self.limits.share * view.covered as f64) as u64
+    }
+
+    fn draw(
+        &self,
+        models: &[(usize, ObjectModel)],
+        lights: &[Light],
+        view: &View,
+    ) -> Result<Image, PlanError> {
+        let [width, height] = self.stage.settings.size.map(u64::from);
+        self.count(width * height);
+        self.stage.draw(models, lights, &view.camera)
+    }
+
+    /// Counts drawn pixels.
+    fn count(&self, pixels: u64) {
+        self.drawn.set(self.drawn.get() + pixels);
+        (self.progress)((self.drawn.get() as f64 / self.limits.budget.max(1) as f64).min(1.0));
+    }
+
+    /// The largest difference of a whole plan with its view, and the largest distance of outlines; `None` if it is not within the limits.
+    pub fn check(
+        &self,
+        models: &[ObjectModel],
+        choice: &LightChoice,
+    ) -> Result<Option<((Difference, usize), f64)>, PlanError> {
+        let (mut worst, mut outline) = ((Difference::default(), 0), 0.0_f64);
+        for (number, view) in self.views.iter().enumerate() {
+            let (difference, distance) = self.measure(view, models, choice)?;
+            if difference.beyond > self.most_beyond(view) || distance > self.limits.outline {
+                return Ok(None);
+            }
+            if difference.steps > worst.0.steps {
+                worst = (difference, number);
+            }
+            outline = outline.max(distance);
+        }
+        Ok(Some((worst, outline)))
+    }
+
+    /// The difference of a plan in a view, and the distance of outlines of units.
+    pub fn measure(
+        &self,
+        view: &View,
+        models: &[ObjectModel],
+        choice: &LightChoice,
+    ) -> Result<(Difference, f64), PlanError> {
+        let lights = self.lights_of(view, choice);
+        let all: Vec<_> = models.iter().copied().enumerate().collect();
+        let picture = self.draw(&all, &lights, view)?;
+        let (Some(truth), Some(shown)) = (&view.truth.image.objects, &picture.objects) else {
+            return Ok(Default::default());
+        };
+        let is_compared = |pixel: usize| truth[pixel] == shown[pixel];
+        let difference = view.truth.difference(&picture, self.limits.tolerance, u64::MAX, is_compared);
+        let mut outline = 0.0_f64;
+        for (unit, model) in models.iter().enumerate() {
+            if model.segments != self.stage.units[unit].reference.segments {
+                let alone = self.draw(&[(unit, *model)], &lights, view)?;
+                outline = outline.max(self.outline(view, unit, &alone)?);
+            }
+        }
+        Ok((difference, outline))
+    }
+}
