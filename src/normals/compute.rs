@@ -54,7 +54,7 @@ pub fn compute_with(mesh: &Mesh, recipe: &NormalRecipe, extras: Extras) -> Norma
     let is_plain = can_do_without_topology(mesh, recipe);
     let needs_faces =
         !is_plain || extras.face_normals || !matches!(CreaseTest::of(mesh, recipe), CreaseTest::None);
-    let mut shape = Shape { points: mesh.positions(), faces: FaceNormals::default() };
+    let mut shape = Shape { points: mesh.positions(), faces: FaceNormals::default(), more_rings: 0 };
     if needs_faces {
         shape.find_faces(mesh);
     }
@@ -78,6 +78,13 @@ pub fn compute_on(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> No
     compute_shape(mesh, topology, recipe, Shape::new(mesh.positions(), mesh), Extras::ALL)
 }
 
+/// As [`compute_on`], but fits take one more ring of neighbours. The angle to the normals of [`compute_on`] estimates their error
+/// on a surface without noise, as the error grows with the size of the neighbourhood.
+pub fn compute_wider(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> NormalField {
+    let shape = Shape { more_rings: 1, ..Shape::new(mesh.positions(), mesh) };
+    compute_shape(mesh, topology, recipe, shape, Extras::NONE)
+}
+
 /// As [`compute_on`], with the normals of faces that are there already.
 pub(crate) fn compute_from(
     mesh: &Mesh,
@@ -85,7 +92,7 @@ pub(crate) fn compute_from(
     recipe: &NormalRecipe,
     faces: FaceField,
 ) -> NormalField {
-    let shape = Shape { points: mesh.positions(), faces: faces.into_computed() };
+    let shape = Shape { points: mesh.positions(), faces: faces.into_computed(), more_rings: 0 };
     compute_shape(mesh, topology, recipe, shape, Extras::ALL)
 }
 
@@ -105,6 +112,8 @@ fn compute_shape(
 struct Shape<'a> {
     points: PositionsRef<'a>,
     faces: FaceNormals,
+    /// Rings that fits take in addition.
+    more_rings: usize,
 }
 
 /// The sums of all slots.
@@ -117,7 +126,7 @@ struct SlotSums {
 
 impl<'a> Shape<'a> {
     fn new(points: PositionsRef<'a>, mesh: &Mesh) -> Self {
-        let mut shape = Self { points, faces: FaceNormals::default() };
+        let mut shape = Self { points, faces: FaceNormals::default(), more_rings: 0 };
         shape.find_faces(mesh);
         shape
     }
@@ -275,6 +284,7 @@ impl<'a> Shape<'a> {
             positions: self.points,
             corner_group: target,
             group_corners: members,
+            more_rings: self.more_rings,
         };
         let rings = Rings::new(request, sums.unit.len());
         let mut fits = Fits::default();
