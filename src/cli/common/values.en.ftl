@@ -154,3 +154,6 @@ weight-best = jet, quadric or angle, whichever has the smallest estimated error 
 when-always = all
 when-missing = only those of corners without a normal
 when-broken = also normals that are not finite, zero, or against their own face; other lengths are normalised
+
+truth-estimated = normals of a fit, with an estimate of their error
+truth-stored = the normals that the file stores
