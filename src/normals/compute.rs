@@ -55,7 +55,7 @@ pub fn compute_with(mesh: &Mesh, recipe: &NormalRecipe, extras: Extras) -> Norma
     let is_plain = can_do_without_topology(mesh, recipe);
     let needs_faces =
         !is_plain || extras.face_normals || !matches!(CreaseTest::of(mesh, recipe), CreaseTest::None);
-    let mut shape = Shape { points: mesh.into(), faces: FaceNormals::default() };
+    let mut shape = Shape { points: mesh.into(), faces: FaceNormals::default(), more_rings: 0 };
     if needs_faces {
         shape.find_faces(mesh);
     }
@@ -79,6 +79,13 @@ pub fn compute_on(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> No
     compute_shape(mesh, topology, recipe, Shape::new(mesh, mesh), Extras::ALL)
 }
 
+/// As [`compute_on`], but fits take one more ring of neighbours. The angle to the normals of [`compute_on`] estimates their error
+/// on a surface without noise, as the error grows with the size of the neighbourhood.
+pub fn compute_wider(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> NormalField {
+    let shape = Shape { more_rings: 1, ..Shape::new(mesh, mesh) };
+    compute_shape(mesh, topology, recipe, shape, Extras::NONE)
+}
+
 /// As [`compute_on`], with the normals of faces that are there already.
 pub(crate) fn compute_from(
     mesh: &Mesh,
@@ -86,7 +93,7 @@ pub(crate) fn compute_from(
     recipe: &NormalRecipe,
     faces: FaceField,
 ) -> NormalField {
-    let shape = Shape { points: mesh.into(), faces: faces.into_computed() };
+    let shape = Shape { points: mesh.into(), faces: faces.into_computed(), more_rings: 0 };
     compute_shape(mesh, topology, recipe, shape, Extras::ALL)
 }
 
@@ -106,6 +113,8 @@ fn compute_shape(
 struct Shape<'a> {
     points: Coordinates<'a>,
     faces: FaceNormals,
+    /// Rings that fits take in addition.
+    more_rings: usize,
 }
 
 /// The sums of all slots.
@@ -118,7 +127,7 @@ struct SlotSums {
 
 impl<'a> Shape<'a> {
     fn new(points: impl Into<Coordinates<'a>>, mesh: &Mesh) -> Self {
-        let mut shape = Self { points: points.into(), faces: FaceNormals::default() };
+        let mut shape = Self { points: points.into(), faces: FaceNormals::default(), more_rings: 0 };
         shape.find_faces(mesh);
         shape
     }
@@ -280,6 +289,7 @@ impl<'a> Shape<'a> {
             positions: self.points.positions,
             corner_group: target,
             group_corners: members,
+            more_rings: self.more_rings,
         };
         let rings = Rings::new(request, sums.unit.len());
         let mut fits = Fits::default();

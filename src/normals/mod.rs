@@ -25,7 +25,7 @@ mod slices;
 
 pub use crate::mesh::Weld;
 pub(crate) use compute::compute_from;
-pub use compute::{compute, compute_on, compute_with};
+pub use compute::{compute, compute_on, compute_wider, compute_with};
 pub use creases::chains::CreaseChains;
 pub use creases::dihedral_test::crease_slack;
 pub(crate) use creases::dihedral_test::{CreaseTest, SLACK_DEGREES};

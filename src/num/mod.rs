@@ -2,6 +2,8 @@
 
 // Angles that carry their unit.
 mod angle;
+// Statistics of angles: mean, root mean square and percentiles.
+mod angle_statistics;
 // Colour: linear light, the sRGB transfer and the rules that make whole numbers of it.
 mod colour;
 // The angle of a corner, without the platform's arc tangent.
@@ -39,6 +41,7 @@ mod unit;
 mod viridis;
 
 pub use angle::{Degrees, Radians, angle_between};
+pub use angle_statistics::AngleErrors;
 pub use colour::{LinearRgb, Srgb8, Transfer};
 pub use digits::{powers_of_ten, significant_digits, three_digits};
 pub use power::{Power, Underflow, exp2, log2};

@@ -52,6 +52,6 @@ pub use plot::{Axis, Mark, Plot, Scale, Series};
 pub use probe::{PixelReport, SampleReport, probe_pixel};
 pub use table::Table;
 pub use trade::{
-    approximation_table, box_table, class_table, cost_table, encoding_table, order_table, own_page,
-    own_table, precision_table, shading_table, shading_times, surface_table, trade_page,
+    approximation_table, box_table, class_table, cost_table, encoding_table, frontier_table, order_table,
+    own_page, own_table, precision_table, shading_table, shading_times, surface_table, trade_page,
 };

@@ -34,28 +34,32 @@ few-triangles =
     Costs were taken on { $triangles } triangles. On a mesh this small, most of the cost is constant per call, and
     ratios vary between runs. `crease trade` without a file measures large meshes.
 alike = { $share } of the normals are the same with every weighting.
-without-quadric =
-    { $share } of the normals have no quadric: the vertex has too few neighbours, or the neighbours do not confirm the
-    fit, as on two rings of points. They are not in the estimate.
 too-few =
-    Quadrics estimate only { $estimated } of { $all } normals, which is too few to rank the weightings. The mesh is flat
+    Only { $estimated } of { $all } normals can be estimated, which is too few to compare the weightings. The mesh is flat
     between its creases, or has too few vertices.
 safe = angle does not depend on the triangulation of flat faces, so it is the safe choice.
-partial =
-    Estimates are from { $estimated } of { $all } normals ({ $share }). For the other normals there is no estimate.
-too-coarse =
-    Even the closest weighting, { $best }, is { $rms }° (rms) from the quadric normals of { $estimated } normals. On a
-    mesh this coarse, the quadric is no more accurate than the sums, so weightings cannot be ranked by it.
-closest = { $best } is closest to the quadric normals: rms { $rms }° over { $estimated } normals.
+partial = Only { $share } of the normals have a reference, so errors of the others are unknown.
+reference-stored =
+    Errors are angles to the normals that the mesh stores, at { $estimated } of { $all } normals. Open boundaries are omitted.
+reference-jet =
+    The reference is the normals of jet, at { $estimated } of { $all } normals. Open boundaries are omitted. Its own error is
+    about { $error }° (rms): jets of wider neighbourhoods differ by that much.
+reference-quadric =
+    The reference is the normals of quadric, at { $estimated } of { $all } normals. Open boundaries are omitted. Its own error is
+    about { $error }° (rms): quadrics of wider neighbourhoods differ by that much.
+reference-noise =
+    The vertices are noisy: jets are { $gap }° from quadrics, which is more than the error of quadrics. The reference is the
+    normals of quadric, at { $estimated } of { $all } normals. Open boundaries are omitted. Its own error is about { $error }° (rms).
+closest =
+    { $best } has the smallest error of the sums of face normals: rms { $rms }°. angle, the default, has { $usual-rms }°.
+closest-usual = angle, the default, has the smallest error of the sums of face normals: rms { $rms }°.
 near-closest =
-    { $usual } is within 10 % of the closest weighting, { $best } ({ $usual-rms }° against { $rms }°), and does not
+    angle, the default, is within 5 % of the closest sum of face normals, { $best } ({ $usual-rms }° and { $rms }°), and does not
     depend on the triangulation of flat faces.
-default = angle, the default, has an rms error of { $rms }°.
+undetermined =
+    The most accurate sum of face normals cannot be determined on this mesh. An error of the reference of { $error }° does not
+    separate these: { $candidates }.
+default = angle, the default, has an rms error of { $usual-rms }°.
 cost = It costs { $ratio } times the plain single-precision loop.
-quadric-wins =
-    If the surface is smooth and time is not critical, quadric itself is probably the most accurate weighting, at
-    { $ratio } times the plain loop.
-estimates =
-    Estimates use the quadric as the reference. Its error falls when edges are short compared with the radius of
-    curvature. On a coarse mesh it cannot distinguish weightings with similar errors.
-any-weight = The difference is below 0.1°: for diffuse light, any weighting is suitable.
+fit = If accuracy justifies { $ratio } times the cost of the plain loop: { $fit }, about { $rms }°.
+any-weight = An error below 0.1° is not visible in diffuse light.

@@ -4,8 +4,9 @@ use super::cases::{NamedSurface, Tiling};
 use super::cost::Way;
 use super::effort::Effort;
 use super::encodings::EncodingRow;
+use super::frontier::{ClassPoint, MeshClass, frontier};
 use super::solids::BoxRow;
-use super::summary::{ClassPoint, Trade, frontier};
+use super::summary::Trade;
 use crate::normals::Weight;
 use crate::num::three_digits;
 use crate::text::{Catalogue, Language, Value, catalogue};
@@ -27,7 +28,7 @@ pub(super) fn digits(x: f64) -> Value {
 
 /// Advice on which weights, which precision, which encodings and which shading to use.
 pub fn advice(trade: &Trade) -> Vec<String> {
-    let weights = Tiling::ALL.into_iter().filter_map(|tiling| on_class(trade, tiling));
+    let weights = trade.classes.iter().filter_map(on_class);
     on_effort(trade)
         .into_iter()
         .chain(weights)
@@ -51,16 +52,16 @@ fn on_effort(trade: &Trade) -> Option<String> {
 }
 
 /// The best weight that sums faces; [`Weight::Angle`], the default, if its error is about as small.
-pub(super) fn best_sum(points: &[ClassPoint]) -> Option<ClassPoint> {
+fn best_sum(points: &[ClassPoint]) -> Option<ClassPoint> {
     let sums = || points.iter().filter(|point| !point.weight.is_fit());
     let best = sums().min_by(|a, b| a.rms.total_cmp(&b.rms))?;
     let usual = sums().find(|point| point.weight == Weight::Angle && point.rms <= ALIKE * best.rms);
     Some(*usual.unwrap_or(best))
 }
 
-fn on_class(trade: &Trade, tiling: Tiling) -> Option<String> {
-    let points = trade.of_class(tiling);
-    let best = best_sum(&points)?;
+fn on_class(class: &MeshClass) -> Option<String> {
+    let points = &class.points;
+    let best = best_sum(points)?;
     let others = || points.iter().filter(|point| !point.weight.is_fit() && point.weight != best.weight);
     let next = others().min_by(|a, b| a.rms.total_cmp(&b.rms))?;
     let worst = others().max_by(|a, b| a.rms.total_cmp(&b.rms))?;
@@ -69,7 +70,7 @@ fn on_class(trade: &Trade, tiling: Tiling) -> Option<String> {
     let mut text = sentence(
         key,
         &[
-            ("class", tiling.about().into()),
+            ("class", class.tiling.about().into()),
             ("best", best.weight.name().into()),
             ("rms", digits(best.rms)),
             ("ratio", digits(best.ratio)),
@@ -79,7 +80,7 @@ fn on_class(trade: &Trade, tiling: Tiling) -> Option<String> {
             ("worst-rms", digits(worst.rms)),
         ],
     );
-    let fit = frontier(&points).into_iter().rfind(|point| point.weight.is_fit());
+    let fit = frontier(points).into_iter().rfind(|point| point.weight.is_fit());
     if let Some(fit) = fit.filter(|fit| ALIKE * fit.rms < best.rms) {
         let values =
             [("ratio", digits(fit.ratio)), ("fit", fit.weight.name().into()), ("rms", digits(fit.rms))];
@@ -162,7 +163,8 @@ mod tests {
 
     #[test]
     fn the_usual_weight_wins_among_those_alike() {
-        let point = |weight, rms| ClassPoint { weight, rms, ratio: 1.0 };
+        let point =
+            |weight, rms| ClassPoint { weight, rms, spread: [rms; 2], ratio: 1.0, dominated_by: None };
         let points = [point(Weight::Angle, 1.05), point(Weight::Max, 1.0), point(Weight::Quadric, 0.1)];
         assert_eq!(best_sum(&points).unwrap().weight, Weight::Angle);
         let points = [point(Weight::Angle, 1.2), point(Weight::Max, 1.0)];

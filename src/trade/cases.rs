@@ -121,6 +121,11 @@ impl Tiling {
         Tessellation { pattern, segments, jitter, noise, ..Tessellation::default() }
     }
 
+    /// Whether meshes depend on the seed.
+    pub fn is_random(self) -> bool {
+        !matches!(self, Tiling::Regular | Tiling::Stretched | Tiling::Slivers | Tiling::Icosphere)
+    }
+
     /// The levels that are measured: four, which is three halvings, the last of them the finest. The icosphere of 42
     /// vertices is omitted: by symmetry every weight is exact on it.
     pub(super) fn levels(self, effort: Effort) -> std::ops::Range<u32> {
@@ -151,12 +156,10 @@ impl SampleMesh {
         let known = normals.iter().zip(mesh.positions().iter());
         let mut truth: Vec<Option<DVec3>> =
             known.map(|(&normal, position)| surface.is_smooth_at(position).then_some(normal)).collect();
-        let corners = mesh.faces().corners();
-        for half_edge in 0..corners.len() as u32 {
-            if topology.link(half_edge) == Link::Boundary {
-                let (from, to) = topology.ends(corners, half_edge);
-                [from, to].into_iter().for_each(|vertex| truth[vertex as usize] = None);
-            }
+        for (normal, _) in
+            truth.iter_mut().zip(boundary_vertices(&mesh, &topology)).filter(|(_, is_on)| *is_on)
+        {
+            *normal = None;
         }
         Ok(Self { mesh, topology, truth })
     }
@@ -172,6 +175,17 @@ impl SampleMesh {
             |(&normal, &vertex): (&DVec3, &u32)| Some(angle_between(normal, self.truth[vertex as usize]?));
         field.normals.values.par_iter().zip(&field.entry_vertex).filter_map(error).collect()
     }
+}
+
+/// Which vertices are on an open boundary.
+pub(super) fn boundary_vertices(mesh: &Mesh, topology: &Topology) -> Vec<bool> {
+    let corners = mesh.faces().corners();
+    let mut is_on = vec![false; mesh.vertex_count()];
+    for half_edge in (0..corners.len() as u32).filter(|&it| topology.link(it) == Link::Boundary) {
+        let (from, to) = topology.ends(corners, half_edge);
+        [from, to].into_iter().for_each(|vertex| is_on[vertex as usize] = true);
+    }
+    is_on
 }
 
 #[cfg(test)]

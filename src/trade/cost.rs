@@ -2,7 +2,7 @@
 
 use super::cases::{NamedSurface, SampleMesh, Tiling};
 use super::effort::{Candidate, Effort, Observer, Progress, fewest_seconds};
-use super::vertex::{recipe, weight_name};
+use super::vertex::recipe;
 use crate::mesh::{Faces, Mesh, MeshBuilder};
 use crate::normals::{
     Averaging, Extras, NormalRecipe, Precision, Scratch, Weight, compute_with, vertex_normals,
@@ -28,7 +28,6 @@ pub struct CostRow {
     /// How normals are computed.
     pub way: Way,
     /// The weight.
-    #[serde(serialize_with = "weight_name")]
     pub weight: Weight,
     /// Nanoseconds a triangle.
     pub ns_per_triangle: f64,
@@ -46,8 +45,22 @@ pub enum Way {
     SlicesFast,
     /// [`compute_with`] of a mesh, with creases and faults, faithful.
     Mesh,
-    /// The same with [`Precision::Fast`].
+    /// The same with [`Precision::Fast`], which fits do not have.
     MeshFast,
+}
+
+impl Way {
+    /// All ways.
+    pub const ALL: [Way; 4] = [Way::Slices, Way::SlicesFast, Way::Mesh, Way::MeshFast];
+
+    /// Whether normals of a weight are computed like this.
+    fn has(self, weight: Weight) -> bool {
+        self == Way::Mesh || !weight.is_fit()
+    }
+
+    fn precision(self) -> Precision {
+        if matches!(self, Way::Slices | Way::Mesh) { Precision::Faithful } else { Precision::Fast }
+    }
 }
 
 impl Costs {
@@ -61,39 +74,35 @@ impl Costs {
         };
         let torus = NamedSurface::torus();
         let sample = SampleMesh::new(&torus, &Tiling::Jittered.tessellation(&torus.surface, level));
-        let costs = sample.map_or_else(|_| Self::default(), |it| Self::on(&rounded(&it.mesh, |p| p), rounds));
+        let costs = sample
+            .map_or_else(|_| Self::default(), |it| Self::on(&rounded(&it.mesh, |p| p), &Way::ALL, rounds));
         observe(Progress { stage: "cost", done: 1, total: 1 });
         costs
     }
 
-    /// Times every weight every way on a mesh, whose polygons count as the triangles that they can be cut into.
-    pub(super) fn on(mesh: &Mesh, rounds: usize) -> Self {
+    /// Times every weight some ways on a mesh, whose polygons count as the triangles that they can be cut into.
+    pub(super) fn on(mesh: &Mesh, ways: &[Way], rounds: usize) -> Self {
         let positions: Vec<[f32; 3]> = mesh.positions().iter().map(|p| p.as_vec3().to_array()).collect();
         let triangles = fans(mesh.faces());
         let mut candidates: Vec<Candidate> = Vec::new();
         let mut normals = vec![[0.0; 3]; positions.len()];
         let (points, list) = (&positions, &triangles);
         candidates.push(Box::new(move || plain_vertex_normals(points, list, black_box(&mut normals))));
-        let mut ways = Vec::new();
-        for weight in Weight::ALL {
-            let precisions = [Precision::Faithful, Precision::Fast];
-            for (way, precision) in [Way::Slices, Way::SlicesFast].into_iter().zip(precisions) {
-                if weight.is_fit() {
-                    continue;
-                }
-                let (mut scratch, mut normals) = (Scratch::new(), vec![[0.0; 3]; positions.len()]);
-                let averaging = Averaging { weight, precision, ..Averaging::default() };
-                candidates.push(Box::new(move || {
-                    let faults = vertex_normals(points, list, averaging, &mut scratch, &mut normals);
-                    drop(black_box(faults));
-                }));
-                ways.push((way, weight));
-            }
-            for (way, precision) in [Way::Mesh, Way::MeshFast].into_iter().zip(precisions) {
+        let pairs = Weight::ALL.into_iter().flat_map(|weight| ways.iter().map(move |&way| (way, weight)));
+        let pairs: Vec<(Way, Weight)> = pairs.filter(|&(way, weight)| way.has(weight)).collect();
+        for &(way, weight) in &pairs {
+            let precision = way.precision();
+            if matches!(way, Way::Mesh | Way::MeshFast) {
                 let recipe = NormalRecipe { precision, ..recipe(weight) };
                 candidates.push(Box::new(move || drop(black_box(compute_with(mesh, &recipe, Extras::NONE)))));
-                ways.push((way, weight));
+                continue;
             }
+            let (mut scratch, mut normals) = (Scratch::new(), vec![[0.0; 3]; positions.len()]);
+            let averaging = Averaging { weight, precision, ..Averaging::default() };
+            candidates.push(Box::new(move || {
+                let faults = vertex_normals(points, list, averaging, &mut scratch, &mut normals);
+                drop(black_box(faults));
+            }));
         }
         let seconds = fewest_seconds(candidates, rounds);
         let count = triangles.len().max(1) as f64;
@@ -106,7 +115,7 @@ impl Costs {
         Self {
             triangles: triangles.len(),
             plain_ns: seconds[0] * 1e9 / count,
-            rows: ways.iter().zip(&seconds[1..]).map(row).collect(),
+            rows: pairs.iter().zip(&seconds[1..]).map(row).collect(),
         }
     }
 

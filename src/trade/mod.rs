@@ -9,7 +9,7 @@
 mod described;
 // How much is measured, progress, and times that can be compared.
 mod effort;
-// Angles between normals: errors, histograms, orders of convergence.
+// Histograms of angles between normals, and orders of convergence.
 mod angles;
 // Surfaces, tilings, and meshes with their true normals.
 mod cases;
@@ -17,6 +17,8 @@ mod cases;
 mod vertex;
 // Costs of every weight.
 mod cost;
+// Error against cost on each class of meshes, and the Pareto frontier.
+mod frontier;
 // Dependence on the triangulation of flat faces.
 mod solids;
 // Single precision compared with faithful.
@@ -31,8 +33,12 @@ mod approximations;
 mod summary;
 // Advice from its numbers.
 mod advice;
+// Normals that replace the unknown true ones of a user mesh.
+mod reference;
 // All weights on a user mesh.
 mod own;
+// Which of them to use, and how certain that is.
+mod own_advice;
 // Exact references in integers and 256 bits.
 #[cfg(any(test, feature = "stress"))]
 pub(crate) mod exact;
@@ -47,9 +53,11 @@ pub use cases::{NamedSurface, Tiling};
 pub use cost::{CostRow, Costs, Way, plain_vertex_normals};
 pub use effort::{Effort, Observer, Progress};
 pub use encodings::{DIRECTIONS, EncodingRow, direction, encoding_error, encoding_rows};
-pub use own::{OwnMesh, OwnMethod, estimate_map};
+pub use frontier::{ClassPoint, MeshClass, frontier, mark_dominated};
+pub use own::{OwnMesh, OwnMethod, Truth};
 pub use precision::{PrecisionRow, precision_rows};
+pub use reference::{FitDifferences, Reference, error_maps};
 pub use shading::{ShadingRow, shading_rows};
 pub use solids::{BoxRow, box_rows};
-pub use summary::{ClassPoint, Trade, frontier};
+pub use summary::Trade;
 pub use vertex::{MeshSize, MethodErrors, VertexCase, error_map, vertex_cases};

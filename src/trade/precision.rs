@@ -3,7 +3,7 @@
 use super::angles::{AngleErrors, angle_between};
 use super::cases::{NamedSurface, SampleMesh, Tiling};
 use super::cost::rounded;
-use super::vertex::{recipe, weight_name};
+use super::vertex::recipe;
 use crate::mesh::Topology;
 use crate::normals::{NormalRecipe, Precision, Weight, compute_on};
 use crate::num::Radians;
@@ -17,7 +17,6 @@ pub struct PrecisionRow {
     /// The mesh.
     pub case: &'static str,
     /// The weight.
-    #[serde(serialize_with = "weight_name")]
     pub weight: Weight,
     /// Between `fast` and `faithful`.
     pub fast: AngleErrors,

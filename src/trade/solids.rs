@@ -1,7 +1,7 @@
 //! Boxes, cut in every way: whether a weight depends on how flat faces are triangulated.
 
 use super::angles::angle_between;
-use super::vertex::{recipe, weight_name};
+use super::vertex::recipe;
 use crate::mesh::{Faces, MeshBuilder};
 use crate::normals::{Weight, compute};
 use crate::num::Degrees;
@@ -18,7 +18,6 @@ pub struct BoxRow {
     /// The lengths of the sides.
     pub sides: [f64; 3],
     /// The weight.
-    #[serde(serialize_with = "weight_name")]
     pub weight: Weight,
     /// The deviations that occur, in degrees, ascending; those closer than 10⁻⁹ once.
     pub deviations: Vec<f64>,

@@ -7,7 +7,7 @@ use crate::mesh::Mesh;
 use crate::normals::{Crease, NormalField, NormalRecipe, Weight, compute_on};
 use crate::num::Radians;
 use rayon::prelude::*;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The errors of all weights on one surface cut one way.
@@ -42,23 +42,22 @@ pub struct MeshSize {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MethodErrors {
     /// The weight.
-    #[serde(serialize_with = "weight_name")]
     pub weight: Weight,
     /// Against the exact normals, for each mesh.
     pub errors: Vec<AngleErrors>,
     /// The order of convergence of the root mean square; `None` where it is exact.
     pub order: Option<f64>,
-    /// The errors on the [quoted](VertexCase::quoted) mesh.
+    /// The rms errors on the [quoted](VertexCase::quoted) mesh with four other seeds; none where it has no random numbers.
+    pub seeds: Vec<f64>,
+    /// The errors on the quoted mesh.
     pub histogram: Histogram,
-}
-
-/// A weight as its name.
-pub(super) fn weight_name<S: Serializer>(weight: &Weight, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(weight.name())
 }
 
 /// The level whose errors are quoted and drawn.
 const QUOTED: u32 = 2;
+
+/// Seeds in addition to the first that errors are quoted of.
+const MORE_SEEDS: u32 = 4;
 
 impl VertexCase {
     /// Measures one surface cut one way, at the given levels of resolution. A surface that cannot be cut like this has no
@@ -68,10 +67,12 @@ impl VertexCase {
             weight,
             errors: Vec::new(),
             order: None,
+            seeds: Vec::new(),
             histogram: Histogram::default(),
         });
         let quoted =
             (QUOTED.clamp(levels.start, levels.end.max(levels.start + 1) - 1) - levels.start) as usize;
+        let first = levels.start;
         let mut case =
             Self { surface: surface.name, tiling, meshes: Vec::new(), quoted, methods: methods.into() };
         for level in levels {
@@ -91,6 +92,14 @@ impl VertexCase {
                 }
             }
         }
+        for more in (1..=MORE_SEEDS).filter(|_| tiling.is_random()) {
+            let mut tessellation = tiling.tessellation(&surface.surface, first + quoted as u32);
+            tessellation.seed += more;
+            let Ok(sample) = SampleMesh::new(surface, &tessellation) else { continue };
+            for method in &mut case.methods {
+                method.seeds.push(AngleErrors::of(&sample.errors(&sample.field(method.weight))).rms);
+            }
+        }
         for method in &mut case.methods {
             let rms: Vec<f64> = method.errors.iter().map(|errors| errors.rms).collect();
             method.order = order_of_convergence(&rms);
@@ -100,8 +109,12 @@ impl VertexCase {
 
     /// The errors of a weight on the quoted mesh.
     pub fn quoted_errors(&self, weight: Weight) -> Option<AngleErrors> {
-        let method = self.methods.iter().find(|method| method.weight == weight)?;
-        method.errors.get(self.quoted).copied()
+        self.method(weight)?.errors.get(self.quoted).copied()
+    }
+
+    /// The errors of a weight.
+    pub fn method(&self, weight: Weight) -> Option<&MethodErrors> {
+        self.methods.iter().find(|method| method.weight == weight)
     }
 }
 
@@ -173,7 +186,7 @@ mod tests {
         let case = VertexCase::measure(&surface("sphere"), Tiling::Icosphere, 0..4);
         assert_eq!(case.meshes[2].vertices, 642);
         let at = |level: usize, weight| {
-            let method = case.methods.iter().find(|method| method.weight == weight).unwrap();
+            let method = case.method(weight).unwrap();
             (method.errors[level].rms, method.errors[level].max)
         };
         for (level, weight, rms, max) in [
@@ -204,9 +217,7 @@ mod tests {
     #[test]
     fn the_torus_converges_as_published() {
         let case = VertexCase::measure(&surface("torus"), Tiling::Jittered, 2..6);
-        let method = |case: &VertexCase, weight| {
-            case.methods.iter().find(|method| method.weight == weight).cloned().unwrap()
-        };
+        let method = |case: &VertexCase, weight| case.method(weight).cloned().unwrap();
         for (weight, rms, max) in [(Weight::Uniform, 1.644, 4.677), (Weight::Max, 0.498, 2.054)] {
             let found = method(&case, weight);
             assert_printed(found.errors[0].rms, rms, 3);
@@ -230,7 +241,7 @@ mod tests {
         for name in ["wave", "monkey-saddle", "ellipsoid", "bezier"] {
             let case = VertexCase::measure(&surface(name), Tiling::Jittered, 2..6);
             for (weight, expected) in [(Weight::Quadric, 2.0), (Weight::Jet, 3.0)] {
-                let method = case.methods.iter().find(|method| method.weight == weight).unwrap();
+                let method = case.method(weight).unwrap();
                 let order = method.order.unwrap();
                 assert!((order - expected).abs() < 0.15, "{name}: {order} from {:?}", method.errors);
             }

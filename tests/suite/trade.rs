@@ -111,7 +111,18 @@ fn the_report_has_every_part() {
     for part in ["vertex", "boxes", "precision", "encodings", "shading", "approximations"] {
         assert!(surfaces[part].as_array().is_some_and(|rows| !rows.is_empty()), "{part}");
     }
-    assert!(surfaces["costs"]["rows"].as_array().unwrap().len() == 30);
+    // Six sums four ways, three fits one way.
+    assert_eq!(surfaces["costs"]["rows"].as_array().unwrap().len(), 27);
+    let classes = surfaces["classes"].as_array().unwrap();
+    assert_eq!(classes.len(), 10);
+    for class in classes {
+        let points = class["points"].as_array().unwrap();
+        assert_eq!((points.len(), class["surfaces"].as_u64() >= Some(2)), (9, true), "{class}");
+        assert!(points.iter().any(|point| point["dominated_by"].is_null()));
+        let is_random = ["jittered", "quads", "polygons", "marching", "scattered", "noisy"];
+        let has_spread = points.iter().any(|point| point["spread"][0] != point["spread"][1]);
+        assert_eq!(has_spread, is_random.iter().any(|name| class["tiling"] == *name), "{class}");
+    }
     assert!(report["advice"].as_array().unwrap().len() > 5);
     // The figures that are quoted, in the report as in the library's own tests: jittered torus at 64 × 32.
     let cases = surfaces["vertex"].as_array().unwrap();
@@ -133,7 +144,7 @@ fn without_times(value: &mut serde_json::Value) {
             let is_time = |key: &str| {
                 key.ends_with("ns")
                     || key.starts_with("ns_")
-                    || ["ratio", "milliseconds", "seconds", "advice", "output"].contains(&key)
+                    || ["ratio", "dominated_by", "milliseconds", "seconds", "advice", "output"].contains(&key)
             };
             members.retain(|key, _| !is_time(key));
             members.values_mut().for_each(without_times);
@@ -159,14 +170,49 @@ fn a_mesh_of_ones_own_gets_a_recommendation() {
     let folder = tempfile::tempdir().unwrap();
     let output = crease(&["trade", "data/gear.obj", "-o", folder.path().to_str().unwrap()]).output().unwrap();
     let text = String::from_utf8(output.stdout).unwrap();
-    assert!(output.status.success() && text.contains("Use --weight "), "{text}");
+    // Its normals are too close to sharp edges for any fit, and the advice must say so.
+    let advice = "No weighting can be recommended on this mesh.";
+    assert!(output.status.success() && text.contains(advice), "{text}");
     let page = std::fs::read_to_string(folder.path().join("index.html")).unwrap();
     check_page(&page);
-    assert!(page.contains("data/gear.obj") && page.contains("Use --weight "));
+    assert!(page.contains("data/gear.obj") && page.contains(advice));
     // Error against cost with its frontier, how errors are spread, and where they are.
-    assert!(page.contains("Pareto frontier") && page.contains("Estimated errors of normals"));
+    assert!(page.contains("Pareto frontier") && page.contains("Errors of normals"));
     assert!(page.contains("grey where there is none"));
+    assert!(page.contains("Hollow signs are dominated"));
     assert!(text.contains("Costs were taken on"), "a gear is too small for its costs to mean much: {text}");
+}
+
+/// Max's weights are exact on a sphere, which fits are not.
+#[test]
+fn stored_normals_are_taken_for_the_truth() {
+    let folder = tempfile::tempdir().unwrap();
+    let sphere = folder.path().join("sphere.ply");
+    let sphere = sphere.to_str().unwrap();
+    let made = crease(&["surface", "sphere", "--segments", "16x16", "-q", "-o", sphere]).output().unwrap();
+    assert!(made.status.success());
+    let report = |arguments: &[&str]| -> serde_json::Value {
+        let output = crease(&[&["trade", sphere, "--json"], arguments].concat()).output().unwrap();
+        serde_json::from_slice(&output.stdout).unwrap()
+    };
+    let max = |report: &serde_json::Value| report["mesh"]["methods"][4]["estimate"]["max"].as_f64().unwrap();
+    let stored = report(&["--truth", "stored"]);
+    assert_eq!(
+        (&stored["mesh"]["reference"], &stored["mesh"]["recommended"]),
+        (&"stored".into(), &"max".into())
+    );
+    assert!(max(&stored) < 1e-12, "{}", max(&stored));
+    assert!(max(&report(&["--truth", "estimated"])) > 1e-3);
+    let page = folder.path().join("page");
+    let text =
+        crease(&["trade", sphere, "--truth", "stored", "-o", page.to_str().unwrap()]).output().unwrap();
+    assert!(String::from_utf8(text.stdout).unwrap().contains("Use --weight max"));
+    let page = std::fs::read_to_string(page.join("index.html")).unwrap();
+    check_page(&page);
+    assert!(page.contains("max, exact"), "an error of 0 is not on a logarithmic axis");
+    let without = crease(&["trade", "data/gear.obj", "--truth", "stored"]).output().unwrap();
+    assert_eq!(without.status.code(), Some(3));
+    assert!(String::from_utf8_lossy(&without.stderr).contains("omit --truth stored"));
 }
 
 #[test]
@@ -187,7 +233,12 @@ fn what_cannot_be_read_or_written_is_reported() {
     let in_the_way = Path::new("Cargo.toml");
     let refused = crease(&["trade", "data/gear.obj", "-o", in_the_way.to_str().unwrap()]).output().unwrap();
     assert_eq!(refused.status.code(), Some(4));
-    for wrong in [["--quick", "data/gear.obj"], ["--quick", "--crease=30"], ["--full", "--format=stl"]] {
+    for wrong in [
+        ["--quick", "data/gear.obj"],
+        ["--quick", "--crease=30"],
+        ["--full", "--format=stl"],
+        ["--quick", "--truth=stored"],
+    ] {
         let usage = crease(&["trade", wrong[0], wrong[1]]).output().unwrap();
         assert_eq!(usage.status.code(), Some(2), "{wrong:?}");
     }

@@ -169,3 +169,6 @@ axis-reflection = which terms of the material are evaluated
 axis-tessellation = cells of analytic surfaces
 axis-two-sided = light on both sides of faces
 axis-lights = kind, attenuation and presence of lights
+
+truth-estimated = normals of a fit, with an estimate of their error
+truth-stored = the normals that the file stores

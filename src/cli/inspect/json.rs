@@ -3,7 +3,7 @@
 use crate::cli::common::input::Source;
 use crate::cli::common::report::{Head, InputReport};
 use crease::num::Degrees;
-use crease::quality::{Comparison, Diagnosis, Finding, PartDiagnosis, Severity};
+use crease::quality::{Comparison, Diagnosis, Finding, PartDiagnosis, Severity, key_light_steps};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -145,7 +145,12 @@ impl Serialize for Against {
         map.serialize_entry("lost", &it.lost)?;
         map.serialize_entry("changed", &it.changed)?;
         map.serialize_entry("visible", &it.visible)?;
-        map.serialize_entry("mean", &Change { degrees: it.mean, steps: mean })?;
+        map.serialize_entry("mean", &Change { degrees: Degrees(it.angles.mean), steps: mean })?;
+        let (rms, percentiles) = (("rms", it.angles.rms), it.percentiles());
+        for (name, degrees) in std::iter::once(rms).chain(percentiles) {
+            let change = Change { degrees: Degrees(degrees), steps: key_light_steps(degrees) };
+            map.serialize_entry(name, &change)?;
+        }
         map.serialize_entry("largest", &Change { degrees: it.largest, steps: largest })?;
         map.serialize_entry("places", &it.places)?;
         map.serialize_entry("findings", &findings.collect::<Vec<_>>())?;

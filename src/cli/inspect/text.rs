@@ -145,7 +145,7 @@ impl Layout {
                 comparison.corners,
                 comparison.visible,
                 angle(comparison.largest, largest_steps),
-                angle(comparison.mean, mean_steps)
+                angle(Degrees(comparison.angles.mean), mean_steps)
             ),
         };
         let counts = [
@@ -159,6 +159,15 @@ impl Layout {
         let mut lines: Vec<String> = counts
             .map(|(number, [one, many], what)| format!("{} {what}", count_of(number, one, many)))
             .collect();
+        if comparison.changed > 0 {
+            let percentiles =
+                comparison.percentiles().map(|(name, angle)| format!("{name} {}°", three_digits(angle)));
+            lines.push(format!(
+                "angle: rms {}°, {}",
+                three_digits(comparison.angles.rms),
+                percentiles.join(", ")
+            ));
+        }
         let places = comparison.places.iter().take(self.places);
         lines.extend(places.map(|site| format!("at {}", place(site, report))));
         let mut list = |name: &str, is_wanted: fn([u64; 2]) -> bool| {

@@ -1,12 +1,14 @@
 //! The options of `crease trade`.
 
-use crate::cli::common::choice::one_of;
+use crate::cli::common::choice::{choices, one_of};
 use crate::cli::common::options::{RunArgs, crease_angle};
 use clap::Args;
 use crease::io::Format;
 use crease::num::Degrees;
-use crease::trade::Effort;
+use crease::trade::{Effort, Truth};
 use std::path::PathBuf;
+
+choices!(Truth: "estimated" => Estimated, "stored" => Stored);
 
 #[derive(Args)]
 pub struct TradeArgs {
@@ -24,6 +26,8 @@ pub struct TradeArgs {
     pub format: Option<Format>,
     #[arg(long, value_name = "DEG|off", value_parser = crease_angle, allow_negative_numbers = true, requires = "input")]
     pub crease: Option<Degrees>,
+    #[arg(long, value_name = "WHICH", value_parser = one_of::<Truth>(), requires = "input")]
+    pub truth: Option<Truth>,
 
     #[command(flatten)]
     pub run: RunArgs,

@@ -3,8 +3,8 @@
 use crate::cli::common::console::{Style, escaped, push_wrapped};
 use crate::cli::common::report::Head;
 use crease::report::{
-    Table, approximation_table, box_table, class_table, cost_table, encoding_table, order_table, own_table,
-    precision_table, shading_table, shading_times, surface_table,
+    Table, approximation_table, box_table, class_table, cost_table, encoding_table, frontier_table,
+    order_table, own_table, precision_table, shading_table, shading_times, surface_table,
 };
 use crease::trade::{EncodingRow, OwnMesh, Trade};
 use serde::Serialize;
@@ -43,7 +43,10 @@ pub fn text(report: &Report, style: Style, long: bool) -> String {
         text.push('\n');
     }
     let _ = writeln!(text, "{}", style.paint(Style::BOLD, "Advice"));
-    let recommended = report.mesh.as_ref().map(|own| format!("Use --weight {}.", own.recommended.name()));
+    let recommended = report.mesh.as_ref().map(|own| match own.recommended {
+        Some(weight) => format!("Use --weight {}.", weight.name()),
+        None => "No weighting can be recommended on this mesh.".into(),
+    });
     for sentence in recommended.iter().chain(report.advice.iter().flatten()) {
         push_wrapped(&mut text, sentence, ["  - ", "    "]);
     }
@@ -54,10 +57,11 @@ pub fn text(report: &Report, style: Style, long: bool) -> String {
 }
 
 fn tables(trade: &Trade, long: bool) -> Vec<Table> {
-    let mut tables = vec![class_table(trade), order_table(trade), box_table(trade), cost_table(trade)];
+    let mut tables = vec![class_table(trade), frontier_table(trade)];
     if long {
-        tables.insert(1, surface_table(trade));
+        tables.push(surface_table(trade));
     }
+    tables.extend([order_table(trade), box_table(trade), cost_table(trade)]);
     tables.push(precision_table(trade));
     tables.push(encoding_table(&trade.encodings, true));
     tables.push(shading_table(&trade.shading, "blinn"));

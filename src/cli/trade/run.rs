@@ -13,15 +13,15 @@ use crease::io::ReadOptions;
 use crease::mesh::Mesh;
 use crease::normals::{Crease, NormalRecipe};
 use crease::report::{own_page, trade_page};
-use crease::trade::{OwnMesh, Trade, advice};
+use crease::trade::{OwnMesh, Trade, Truth, advice};
 use std::time::Instant;
 
 const PAGE: &str = "index.html";
 
 pub fn main(args: &TradeArgs, color: Color) -> Exit {
     // clap does not ask for an input where --quick or --full exclude one.
-    if args.input.is_none() && (args.crease.is_some() || args.format.is_some()) {
-        usage_error("trade", "--crease and --format need an input");
+    if args.input.is_none() && (args.crease.is_some() || args.format.is_some() || args.truth.is_some()) {
+        usage_error("trade", "--crease, --format and --truth need an input");
     }
     let console = Console::new(&args.run, color, None);
     args.run.use_threads();
@@ -64,7 +64,13 @@ fn measure(
         }
         let crease = args.crease.map_or(Crease::Default, Crease::Angle);
         let recipe = NormalRecipe { crease, ..NormalRecipe::default() };
-        let own = OwnMesh::measure(&meshes, &recipe, &observe);
+        let truth = args.truth.unwrap_or_default();
+        if truth == Truth::Stored && meshes.iter().all(|mesh| mesh.columns().normals.is_none()) {
+            return Err(Failure::input(
+                "the mesh stores no normals\nhelp: omit --truth stored to estimate them",
+            ));
+        }
+        let own = OwnMesh::measure(&meshes, &recipe, truth, &observe);
         page = args.output.is_some().then(|| own_page(&own, &meshes, &recipe, &input.name())).transpose()?;
         report.advice = Some(own.reasons.clone());
         report.mesh = Some(own);

@@ -30,12 +30,15 @@ pub(crate) struct FitRequest<'a> {
     pub(crate) corner_group: &'a [u32],
     /// The corners of each smooth group.
     pub(crate) group_corners: &'a SlotCorners,
+    /// Rings that are taken in addition to those that a fit needs.
+    pub(crate) more_rings: usize,
 }
 
 /// What is next to each smooth group: the edge neighbours of its corners in their faces, so no hard edge is crossed. Each
 /// position counts once; it has the number of the first vertex there.
 pub(crate) struct Rings<'a> {
     positions: PositionsRef<'a>,
+    more: usize,
     chunks: Vec<RingChunk>,
     /// The rings of crowded groups.
     crowds: FxHashMap<u32, NearTree>,
@@ -97,7 +100,12 @@ impl<'a> Rings<'a> {
             RingChunk::new(request, &first, range)
         };
         let chunks = (0..groups.div_ceil(CHUNK)).into_par_iter().map(chunk).collect();
-        let mut rings = Self { positions: request.positions, chunks, crowds: FxHashMap::default() };
+        let mut rings = Self {
+            positions: request.positions,
+            more: request.more_rings,
+            chunks,
+            crowds: FxHashMap::default(),
+        };
         let crowded = (0..groups as u32).filter(|&group| request.group_corners.row(group).len() > CROWDED);
         let tree = |group: u32| {
             let points = rings.places(group).iter().map(|&place| rings.position(place)).collect();
@@ -151,8 +159,8 @@ impl<'a> Rings<'a> {
         }
     }
 
-    /// Appends the neighbours of a group: its two-ring, and further rings while there are fewer than `fewest` and each ring
-    /// adds some; at most 64, the first ring before the second, near before far, then by coordinates.
+    /// Appends the neighbours of a group: its two-ring, further rings while there are fewer than `fewest` and each ring adds
+    /// some, and then as many as were asked for; at most 64, the first ring before the second, near before far, then by coordinates.
     pub(crate) fn neighbours(
         &self,
         group: u32,
@@ -181,8 +189,9 @@ impl<'a> Rings<'a> {
         take_nearest(&mut scratch.candidates, MOST, into);
         scratch.frontier.clear();
         scratch.frontier.extend_from_slice(self.groups(group));
-        let mut rings = 1;
-        while into.len() - start < MOST && (rings == 1 || into.len() - start < fewest) {
+        let (mut is_second, mut more) = (true, self.more);
+        while into.len() - start < MOST && (is_second || into.len() - start < fewest || more > 0) {
+            more -= usize::from(!is_second && into.len() - start >= fewest);
             let known = scratch.known.len();
             scratch.candidates.clear();
             scratch.from_trees.clear();
@@ -211,10 +220,10 @@ impl<'a> Rings<'a> {
             }
             let before = into.len();
             take_nearest(&mut scratch.candidates, MOST - (before - start), into);
-            rings += 1;
-            let is_short = into.len() - start < fewest;
+            is_second = false;
+            let goes_on = into.len() - start < fewest || more > 0;
             // A polygon may have a thousand corners at eight positions, and as many groups.
-            if is_short && (into.len() == before || !self.next_frontier(group, scratch)) {
+            if goes_on && (into.len() == before || !self.next_frontier(group, scratch)) {
                 break;
             }
         }
@@ -291,7 +300,7 @@ impl RingChunk {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::normals::fits::test_surfaces::{cones, with_rings};
+    use crate::normals::fits::test_surfaces::{cones, patch, with_rings};
 
     #[test]
     fn crowded_rings_are_searched_like_others() {
@@ -311,6 +320,26 @@ mod tests {
             assert!(found.iter().all(|found| found.len() == MOST));
             rings.crowds.clear();
             assert_eq!(found, find(&rings));
+        });
+    }
+
+    #[test]
+    fn further_rings_can_be_asked_for() {
+        let (mesh, _) = patch(12, |_, _| (0.0, 0.0, 0.0));
+        with_rings(&mesh, mesh.faces().corners(), |mut rings| {
+            let mut scratch = rings.scratch();
+            let mut find = |more, fewest| {
+                rings.more = more;
+                let mut found = Vec::new();
+                rings.neighbours(6 * 13 + 6, fewest, &mut scratch, &mut found);
+                found
+            };
+            let two = find(0, 0);
+            let three = find(0, two.len() + 1);
+            assert!(three.len() > two.len() && three.starts_with(&two));
+            assert_eq!(find(1, 0), three);
+            assert_eq!(find(1, two.len() + 1), find(2, 0));
+            assert_eq!((find(2, 0).starts_with(&three), find(9, 0).len()), (true, MOST));
         });
     }
 

@@ -43,6 +43,7 @@ pub(super) fn with_rings<T>(mesh: &Mesh, corner_group: &[u32], work: impl FnOnce
         positions: mesh.positions(),
         corner_group,
         group_corners: &SlotCorners::by_slot(corner_group, groups),
+        more_rings: 0,
     };
     work(Rings::new(request, groups))
 }

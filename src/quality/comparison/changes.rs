@@ -2,8 +2,7 @@
 
 use crate::io::Loaded;
 use crate::mesh::{Mesh, stored_unit};
-use crate::num::{CompensatedSum, Degrees};
-use crate::quality::angles::degrees_between;
+use crate::num::{AngleErrors, CompensatedSum, Degrees, angle_between};
 use crate::quality::catalogue::{Kind, entries};
 use crate::quality::comparison::matching::Matching;
 use crate::quality::comparison::side::Side;
@@ -44,8 +43,8 @@ pub struct Comparison {
     pub changed: usize,
     /// Corners whose change is at least half a step of 8 bits under a key light.
     pub visible: usize,
-    /// The mean angle over all corners with a normal in both.
-    pub mean: Degrees,
+    /// The angles at all corners with a normal in both.
+    pub angles: AngleErrors,
     /// The mean over these of the largest change of the grey value under a key light, in steps of 8 bits.
     pub mean_steps: f64,
     /// The largest angle.
@@ -75,6 +74,12 @@ impl Comparison {
     /// The mean and the largest change of the grey value under a key light, in steps of 8 bits.
     pub fn steps(&self) -> [f64; 2] {
         [self.mean_steps, key_light_steps(self.largest.0)]
+    }
+
+    /// Percentiles of the angles by name, in degrees.
+    pub fn percentiles(&self) -> [(&'static str, f64); 3] {
+        let AngleErrors { median, p95, p99, .. } = self.angles;
+        [("p50", median), ("p95", p95), ("p99", p99)]
     }
 }
 
@@ -149,20 +154,19 @@ impl Comparison {
         normals: &[[Option<DVec3>; 2]],
         after_side: &Side<'_>,
     ) -> Vec<(f64, u32)> {
-        let (mut sum, mut steps) = (CompensatedSum::default(), CompensatedSum::default());
-        let mut both = 0usize;
-        let mut changes = Vec::new();
+        let mut steps = CompensatedSum::default();
+        let (mut angles, mut changes) = (Vec::new(), Vec::new());
         for (&[before, after], normals) in pairs.iter().zip(normals) {
-            let degrees = match *normals {
-                [Some(before), Some(after)] => degrees_between(before, after),
+            let angle = match *normals {
+                [Some(before), Some(after)] => angle_between(before, after),
                 [before, after] => {
                     self.gained += usize::from(before.is_none() && after.is_some());
                     self.lost += usize::from(before.is_some());
                     continue;
                 }
             };
-            both += 1;
-            sum += degrees;
+            angles.push(angle);
+            let Degrees(degrees) = angle.into();
             let shown = key_light_steps(degrees);
             steps += shown;
             if degrees > SAME {
@@ -174,7 +178,8 @@ impl Comparison {
                 changes.push((degrees, before));
             }
         }
-        [self.mean.0, self.mean_steps] = [sum, steps].map(|sum| sum.value() / both.max(1) as f64);
+        self.mean_steps = steps.value() / angles.len().max(1) as f64;
+        self.angles = AngleErrors::of(&angles);
         changes
     }
 }

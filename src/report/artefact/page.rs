@@ -182,7 +182,6 @@ pub fn chart_plot(chart: &Chart, language: Language) -> Plot {
         y: axis(&chart.y),
         series: series.collect(),
         decimal_mark: language.decimal_mark(),
-        ..Plot::default()
     }
 }
 

@@ -7,7 +7,8 @@ off-after = after: the mesh coloured by the deviation of its normals from its ow
 off-caption = Angle between the stored normals and those computed with the estimated weighting. First: before. Second: after.
 numbers =
     In { $name }, { $changed } of { $corners } normals changed direction, { $visible } of them visibly. The largest change is { $largest }°
-    ({ $largest-steps } of 255 grey steps under a key light), the mean { $mean }° ({ $mean-steps } steps). { $gained } corners gained a normal
-    and { $lost } lost one. { $turned } faces have reversed winding, and { $faces }.
+    ({ $largest-steps } of 255 grey steps under a key light), the mean { $mean }° ({ $mean-steps } steps), the
+    rms { $rms }°. Half of the changes are at most { $median }°, 95 % at most { $p95 }°, 99 % at most { $p99 }°. { $gained } corners gained a
+    normal and { $lost } lost one. { $turned } faces have reversed winding, and { $faces }.
 same-faces = no faces were added or removed
 other-faces = { $here } faces were removed, { $there } added

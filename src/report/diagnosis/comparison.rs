@@ -4,7 +4,7 @@ use super::markers::HeatScale;
 use super::model::{Model, OVERVIEW};
 use super::view_choice::hidden;
 use crate::io::Loaded;
-use crate::num::three_digits;
+use crate::num::{AngleErrors, three_digits};
 use crate::quality::{Comparison, Site, Survey};
 use crate::raster::Camera;
 use crate::report::error::Result;
@@ -73,7 +73,8 @@ pub(super) fn section(
 }
 
 fn numbers(name: &str, comparison: &Comparison) -> String {
-    let [mean, largest] = [comparison.mean, comparison.largest].map(|angle| three_digits(angle.0));
+    let AngleErrors { mean, rms, median, p95, p99, .. } = comparison.angles;
+    let largest = comparison.largest.0;
     let [mean_steps, largest_steps] = comparison.steps().map(three_digits);
     let Comparison { corners, changed, visible, gained, lost, turned, unmatched: [here, there], .. } =
         comparison;
@@ -91,12 +92,13 @@ fn numbers(name: &str, comparison: &Comparison) -> String {
     let angles = [
         ("faces", faces.into()),
         ("name", name.into()),
-        ("mean", mean.into()),
-        ("largest", largest.into()),
         ("mean-steps", mean_steps.into()),
         ("largest-steps", largest_steps.into()),
     ];
-    text("numbers", &[&counts[..], &angles].concat())
+    let sizes =
+        [("mean", mean), ("rms", rms), ("median", median), ("p95", p95), ("p99", p99), ("largest", largest)];
+    let sizes = sizes.map(|(key, angle)| (key, Value::from(three_digits(angle))));
+    text("numbers", &[&counts[..], &angles, &sizes].concat())
 }
 
 fn text(key: &str, values: &[(&'static str, Value)]) -> String {

@@ -70,7 +70,6 @@ fn histogram(name: &str, values: &[f64], end: f64) -> Plot {
             edge(fullest),
             edge(fullest + 1)
         ),
-        size: [560, 260],
         x: Axis { range: Some([0.0, end]), ..Axis::linear(&unit) },
         y: Axis::linear("per cent"),
         series: vec![Series::new("", points, Mark::Steps)],

@@ -1,8 +1,7 @@
-//! Assertions for tests of all plots: no text overlaps another, and series differ without colour.
+//! Assertions for tests of all plots: no text overlaps another, signs are inside, and series differ without colour.
 
-use super::draw::width_of;
-use super::series::Plot;
-use super::series::series_styles;
+use super::draw::{HEIGHT, LEFT, RIGHT, WIDTH, kept, width_of};
+use super::series::{Mark, Plot, SIGN, series_styles};
 use std::collections::BTreeSet;
 
 /// A text and its ends: left, top, right, bottom.
@@ -48,17 +47,32 @@ fn texts(svg: &str) -> Vec<Words> {
 }
 
 impl Plot {
-    /// Asserts that every text lies within the plot and none over another, and that no two series have both dash and sign in
-    /// common.
+    /// Asserts that every text lies within the plot and none over another, that signs of measured points lie within the field,
+    /// and that no two series have both dash and sign in common.
     pub(in crate::report) fn assert_legible(&self) {
-        let texts = texts(&self.svg("plot"));
-        let [width, height] = self.size.map(f64::from);
+        let svg = self.svg("plot");
+        let texts = texts(&svg);
+        let size = svg.split_once("viewBox=\"0 0 ").and_then(|(_, rest)| rest.split_once('"')).unwrap().0;
+        let (width, height) = size.split_once(' ').unwrap();
+        let [width, height]: [f64; 2] = [width, height].map(|length| length.parse().unwrap());
         for (place, (words, [left, top, right, bottom])) in texts.iter().enumerate() {
             let is_inside = *left >= 0.0 && *top >= 0.0 && *right <= width && *bottom <= height;
             assert!(is_inside, "{}: {words} leaves the plot", self.title);
             for (other, [from_left, from_top, to_right, to_bottom]) in &texts[..place] {
                 let apart = left >= to_right || from_left >= right || top >= to_bottom || from_top >= bottom;
                 assert!(apart, "{}: {words} lies over {other}", self.title);
+            }
+        }
+        let [x, y] = self.fitted();
+        // The left margin may be wider.
+        let (across, up) = (SIGN / (0.8 * (WIDTH - LEFT - RIGHT)), SIGN / HEIGHT);
+        for series in
+            self.series.iter().filter(|it| matches!(it.mark, Mark::Points | Mark::Hollow | Mark::Line))
+        {
+            for [at, high] in kept(self, series) {
+                let is_inside = (across..=1.0 - across).contains(&x.share(at))
+                    && (up..=1.0 - up).contains(&y.share(high));
+                assert!(is_inside, "{}: the sign at {at}, {high} leaves the field", self.title);
             }
         }
         let styles = series_styles(&self.series);

@@ -6,7 +6,8 @@ use std::fmt::Write;
 /// A plot.
 ///
 /// Series differ in colour (those of Okabe & Ito, which the colour-blind can distinguish), in their signs and in their dashes,
-/// so that a plot can be read in black and white. The left margin has room for the widest number.
+/// so that a plot can be read in black and white. Its text is legible 390 pixels wide, on a telephone: long labels are broken,
+/// and names of series are below the plot.
 ///
 /// ```
 /// use crease::report::{Axis, Mark, Plot, Series};
@@ -28,8 +29,6 @@ pub struct Plot {
     pub title: String,
     /// A description in words, for those who cannot see it.
     pub description: String,
-    /// Width and height in pixels of the page, legend included.
-    pub size: [u32; 2],
     /// The horizontal axis.
     pub x: Axis,
     /// The vertical axis.
@@ -41,12 +40,11 @@ pub struct Plot {
 }
 
 impl Default for Plot {
-    /// Empty, with linear axes, 760 × 420.
+    /// Empty, with linear axes.
     fn default() -> Self {
         Self {
             title: String::new(),
             description: String::new(),
-            size: [760, 420],
             x: Axis::default(),
             y: Axis::default(),
             series: Vec::new(),
@@ -81,6 +79,8 @@ pub enum Mark {
     /// A sign at each point.
     #[default]
     Points,
+    /// A hollow sign at each point.
+    Hollow,
     /// Signs, and straight lines between one and the next.
     Line,
     /// A line through many points, with a few signs.
@@ -139,7 +139,8 @@ pub(super) fn series_styles(all: &[Series]) -> Vec<SeriesStyle> {
             let number = series.colour.unwrap_or(place);
             let (colour, dash) = (COLOURS[number % COLOURS.len()], DASHES[number % DASHES.len()]);
             let sign = (series.mark != Mark::Steps).then_some(number % SIGNS);
-            SeriesStyle { colour, dash, sign, filling: colour, number }
+            let filling = if series.mark == Mark::Hollow { "#fff" } else { colour };
+            SeriesStyle { colour, dash, sign, filling, number }
         }
     };
     all.iter().enumerate().map(style).collect()
@@ -150,7 +151,7 @@ impl SeriesStyle {
     pub(super) fn signed(&self, mark: Mark, count: usize) -> Vec<usize> {
         match (self.sign, mark) {
             (None, _) => Vec::new(),
-            (_, Mark::Points | Mark::Line) => (0..count).collect(),
+            (_, Mark::Points | Mark::Hollow | Mark::Line) => (0..count).collect(),
             _ => {
                 // Twice the number modulo five: neighbours are far from each other.
                 let first = 0.1 + (2 * self.number % 5) as f64 / 5.0;
@@ -187,7 +188,7 @@ impl SeriesStyle {
     /// The style without colour: the dash of its line, and the sign with whether it is hollow.
     #[cfg(test)]
     pub(super) fn in_grey(&self, mark: Mark) -> (Option<&'static str>, Option<(usize, bool)>) {
-        let line = (mark != Mark::Points).then_some(self.dash);
+        let line = (!matches!(mark, Mark::Points | Mark::Hollow)).then_some(self.dash);
         (line, self.sign.map(|sign| (sign, self.filling != self.colour)))
     }
 }

@@ -9,6 +9,6 @@ mod page;
 
 pub use page::{own_page, trade_page};
 pub use tables::{
-    approximation_table, box_table, class_table, cost_table, encoding_table, order_table, own_table,
-    precision_table, shading_table, shading_times, surface_table,
+    approximation_table, box_table, class_table, cost_table, encoding_table, frontier_table, order_table,
+    own_table, precision_table, shading_table, shading_times, surface_table,
 };

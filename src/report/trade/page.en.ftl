@@ -5,11 +5,15 @@ lead =
 
 weights-title = Weights by class of mesh
 weights-lead =
-    Each number is the root mean square (rms) error on a surface of about 64 × 32 cells, as the median over all
-    surfaces. The star marks the most accurate sum of face normals. quadric and jet are not sums of face normals: they
+    Each number is the root mean square (rms) error on a surface of about 64 × 32 cells, as the median over the
+    surfaces that can be divided like this. Vertices on open boundaries are omitted, because half of their faces are missing. The
+    spread is the largest change of such a median over five seeds of the random numbers. The star marks the most accurate sum of face normals. quadric and jet are not sums of face normals: they
     fit a surface to the neighbours of each vertex. best chooses between them and angle for each mesh.
 frontier-caption =
-    Lower left is better. For each point above the dashed line, another weighting is both cheaper and more accurate.
+    Lower left is better. Hollow signs are dominated weightings: another one is both cheaper and more accurate.
+frontier-class = Medians over { $surfaces } surfaces, without boundary vertices. { $spread }
+frontier-spread = Other seeds change a median by at most { $share } %.
+frontier-no-spread = These meshes have no random numbers.
 
 surfaces-title = Surfaces
 surfaces-lead =
@@ -57,15 +61,20 @@ approximations-lead = Functions that this crate computes itself, so that the res
 advice-title = Advice
 
 own-title = Accuracy against speed: { $name }
-own-lead =
-    The exact surface of this mesh is unknown. The quadric method is used as the reference: it is of second order, sums
-    of face normals are of first order.
+own-lead-stored = The normals that this mesh stores are taken for the true ones.
+own-lead-jet =
+    The exact surface of this mesh is unknown. The reference is the normals of jet: they are of third order, sums of face normals
+    of first order.
+own-lead-quadric =
+    The exact surface of this mesh is unknown. The reference is the normals of quadric: they average noise, and have the smaller
+    estimated error on this mesh.
 own-weights-title = Weights
 own-weights-counts =
     { $vertices } vertices, { $faces } faces, { $normals } normals. { $alike } % of the normals are the same with every
-    weighting. For { $without-quadric } normals no quadric could be fitted.
-own-errors-caption = Normals with a quadric estimate.
+    weighting. { $estimated } normals are compared; the others are on open boundaries or have no reference.
+own-errors-caption = Normals that are compared with the reference.
 own-advice = Use --weight { $weight }.
+own-no-advice = No weighting can be recommended on this mesh.
 
 errors-alternative = { $mesh }, coloured by the error of normals. { $labels }
 errors-caption =

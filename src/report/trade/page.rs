@@ -5,8 +5,8 @@ use super::plots::{
     shading_plot,
 };
 use super::tables::{
-    approximation_table, box_table, class_table, cost_table, encoding_table, order_table, own_table,
-    precision_table, shading_table, shading_times, surface_table,
+    approximation_table, box_table, class_table, cost_table, encoding_table, frontier_table, order_table,
+    own_table, precision_table, shading_table, shading_times, surface_table,
 };
 use crate::mesh::Mesh;
 use crate::normals::{NormalField, NormalRecipe, Weight};
@@ -20,7 +20,8 @@ use crate::report::plot::Plot;
 use crate::shade::Material;
 use crate::text::{Catalogue, Language, Value, catalogue};
 use crate::trade::{
-    AngleErrors, NamedSurface, OwnMesh, Tiling, Trade, VertexCase, advice, error_map, estimate_map,
+    AngleErrors, MeshClass, NamedSurface, OwnMesh, Reference, Tiling, Trade, VertexCase, advice, error_map,
+    error_maps,
 };
 use glam::{DMat4, DVec3};
 use std::borrow::Cow;
@@ -87,12 +88,21 @@ pub fn trade_page(trade: &Trade) -> Result<(String, Vec<Drawing>)> {
 fn weights(trade: &Trade, page: &mut Page) {
     section(page, "weights");
     page.table(&class_table(trade));
-    for tiling in Tiling::ALL {
-        if !trade.of_class(tiling).is_empty() {
-            let name = format!("frontier {}", tiling.name());
-            drawing(page, &name, "frontier-caption", &frontier_plot(trade, tiling));
-        }
+    page.table(&frontier_table(trade));
+    for class in &trade.classes {
+        let name = format!("frontier {}", class.tiling.name());
+        page.drawing(&name, &class_caption(class), |id| frontier_plot(class).svg(id));
     }
+}
+
+/// Over how many surfaces the medians are, and how much they depend on the seed.
+fn class_caption(class: &MeshClass) -> String {
+    let spread = match class.tiling.is_random() {
+        true => text("frontier-spread", &[("share", format!("{:.0}", 100.0 * class.spread()).into())]),
+        false => text("frontier-no-spread", &[]),
+    };
+    let values = [("surfaces", class.surfaces.to_string().into()), ("spread", spread.into())];
+    format!("{} {}", text("frontier-caption", &[]), text("frontier-class", &values))
 }
 
 fn surfaces(trade: &Trade, page: &mut Page) -> Result<()> {
@@ -172,14 +182,19 @@ pub fn own_page(
     recipe: &NormalRecipe,
     name: &str,
 ) -> Result<(String, Vec<Drawing>)> {
-    let mut page = Page::new(&text("own-title", &[("name", name.into())]), &text("own-lead", &[]));
+    let lead = match own.reference {
+        Reference::Stored => "own-lead-stored",
+        Reference::Jet => "own-lead-jet",
+        Reference::Quadric => "own-lead-quadric",
+    };
+    let mut page = Page::new(&text("own-title", &[("name", name.into())]), &text(lead, &[]));
     section(&mut page, "own-weights");
     let counts = [
         ("vertices", own.vertices.to_string().into()),
         ("faces", own.faces.to_string().into()),
         ("normals", own.normals.to_string().into()),
         ("alike", format!("{:.0}", 100.0 * own.alike).into()),
-        ("without-quadric", own.without_quadric.to_string().into()),
+        ("estimated", own.estimated_from.to_string().into()),
     ];
     page.paragraph(&text("own-weights-counts", &counts));
     page.table(&own_table(own));
@@ -189,20 +204,29 @@ pub fn own_page(
         own_pictures(own, parts, recipe, &mut page)?;
     }
     section(&mut page, "advice");
-    page.paragraph(&text("own-advice", &[("weight", own.recommended.name().into())]));
+    page.paragraph(&match own.recommended {
+        Some(weight) => text("own-advice", &[("weight", weight.name().into())]),
+        None => text("own-no-advice", &[]),
+    });
     page.list(own.reasons.iter().map(String::as_str));
     let drawings = page.take_drawings();
     Ok((page.finish(), drawings))
 }
 
-/// The estimated errors on the largest part: of the recommended weight and the usual ones.
+/// The errors on the largest part: of the recommended weight and the usual ones.
 fn own_pictures(own: &OwnMesh, parts: &[&Mesh], recipe: &NormalRecipe, page: &mut Page) -> Result<()> {
     let Some(&largest) = parts.iter().max_by_key(|mesh| mesh.face_count()) else { return Ok(()) };
-    let shown = [own.recommended, Weight::Uniform, Weight::Area, Weight::Angle];
-    let shown = own.methods.iter().filter(|method| shown.contains(&method.weight));
-    let pictures = shown.map(|it| (it.weight, it.estimate, ErrorPicture::own(largest, recipe, it.weight)));
+    let is_shown = |weight: &Weight| {
+        Some(*weight) == own.recommended || matches!(weight, Weight::Uniform | Weight::Area | Weight::Angle)
+    };
+    let shown: Vec<Weight> = Weight::ALL.into_iter().filter(is_shown).collect();
+    let maps = error_maps(largest, recipe, own.reference, &shown);
+    let pictures = shown.iter().zip(maps).map(|(&weight, (field, errors))| {
+        let estimate = own.methods[weight as usize].estimate;
+        (weight, estimate, ErrorPicture { mesh: Cow::Borrowed(largest), field, errors })
+    });
     let of = if parts.len() > 1 { "The part with the most faces" } else { "The mesh" };
-    error_sheet(page, pictures, &format!("{of}: angle to the quadric's normals; grey where there is none"))
+    error_sheet(page, pictures, &format!("{of}: angle to the reference; grey where there is none"))
 }
 
 /// The errors at the ends of the colours, in degrees, as powers of ten.
@@ -222,12 +246,6 @@ impl<'a> ErrorPicture<'a> {
     pub(super) fn surface(surface: &NamedSurface, tiling: Tiling, weight: Weight) -> Option<Self> {
         let (mesh, field, angles) = error_map(surface, tiling, weight)?;
         Some(Self { mesh: Cow::Owned(mesh), field, errors: angles.into_iter().map(Some).collect() })
-    }
-
-    /// A user mesh with the angles of a weight's normals to the quadric's.
-    pub(super) fn own(mesh: &'a Mesh, recipe: &NormalRecipe, weight: Weight) -> Self {
-        let (field, errors) = estimate_map(mesh, recipe, weight);
-        Self { mesh: Cow::Borrowed(mesh), field, errors }
     }
 
     /// The mesh with each vertex in the colour of its error; `None` for an empty mesh.

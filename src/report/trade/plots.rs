@@ -4,14 +4,12 @@ use crate::normals::Weight;
 use crate::num::three_digits;
 use crate::report::plot::{Axis, Mark, Plot, Series};
 use crate::trade::{
-    AngleErrors, ClassPoint, EncodingRow, Histogram, MethodErrors, OwnMesh, ShadingRow, Tiling, Trade,
-    VertexCase, frontier,
+    AngleErrors, ClassPoint, EncodingRow, Histogram, MeshClass, MethodErrors, OwnMesh, OwnMethod, Reference,
+    ShadingRow, Tiling, VertexCase, frontier, mark_dominated,
 };
 
 /// Errors below this, in degrees, count as exact and are not on a logarithmic axis.
 const EXACT: f64 = 1e-9;
-
-const SIZE: [u32; 2] = [680, 320];
 
 fn weight_series(weight: Weight, name: String, points: Vec<[f64; 2]>, mark: Mark) -> Series {
     Series { colour: Some(weight as usize), ..Series::new(&name, points, mark) }
@@ -23,28 +21,38 @@ fn guide(name: &str, points: [[f64; 2]; 2]) -> Series {
 }
 
 /// Error against cost of every weight on a class of meshes, with the Pareto frontier.
-pub(super) fn frontier_plot(trade: &Trade, tiling: Tiling) -> Plot {
-    let points = trade.of_class(tiling);
+pub(super) fn frontier_plot(class: &MeshClass) -> Plot {
+    let spread = match class.spread() {
+        0.0 => "The meshes have no random numbers.".into(),
+        spread => format!("Other seeds change a median by at most {:.0} %.", 100.0 * spread),
+    };
+    let description =
+        format!("Medians over {} surfaces, without boundary vertices. {spread}", class.surfaces);
     Plot {
-        title: format!("Error against cost: {}", tiling.about()),
-        x: Axis::log("times the plain f32 loop, one thread; sums by slices, fits on a mesh"),
-        ..pareto_plot(&points, "")
+        title: format!("Error against cost: {}", class.tiling.about()),
+        x: Axis::log("cost, times the plain loop on one thread; sums on slices, fits on a mesh"),
+        ..pareto_plot(&class.points, &description)
     }
 }
 
-/// Weights by cost and error, with the Pareto frontier.
+/// Weights by cost and error, with the Pareto frontier. Hollow signs are of weights that another dominates.
 fn pareto_plot(points: &[ClassPoint], description: &str) -> Plot {
-    let place = |point: &ClassPoint| [point.ratio, point.rms];
+    let place = |point: &ClassPoint| [point.ratio, if point.rms < EXACT { 0.0 } else { point.rms }];
     let best = frontier(points);
-    let on_it: Vec<&str> = best.iter().map(|point| point.weight.name()).collect();
     let line = Series::new("Pareto frontier", best.iter().map(place).collect(), Mark::Frontier);
     let weights = points.iter().map(|point| {
-        weight_series(point.weight, point.weight.name().into(), vec![place(point)], Mark::Points)
+        let (mark, note) = match point.dominated_by {
+            Some(_) => (Mark::Hollow, ", dominated"),
+            None => (Mark::Points, ""),
+        };
+        let exact = if point.rms < EXACT { ", exact" } else { "" };
+        let name = format!("{}{exact}{note}", point.weight.name());
+        weight_series(point.weight, name, vec![place(point)], mark)
     });
+    let on_it: Vec<&str> = best.iter().map(|point| point.weight.name()).collect();
     let description = format!("Pareto frontier, from cheap to accurate: {}. {description}", on_it.join(", "));
     Plot {
-        description: description.trim_end().into(),
-        size: SIZE,
+        description,
         y: Axis::log("rms error, degrees"),
         series: std::iter::once(line).chain(weights).collect(),
         ..Plot::default()
@@ -78,7 +86,6 @@ pub(super) fn convergence_plot(case: &VertexCase) -> Plot {
     Plot {
         title: format!("Convergence: {}, {}", case.surface, case.tiling.name()),
         description: format!("Orders: {}.", orders.collect::<Vec<_>>().join(", ")),
-        size: [680, 340],
         x: Axis::log("mean edge, coarsest mesh = 1"),
         y: Axis::log("rms error, degrees"),
         series,
@@ -116,7 +123,6 @@ fn spread_plot(spread: &[(Weight, &AngleErrors, &Histogram)]) -> Plot {
         .map(|(weight, errors, _)| format!("{} {}°", weight.name(), three_digits(errors.median)));
     Plot {
         description: format!("Medians: {}.", medians.collect::<Vec<_>>().join(", ")),
-        size: SIZE,
         y: Axis::linear("normals in a quarter of a decade, %"),
         series: series.collect(),
         ..Plot::default()
@@ -137,7 +143,6 @@ pub(super) fn encoding_plot(rows: &[EncodingRow]) -> Plot {
             "The worst angle falls by half with each bit of an octahedral component; those of 16 bits are \
                       below four thousandths of a degree in four bytes."
                 .into(),
-        size: SIZE,
         x: Axis { range: Some([1.0, 13.0]), ..Axis::linear("bytes of a normal") },
         y: Axis::log("largest error, degrees"),
         series: vec![
@@ -172,7 +177,6 @@ pub(super) fn shading_plot(rows: &[ShadingRow], surface: &str) -> Plot {
             "Flat shading is worst and Phong shading best at every number of faces; all come closer to the \
                       picture of the surface as faces grow in number."
                 .into(),
-        size: SIZE,
         x: Axis::log("faces"),
         y: Axis::log("rms error, steps of 1/255"),
         series: series.collect(),
@@ -180,28 +184,41 @@ pub(super) fn shading_plot(rows: &[ShadingRow], surface: &str) -> Plot {
     }
 }
 
-/// Estimated error against cost on a user mesh, with the Pareto frontier.
+/// Error against cost on a user mesh, with the Pareto frontier.
 pub(super) fn own_plot(own: &OwnMesh) -> Plot {
-    let sums = own.methods.iter().filter(|method| !method.weight.is_fit());
-    let points: Vec<ClassPoint> = sums
-        .map(|method| ClassPoint { weight: method.weight, rms: method.estimate.rms, ratio: method.ratio })
-        .collect();
-    let description = format!("Recommended: {}.", own.recommended.name());
+    // The error of the reference is an estimate of its own.
+    let is_reference = |weight| own.reference.weight() == Some(weight);
+    let shown =
+        own.methods.iter().filter(|method| is_compared(own, method.weight) || is_reference(method.weight));
+    let point = |method: &OwnMethod| {
+        let OwnMethod { weight, ratio, .. } = *method;
+        let rms = if is_reference(weight) { own.reference_error } else { method.estimate.rms };
+        ClassPoint { weight, rms, spread: [rms; 2], ratio, dominated_by: None }
+    };
+    let mut points: Vec<ClassPoint> = shown.map(point).collect();
+    mark_dominated(&mut points);
+    let description =
+        own.recommended.map_or("None is recommended.".into(), |it| format!("Recommended: {}.", it.name()));
     Plot {
-        title: "Estimated error against cost".into(),
-        x: Axis::log("times the plain f32 loop, one thread, on a mesh"),
-        y: Axis::log("rms angle to the quadric's normals, degrees"),
+        title: "Error against cost".into(),
+        x: Axis::log("cost, times the plain loop on one thread, on a mesh"),
+        y: Axis::log("rms angle to the reference, or its own estimated error, degrees"),
         ..pareto_plot(&points, &description)
     }
 }
 
-/// The distribution of the estimated errors on a user mesh.
+/// Whether the angles of a weight to the reference are its errors: fits are or nearly are the reference, unless that is stored.
+pub(super) fn is_compared(own: &OwnMesh, weight: Weight) -> bool {
+    own.reference == Reference::Stored || !weight.is_fit()
+}
+
+/// The distribution of the errors on a user mesh.
 pub(super) fn own_histogram_plot(own: &OwnMesh) -> Plot {
-    let spread = own.methods.iter().filter(|method| !method.weight.is_fit());
+    let spread = own.methods.iter().filter(|method| is_compared(own, method.weight));
     let spread: Vec<_> = spread.map(|method| (method.weight, &method.estimate, &method.histogram)).collect();
     Plot {
-        title: "Estimated errors of normals".into(),
-        x: Axis::log("angle to the quadric's normals, degrees"),
+        title: "Errors of normals".into(),
+        x: Axis::log("angle to the reference, degrees"),
         ..spread_plot(&spread)
     }
 }

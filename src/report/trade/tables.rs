@@ -1,11 +1,12 @@
 //! Tables of the measurement, for pages and the terminal.
 
+use super::plots::is_compared;
 use crate::normals::Weight;
 use crate::num::{significant_digits, three_digits};
 use crate::report::table::{Column, Table};
 use crate::trade::{
-    ApproximationRow, BoxRow, ClassPoint, EncodingRow, OwnMesh, OwnMethod, PrecisionRow, ShadingRow, Tiling,
-    Trade, Way,
+    ApproximationRow, BoxRow, ClassPoint, EncodingRow, OwnMesh, OwnMethod, PrecisionRow, Reference,
+    ShadingRow, Tiling, Trade, Way, frontier,
 };
 
 /// A cell without a number.
@@ -36,16 +37,39 @@ fn by_tiling(caption: &str, cells: impl Fn(Tiling) -> Vec<String>) -> Table {
 
 /// The rms error of each weight on each class of meshes, the median over its surfaces; a star marks the best sum of faces.
 pub fn class_table(trade: &Trade) -> Table {
-    by_tiling("Vertex normals: rms error in degrees at 64 × 32, median over surfaces", |tiling| {
-        let points = trade.of_class(tiling);
-        let sums = points.iter().filter(|point| !point.weight.is_fit());
+    let columns = ["mesh", "surfaces"].into_iter().chain(Weight::ALL.map(Weight::name)).chain(["spread"]);
+    let caption = "Vertex normals: rms error in degrees at 64 × 32, median over surfaces, boundary vertices omitted; \
+                   spread: largest change of a median over five seeds";
+    let mut table = Table::new(caption, &columns.collect::<Vec<_>>());
+    for class in &trade.classes {
+        let sums = class.points.iter().filter(|point| !point.weight.is_fit());
         let best = sums.map(|point| point.rms).fold(f64::INFINITY, f64::min);
         let cell = |point: &ClassPoint| {
             let star = if !point.weight.is_fit() && point.rms == best { "*" } else { "" };
             format!("{}{star}", degrees(point.rms, 3))
         };
-        points.iter().map(cell).collect()
-    })
+        let spread =
+            if class.tiling.is_random() { format!("{:.0} %", 100.0 * class.spread()) } else { NONE.into() };
+        let names = [class.tiling.name().to_owned(), class.surfaces.to_string()];
+        table.push(names.into_iter().chain(class.points.iter().map(cell)).chain([spread]));
+    }
+    table
+}
+
+/// The Pareto frontier of each class of meshes, and the weights that others dominate.
+pub fn frontier_table(trade: &Trade) -> Table {
+    let caption = "Error against cost: no weight is both cheaper and more accurate than one on the frontier";
+    let mut table = Table::new(caption, &["mesh", "frontier, from cheap to accurate", "dominated"]);
+    for class in &trade.classes {
+        let best: Vec<&str> = frontier(&class.points).iter().map(|point| point.weight.name()).collect();
+        let dominated = class
+            .points
+            .iter()
+            .filter_map(|point| Some(format!("{} by {}", point.weight.name(), point.dominated_by?.name())));
+        let dominated: Vec<String> = dominated.collect();
+        table.push([class.tiling.name().to_owned(), best.join(", "), dominated.join(", ")]);
+    }
+    table
 }
 
 /// The order of convergence of each weight on each class of meshes: the median over its surfaces.
@@ -97,7 +121,7 @@ pub fn cost_table(trade: &Trade) -> Table {
                 format!("{} ({}×)", three_digits(row.ns_per_triangle), three_digits(row.ratio))
             })
         };
-        let ways = [Way::Slices, Way::SlicesFast, Way::Mesh, Way::MeshFast].map(cell);
+        let ways = Way::ALL.map(cell);
         table.push(std::iter::once(weight.name().to_owned()).chain(ways));
     }
     table
@@ -217,18 +241,21 @@ pub fn approximation_table(trade: &Trade) -> Table {
 
 /// The weights on a user mesh.
 pub fn own_table(own: &OwnMesh) -> Table {
+    let reference = match own.reference {
+        Reference::Stored => "stored normals",
+        Reference::Jet => "normals of jet",
+        Reference::Quadric => "normals of quadric",
+    };
     let caption = format!(
-        "Angle to the quadric's normals in degrees, over {} of {} normals; cost on one thread (plain f32 loop: {} ns a \
-         triangle)",
+        "Angle to the {reference} in degrees, over {} of {} normals; cost on one thread (plain f32 loop: {} ns a triangle)",
         own.estimated_from,
         own.normals,
         three_digits(own.plain_ns)
     );
-    let star = |row: &OwnMethod| if row.weight == own.recommended { "*" } else { "" };
-    let estimate = |row: &OwnMethod, x: f64| match row.weight {
-        Weight::Quadric => NONE.into(),
-        _ if row.estimate.count == 0 => NONE.into(),
-        _ => three_digits(x),
+    let star = |row: &OwnMethod| if Some(row.weight) == own.recommended { "*" } else { "" };
+    let estimate = |row: &OwnMethod, x: f64| match row.estimate.count > 0 && is_compared(own, row.weight) {
+        true => degrees(x, 3),
+        false => NONE.into(),
     };
     let columns: [Column<OwnMethod>; 8] = [
         ("weight", &|row| format!("{}{}", row.weight.name(), star(row))),
@@ -238,7 +265,7 @@ pub fn own_table(own: &OwnMesh) -> Table {
         ("largest", &|row| estimate(row, row.estimate.max)),
         ("ns/triangle", &|row| three_digits(row.ns_per_triangle)),
         ("× plain", &|row| three_digits(row.ratio)),
-        ("rms to angle", &|row| three_digits(own.differences[row.weight as usize][Weight::Angle as usize])),
+        ("rms to angle", &|row| three_digits(row.to_angle)),
     ];
     Table::of(&caption, &own.methods, &columns)
 }

@@ -131,6 +131,10 @@ struct Against {
     changed: usize,
     visible: usize,
     mean: Change,
+    rms: Change,
+    p50: Change,
+    p95: Change,
+    p99: Change,
     largest: Change,
     places: Vec<Place>,
     findings: Vec<FindingChange>,
@@ -280,6 +284,9 @@ fn before_and_after_are_distinguished() {
     assert_eq!((against.faces, against.unmatched, against.turned), ([2, 2], [0, 0], 0));
     assert_eq!((against.corners, against.changed, against.visible), (6, 1, 1));
     assert_eq!((against.largest.degrees, against.mean.degrees), (180.0, 30.0));
+    // One of six angles is 180°.
+    assert!((against.rms.degrees - 180.0 / 6.0_f64.sqrt()).abs() < 1e-9, "{:?}", against.rms);
+    assert_eq!([&against.p50, &against.p95, &against.p99].map(|it| it.degrees), [0.0, 180.0, 180.0]);
     let place = &against.places[0];
     assert_eq!(
         (place.face, place.corner, place.line, place.degrees),

@@ -83,7 +83,15 @@ fn known_changes_are_measured() {
         // The rounding of a rotation, with a margin.
         assert!((found.largest.0 - largest).abs() < 1e-7, "{:?}", found.largest);
         let mean = largest * (largest + 1.0) / 2.0 / found.corners as f64;
-        assert!((found.mean.0 - mean).abs() < 1e-7, "{:?}", found.mean);
+        assert!((found.angles.mean - mean).abs() < 1e-7, "{:?}", found.angles);
+        let squares = known.iter().map(|&(_, degrees)| degrees * degrees).sum::<f64>();
+        let rms = (squares / found.corners as f64).sqrt();
+        assert!((found.angles.rms - rms).abs() < 1e-7, "{:?}", found.angles);
+        // One corner in fifty changes, by whole degrees: of 100, 98 are unchanged.
+        let at = |share: f64| (largest - ((1.0 - share) * found.corners as f64).floor()).max(0.0);
+        for (percentile, expected) in found.percentiles().into_iter().zip([0.0, 0.0, at(0.99)]) {
+            assert!((percentile.1 - expected).abs() < 1e-7, "{percentile:?} is not {expected}");
+        }
         assert!((found.steps()[1] - key_light_steps(largest)).abs() < 1e-6);
         let steps = known.iter().map(|&(_, degrees)| key_light_steps(degrees)).sum::<f64>();
         assert!((found.steps()[0] - steps / found.corners as f64).abs() < 1e-6, "{:?}", found.steps());
@@ -99,7 +107,7 @@ fn known_changes_are_measured() {
         assert_eq!(found.change[0].iter().filter(|&&degrees| degrees > 0.0).count(), known.len());
     }
     let same = compared(&before, &shuffled(&before));
-    assert_eq!((same.changed, same.largest.0, same.mean.0), (0, 0.0, 0.0));
+    assert_eq!((same.changed, same.largest.0, same.angles.max), (0, 0.0, 0.0));
 }
 
 #[test]
