@@ -55,8 +55,11 @@ pub struct Search<'a> {
     /// What it makes small.
     pub minimise: Minimise,
     /// The sizes of each unit, by what of a model they depend on.
-    sizes: RefCell<HashMap<(usize, Option<[u32; 2]>, bool), Sizes>>,
+    sizes: RefCell<HashMap<Shape, Sizes>>,
 }
+
+/// A unit, its cells, and whether its normals are split: what its sizes depend on.
+type Shape = (usize, Option<[u32; 2]>, bool);
 
 /// A model of a unit with its cost and the number of changes.
 type Ranked = (u64, u32, usize, Cost);

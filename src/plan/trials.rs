@@ -92,7 +92,7 @@ pub struct Trials<'a> {
     refused: Cell<u64>,
     known: RefCell<HashMap<(usize, usize, LightChoice), bool>>,
     /// Pixels at which models of a unit with these cells were refused: most others fail there too. The latest comes first.
-    witnesses: RefCell<HashMap<(usize, Option<[u32; 2]>), Vec<Witness>>>,
+    witnesses: RefCell<Witnesses>,
 }
 
 /// A pixel of a view of which all samples show one face.
@@ -102,6 +102,15 @@ struct Witness {
     pixel: [u32; 2],
     face: (usize, u32),
 }
+
+/// The witnesses of each unit, by its cells.
+type Witnesses = HashMap<(usize, Option<[u32; 2]>), Vec<Witness>>;
+
+/// The largest difference of a plan with the number of its view, and the largest distance of outlines.
+pub type Worst = ((Difference, usize), f64);
+
+/// Pixels of the tile that is drawn for a witness.
+const TILE: u64 = 64 * 64;
 
 /// Most witnesses of a unit.
 const WITNESSES: usize = 12;
@@ -186,7 +195,8 @@ impl<'a> Trials<'a> {
             let lights = self.lights_of(view, choice);
             let at = (witness.face, witness.pixel);
             let colour = self.stage.colour_of_face((unit, model), &lights, &view.camera, at)?;
-            self.count(1 << 12);
+            let [width, height] = self.stage.settings.size.map(u64::from);
+            self.count((width * height).min(TILE));
             if view.truth.steps_at(witness.pixel, colour) > self.limits.tolerance {
                 if let Some(list) = self.witnesses.borrow_mut().get_mut(&key) {
                     list[..=number].rotate_right(1);
@@ -282,11 +292,7 @@ impl<'a> Trials<'a> {
     }
 
     /// The largest difference of a whole plan with its view, and the largest distance of outlines; `None` if it is not within the limits.
-    pub fn check(
-        &self,
-        models: &[ObjectModel],
-        choice: &LightChoice,
-    ) -> Result<Option<((Difference, usize), f64)>, PlanError> {
+    pub fn check(&self, models: &[ObjectModel], choice: &LightChoice) -> Result<Option<Worst>, PlanError> {
         let (mut worst, mut outline) = ((Difference::default(), 0), 0.0_f64);
         for (number, view) in self.views.iter().enumerate() {
             let (difference, distance) = self.measure(view, models, choice)?;

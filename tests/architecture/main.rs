@@ -51,7 +51,7 @@ const OUTSIDE: &[(&str, &[&str])] = &[
         "glam",
         &[
             "num", "mesh", "surface", "io", "normals", "shade", "quality", "raster", "pipeline", "metric",
-            "artefact", "trade", "report", "cli",
+            "artefact", "trade", "plan", "report", "cli",
         ],
     ),
     ("gltf", &["io"]),
@@ -62,7 +62,7 @@ const OUTSIDE: &[(&str, &[&str])] = &[
         "libm",
         &[
             "num", "text", "mesh", "surface", "io", "normals", "shade", "quality", "raster", "metric",
-            "artefact", "trade", "report",
+            "artefact", "trade", "plan", "report",
         ],
     ),
     ("maud", &["report"]),
@@ -94,11 +94,12 @@ const OUTSIDE: &[(&str, &[&str])] = &[
         "thiserror",
         &[
             "num", "mesh", "surface", "io", "normals", "shade", "quality", "raster", "pipeline", "metric",
-            "artefact", "report",
+            "artefact", "plan", "report",
         ],
     ),
     ("tobj", &["io"]),
     ("toml", &["raster"]),
+    ("toml_edit", &["plan"]),
     ("zmij", &["io"]),
 ];
 

@@ -146,7 +146,7 @@ impl Error {
 
 /// Marks plain code that fails so that it can be seen.
 const CROSS: char = '✗';
-/// Plain code has two columns: its error stands in that of its cause.
+/// Plain code has two columns: its error is in that of its cause.
 const HEADINGS: [&str; 7] =
     ["case", "allowed", "faithful", "fast", "f32: overflow or rounding", "f32: definition", ""];
 

@@ -139,6 +139,9 @@ impl From<SpotTable> for Light {
     }
 }
 
+/// A light, and whether plans leave it unchanged.
+type Marked = (Option<PlanName>, Light);
+
 /// All lights in the order of the file, `None` if it has none, and the numbers of those that plans leave unchanged.
 pub(super) fn lights(
     source: Source,
@@ -160,7 +163,7 @@ pub(super) fn lights(
     let disc = |DiscTable { plan, centre, normal, radius, colour }| {
         area(plan, AreaShape::Disc { centre: centre.into(), normal: normal.into(), radius }, colour)
     };
-    let mut found: Vec<(Range<usize>, (Option<PlanName>, Light))> = with_spans(tables.ambient, ambient)
+    let mut found: Vec<(Range<usize>, Marked)> = with_spans(tables.ambient, ambient)
         .chain(with_spans(tables.directional, directional))
         .chain(with_spans(tables.point, point))
         .chain(with_spans(tables.spot, spot))
