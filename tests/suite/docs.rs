@@ -112,8 +112,8 @@ fn commands_print_what_the_pages_show() {
         fs::create_dir_all(folder.path().join("tests/gallery")).unwrap();
         let any_output = |command: String| {
             // All surfaces take minutes, and the tests of `trade` check them.
-            let is_long = command.starts_with("crease trade") && !command.contains("data/");
             let command = command.split('#').next().unwrap().trim_end().to_owned();
+            let is_long = command == "crease trade" || command.starts_with("crease trade -");
             let command =
                 if is_long && !command.contains("--quick") { command + " --quick" } else { command };
             Example { command, output: vec!["…".to_owned()], code: 0 }
