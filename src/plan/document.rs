@@ -251,6 +251,9 @@ pub fn scene_text(path: &Path, options: &LoadOptions) -> Result<String, ReadErro
 /// What is no TOML.
 pub fn with_size(text: &str, size: [u32; 2]) -> Result<String, TomlError> {
     let mut document: DocumentMut = text.parse()?;
+    if document.get("settings").is_none() {
+        document.insert("settings", Item::Table(Table::new()));
+    }
     document["settings"]["size"] = value(size.map(i64::from).into_iter().collect::<Array>());
     Ok(document.to_string())
 }
@@ -344,5 +347,20 @@ fn attenuation_value(attenuation: Attenuation) -> Value {
         Attenuation::Quadratic(coefficients) => {
             of("quadratic", Value::Array(coefficients.into_iter().collect()))
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_size_goes_into_the_settings() {
+        let object = "[[object]]\nsurface = { sphere = { radius = 1 } }\n";
+        let text = with_size(object, [4, 3]).unwrap();
+        assert!(text.contains("[settings]\nsize = [4, 3]\n"), "{text}");
+        let text = format!("[settings] # pictures\nshading = \"flat\"\n{object}");
+        let expected = text.replace("\"flat\"\n", "\"flat\"\nsize = [4, 3]\n");
+        assert_eq!(with_size(&text, [4, 3]).unwrap(), expected);
     }
 }
