@@ -76,7 +76,7 @@ impl Mesh {
         for labels in [&mut columns.materials, &mut columns.objects].into_iter().flatten() {
             of_face(&mut labels.of_face);
         }
-        Mesh { positions: self.positions.clone(), faces: faces.into(), columns, printed: self.printed }
+        Mesh { positions: self.positions.clone(), faces: faces.into(), columns }
     }
 
     /// The mesh with other normals.

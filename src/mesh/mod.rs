@@ -6,7 +6,7 @@ mod faces;
 mod columns;
 // What a half-edge meets, in four bytes.
 mod link;
-// Positions in single or double precision, and printed digits.
+// Positions in single or double precision.
 mod positions;
 // The mesh, and the builder that checks it.
 mod polygon_mesh;
@@ -55,8 +55,7 @@ pub(crate) use obstacles::Obstacles;
 pub use orient::{Confidence, Orient, Orientation, orient};
 pub(crate) use orient::{Orientations, Placed, cavities};
 pub use polygon_mesh::{Mesh, MeshBuilder, MeshError};
-pub(crate) use positions::decimals;
-pub use positions::{PositionIter, Positions, PositionsRef, PrintedDigits, Storage};
+pub use positions::{PositionIter, Positions, PositionsRef, Storage};
 pub(crate) use rings::{Rings, Scatter};
 pub use topology::Topology;
 pub use transform::{NormalMatrix, TransformFault, normal_matrix};

@@ -3,7 +3,7 @@
 use super::columns::{ColumnIndex, Columns, NONE};
 use super::faces::Faces;
 use super::link::MAX_CORNERS;
-use super::positions::{Positions, PositionsRef, PrintedDigits, Storage};
+use super::positions::{Positions, PositionsRef, Storage};
 use glam::DVec3;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -23,7 +23,6 @@ pub struct Mesh {
     pub(super) positions: Arc<Positions>,
     pub(super) faces: Arc<Faces>,
     pub(super) columns: Columns,
-    pub(super) printed: Option<PrintedDigits>,
 }
 
 impl Mesh {
@@ -73,38 +72,6 @@ impl Mesh {
     pub fn bounds(&self) -> Option<(DVec3, DVec3)> {
         let first = self.positions().iter().next()?;
         Some(self.positions().iter().fold((first, first), |(low, high), p| (low.min(p), high.max(p))))
-    }
-}
-
-/// Fewer decimals may be exact: a sheet of 1 mm in millimetres or metres is no rounding.
-const FEWEST_DECIMALS: i32 = 4;
-/// The height in steps of a face whose normal printing rotates by up to asin(√3/20) = 5°.
-const RESOLVED: f64 = 20.0;
-
-impl Mesh {
-    /// The digits that positions were printed with, if that rounding decides which faces are slivers.
-    pub fn printed_digits(&self) -> Option<PrintedDigits> {
-        self.printed
-    }
-
-    /// The mesh with the digits that its positions were printed with. They are dropped if there are fewer than four decimals, which
-    /// may be exact; and if half of the faces or more are less than 20 units of the last digit high, as rounding then is everywhere.
-    pub(crate) fn with_printed_digits(mut self, digits: Option<PrintedDigits>) -> Self {
-        let is_few = |digits: &PrintedDigits| matches!(digits, PrintedDigits::Decimals(..FEWEST_DECIMALS));
-        self.printed = digits.filter(|digits| !is_few(digits) && self.is_resolved(*digits));
-        self
-    }
-
-    fn is_resolved(&self, digits: PrintedDigits) -> bool {
-        let faces = self.faces.view();
-        let is_high = |&face: &usize| {
-            let [a, b, c] = [0, 1, 2].map(|corner| self.position(faces.face(face)[corner]));
-            let largest = [a, b, c].map(|point| point.abs().max_element()).into_iter().fold(0.0, f64::max);
-            let (e1, e2) = (b - a, c - a);
-            let longest = e1.length().max(e2.length()).max((c - b).length());
-            e1.cross(e2).length() >= RESOLVED * digits.step(largest) * longest
-        };
-        2 * (0..faces.len()).into_par_iter().filter(is_high).count() > faces.len()
     }
 }
 
@@ -204,7 +171,7 @@ impl MeshBuilder {
         self.check_faces()?;
         self.check_columns()?;
         let Self { positions, faces, columns } = self;
-        Ok(Mesh { positions: positions.into(), faces: faces.into(), columns, printed: None })
+        Ok(Mesh { positions: positions.into(), faces: faces.into(), columns })
     }
 
     /// As [`build`](Self::build), but drops the faces that use a vertex without a finite position instead of

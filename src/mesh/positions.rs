@@ -1,4 +1,4 @@
-//! Positions of vertices in the precision that they came in, and the digits that they were printed with.
+//! Positions of vertices in the precision that they came in.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -242,71 +242,9 @@ impl Iterator for PositionIter<'_> {
 
 impl ExactSizeIterator for PositionIter<'_> {}
 
-/// Digits of printed coordinates, if they are fewer than their type holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum PrintedDigits {
-    /// So many after the point, as of `%.6f`.
-    Decimals(i32),
-    /// So many in total, as of `%.6g`.
-    Significant(i32),
-}
-
-impl PrintedDigits {
-    /// The unit of the last digit of a coordinate of this magnitude.
-    pub fn step(self, magnitude: f64) -> f64 {
-        match self {
-            Self::Decimals(decimals) => 1.0 / libm::exp10(f64::from(decimals)),
-            Self::Significant(digits) => {
-                libm::exp10(libm::floor(libm::log10(magnitude)) + f64::from(1 - digits))
-            }
-        }
-    }
-}
-
-/// Coordinates of more decimals are not few.
-const MOST_DECIMALS: i32 = 8;
-
-/// Coordinates that have to end in a digit of their own before the last decimal counts as what others were rounded to, and
-/// different digits among them: a box of halves is exact, not rounded.
-const FEWEST_ROUNDED: usize = 12;
-const FEWEST_DIGITS: u32 = 4;
-
-/// The decimals that coordinates were rounded to, as far as they show them: the fewest that hold every coordinate, if the last of
-/// them takes several values.
-pub(crate) fn decimals(coordinates: impl Iterator<Item = f64> + Clone) -> Option<i32> {
-    let (mut decimals, mut power) = (0, 1.0);
-    for coordinate in coordinates.clone() {
-        while last_digit(coordinate, power).is_none() {
-            (decimals, power) = (decimals + 1, 10.0 * power);
-            if decimals > MOST_DECIMALS {
-                return None;
-            }
-        }
-    }
-    let (mut rounded, mut digits) = (0, 0_u32);
-    for digit in coordinates.filter_map(|x| last_digit(x, power)) {
-        rounded += usize::from(digit != 0);
-        digits |= 1 << digit;
-        if rounded >= FEWEST_ROUNDED && digits.count_ones() >= FEWEST_DIGITS {
-            return Some(decimals);
-        }
-    }
-    None
-}
-
-/// The last decimal, if there are no more than a power of ten shows.
-fn last_digit(coordinate: f64, power: f64) -> Option<u8> {
-    let units = (coordinate * power).abs();
-    let whole = units.round();
-    // A number that was read from decimals is off by half a spacing, and so is the product; beyond 2⁴⁸ that would hide the rest.
-    let is_whole = (units - whole).abs() <= 2.0 * f64::EPSILON * units && units < libm::ldexp(1.0, 48);
-    is_whole.then(|| (whole % 10.0) as u8)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::num::test_numbers::Numbers;
 
     #[test]
     fn both_precisions_give_the_same_positions() {
@@ -347,32 +285,5 @@ mod tests {
             assert_eq!(PositionsRef::F32(&singles).first_non_finite(), Some(1));
             assert_eq!(PositionsRef::F64(&doubles).first_non_finite(), Some(1));
         }
-    }
-
-    fn coordinates(spell: impl Fn(f64) -> String) -> Option<i32> {
-        let mut numbers = Numbers::new(31);
-        let all: Vec<f64> = (0..120).map(|_| spell(8.0 * numbers.unit() - 4.0).parse().unwrap()).collect();
-        decimals(all.into_iter())
-    }
-
-    #[test]
-    fn decimals_are_seen_where_there_are_few() {
-        for few in 0..=MOST_DECIMALS {
-            assert_eq!(coordinates(|x| format!("{x:.*}", few as usize)), Some(few));
-        }
-        assert_eq!(coordinates(|x| format!("{x:.9}")), None);
-        assert_eq!(coordinates(|x| x.to_string()), None);
-        // Halves are exact.
-        assert_eq!(coordinates(|x| (x.round() + 0.5).to_string()), None);
-    }
-
-    #[test]
-    fn steps_are_those_of_the_last_digit() {
-        let near = |step: f64, expected: f64| (step / expected - 1.0).abs() < 1e-15;
-        assert!(near(PrintedDigits::Decimals(6).step(123.0), 1e-6));
-        for (magnitude, step) in [(1.5, 1e-5), (0.15, 1e-6), (99.0, 1e-4), (1e-7, 1e-12)] {
-            assert!(near(PrintedDigits::Significant(6).step(magnitude), step), "{magnitude}");
-        }
-        assert_eq!(PrintedDigits::Significant(6).step(0.0), 0.0);
     }
 }

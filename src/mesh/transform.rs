@@ -84,8 +84,7 @@ pub enum TransformFault {
 
 impl Mesh {
     /// The mesh moved by an affine map: positions, normals, displacements of morph targets. A map that mirrors reverses
-    /// all faces. Normals are lost if the map is singular. Anything but the identity makes doubles of the positions, without
-    /// [printed digits](Self::printed_digits).
+    /// all faces. Normals are lost if the map is singular. Anything but the identity makes doubles of the positions.
     ///
     /// # Errors
     /// If a position overflows.
@@ -105,7 +104,7 @@ impl Mesh {
                 return Err(TransformFault::Overflow);
             }
         }
-        (moved.positions, moved.printed) = (Arc::new(positions.into()), None);
+        moved.positions = Arc::new(positions.into());
         for displacement in moved.columns.morph_targets.iter_mut().flatten() {
             *displacement = linear * *displacement;
         }

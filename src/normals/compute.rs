@@ -6,7 +6,6 @@ use crate::normals::creases::grouping::{Grouping, can_do_without_topology, of_tr
 use crate::normals::creases::hard_edges::applied_angle;
 use crate::normals::creases::smooth_groups::{SlotCorners, SmoothGroups};
 use crate::normals::faces::face_normals::{FaceNormals, face_normals};
-use crate::normals::faces::positions::Coordinates;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::fallback::fallback_normals::{FaceField, FallbackNormals, corner_faults, face_faults};
 use crate::normals::fault::{Fault, FaultReason, Faults};
@@ -55,7 +54,7 @@ pub fn compute_with(mesh: &Mesh, recipe: &NormalRecipe, extras: Extras) -> Norma
     let is_plain = can_do_without_topology(mesh, recipe);
     let needs_faces =
         !is_plain || extras.face_normals || !matches!(CreaseTest::of(mesh, recipe), CreaseTest::None);
-    let mut shape = Shape { points: mesh.into(), faces: FaceNormals::default(), more_rings: 0 };
+    let mut shape = Shape { points: mesh.positions(), faces: FaceNormals::default(), more_rings: 0 };
     if needs_faces {
         shape.find_faces(mesh);
     }
@@ -76,13 +75,13 @@ pub fn compute_with(mesh: &Mesh, recipe: &NormalRecipe, extras: Extras) -> Norma
 
 /// As [`compute`], on a topology built before, with the welding that it was built with.
 pub fn compute_on(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> NormalField {
-    compute_shape(mesh, topology, recipe, Shape::new(mesh, mesh), Extras::ALL)
+    compute_shape(mesh, topology, recipe, Shape::new(mesh.positions(), mesh), Extras::ALL)
 }
 
 /// As [`compute_on`], but fits take one more ring of neighbours. The angle to the normals of [`compute_on`] estimates their error
 /// on a surface without noise, as the error grows with the size of the neighbourhood.
 pub fn compute_wider(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> NormalField {
-    let shape = Shape { more_rings: 1, ..Shape::new(mesh, mesh) };
+    let shape = Shape { more_rings: 1, ..Shape::new(mesh.positions(), mesh) };
     compute_shape(mesh, topology, recipe, shape, Extras::NONE)
 }
 
@@ -93,7 +92,7 @@ pub(crate) fn compute_from(
     recipe: &NormalRecipe,
     faces: FaceField,
 ) -> NormalField {
-    let shape = Shape { points: mesh.into(), faces: faces.into_computed(), more_rings: 0 };
+    let shape = Shape { points: mesh.positions(), faces: faces.into_computed(), more_rings: 0 };
     compute_shape(mesh, topology, recipe, shape, Extras::ALL)
 }
 
@@ -111,7 +110,7 @@ fn compute_shape(
 
 /// A mesh in one of its shapes: its own, or a morph target's.
 struct Shape<'a> {
-    points: Coordinates<'a>,
+    points: PositionsRef<'a>,
     faces: FaceNormals,
     /// Rings that fits take in addition.
     more_rings: usize,
@@ -126,8 +125,8 @@ struct SlotSums {
 }
 
 impl<'a> Shape<'a> {
-    fn new(points: impl Into<Coordinates<'a>>, mesh: &Mesh) -> Self {
-        let mut shape = Self { points: points.into(), faces: FaceNormals::default(), more_rings: 0 };
+    fn new(points: PositionsRef<'a>, mesh: &Mesh) -> Self {
+        let mut shape = Self { points, faces: FaceNormals::default(), more_rings: 0 };
         shape.find_faces(mesh);
         shape
     }
@@ -152,11 +151,7 @@ impl<'a> Shape<'a> {
         }
         // A fit takes the mean of `faithful` for its frame.
         let is_fit = recipe.weight.is_fit();
-        // Single precision does not know slivers of printed digits.
-        let states = &self.faces.state;
-        let has_no_slivers = self.points.printed.is_none()
-            || !states.is_empty() && states.iter().all(|&state| state != FaceState::Sliver);
-        if let Some(sums) = (fast && !is_fit && has_no_slivers).then(|| single_sums(&request)).flatten() {
+        if let Some(sums) = (fast && !is_fit).then(|| single_sums(&request)).flatten() {
             return SlotSums { sums, is_clean: true, fast_declined: false };
         }
         let (sums, outcome) = weighted_sums(&request);
@@ -286,7 +281,7 @@ impl<'a> Shape<'a> {
         let request = FitRequest {
             corner_vertices: mesh.faces().corners(),
             topology,
-            positions: self.points.positions,
+            positions: self.points,
             corner_group: target,
             group_corners: members,
             more_rings: self.more_rings,

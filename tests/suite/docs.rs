@@ -362,6 +362,9 @@ fn messages_and_texts_are_in_plain_words() {
             literals_and_comments(&code(&source))[0].iter().for_each(|text| check(&name, text));
         }
     }
+    for (name, text) in sources(&root().join("src"), ".txt") {
+        text.lines().for_each(|line| check(&name, line));
+    }
     for (name, texts) in sources(&root().join("src"), ".en.ftl") {
         texts.lines().filter(|line| !line.starts_with('#')).for_each(|line| check(&name, line));
     }

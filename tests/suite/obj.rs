@@ -2,7 +2,6 @@
 
 mod edit;
 mod generated;
-mod printed_digits;
 mod real;
 
 use crate::random::Random;

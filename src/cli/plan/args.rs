@@ -5,12 +5,12 @@ use crate::cli::common::options::{RunArgs, not_negative};
 use crate::cli::render::values::size;
 use clap::Args;
 use crease::plan::{Axis, Minimise};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[derive(Args)]
 pub struct PlanArgs {
-    #[arg(value_name = "SCENE")]
-    pub input: PathBuf,
+    #[arg(value_name = "SCENE", required_unless_present = "explain")]
+    pub input: Option<PathBuf>,
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     #[arg(long, value_name = "STEPS", default_value = "2", value_parser = not_negative, allow_negative_numbers = true)]
@@ -47,6 +47,11 @@ choices! { Axis:
 }
 
 impl PlanArgs {
+    /// The scene; empty if an explanation is asked for.
+    pub fn scene(&self) -> &Path {
+        self.input.as_deref().unwrap_or(Path::new(""))
+    }
+
     /// The axes that stay as declared.
     pub fn kept(&self) -> Vec<Axis> {
         match &self.only[..] {

@@ -14,19 +14,19 @@ output = Planned scene file, or `-` for standard output
 tolerance = Largest difference of a pixel, in steps of 1/255 before rounding
 share = Share of the covered pixels that may be beyond the tolerance
 outline = Largest distance of outlines, in pixels
-minimise = What is made as small as possible
+minimise = Quantity to minimise
 views = Number of views around the scene, in place of its camera; as many others verify the plan
 size = Size of the pictures [default: that of the scene]
 keep = Axes that stay as declared
 only = The only axes that may change
-budget = Most pixels to draw; then the search ends with the best plan so far
+budget = Maximum number of pixels to draw; then the search ends with the best plan so far
 explain = Print how costs and bounds are computed
 
 ## What `-h` shows.
 
 output-short = Planned scene file, or `-` for standard output
 tolerance-short = Largest difference of a pixel, in steps of 1/255
-minimise-short = What is made as small as possible
+minimise-short = Quantity to minimise
 views-short = Number of views around the scene
 size-short = Size of the pictures
 keep-short = Axes that stay as declared

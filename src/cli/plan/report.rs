@@ -29,7 +29,7 @@ impl Report {
     pub fn new(args: &PlanArgs) -> Self {
         Self {
             head: Head::new("crease-plan/1"),
-            input: args.input.display().to_string(),
+            input: args.scene().display().to_string(),
             tolerance: args.tolerance,
             minimise: args.minimise,
             plan: None,
@@ -48,7 +48,7 @@ pub fn text(report: &Report, style: Style) -> String {
     }
     out.push('\n');
     if plan.decisions.is_empty() {
-        row(&mut out, "plan", "nothing can be left out within the tolerance");
+        row(&mut out, "plan", "nothing can be omitted within the tolerance");
     }
     for decision in &plan.decisions {
         row(&mut out, "plan", &line(decision, report.tolerance));

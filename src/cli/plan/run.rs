@@ -19,10 +19,10 @@ pub fn main(args: &PlanArgs, color: Color) -> Exit {
         console.report(EXPLANATION);
         return exit_code(Ok(Exit::Done), &console);
     }
-    if args.output.as_deref().is_some_and(|output| is_same_file(&args.input, output)) {
+    if args.output.as_deref().is_some_and(|output| is_same_file(args.scene(), output)) {
         usage_error(
             "plan",
-            format!("this would overwrite the input {}\nhelp: name another output", args.input.display()),
+            format!("this would overwrite the input {}\nhelp: name another output", args.scene().display()),
         );
     }
     args.run.use_threads();
@@ -62,9 +62,9 @@ fn find(args: &PlanArgs, progress: &dyn Fn(f64)) -> Result<Plan, Failure> {
         keep: args.kept(),
         budget: args.budget,
     };
-    let base = args.input.parent().unwrap_or(Path::new(""));
+    let base = args.scene().parent().unwrap_or(Path::new(""));
     let loading = LoadOptions::default();
-    let text = scene_text(&args.input, &loading)?;
+    let text = scene_text(args.scene(), &loading)?;
     let text = match args.size {
         Some(size) => crease::plan::with_size(&text, size).map_err(Failure::input)?,
         None => text,

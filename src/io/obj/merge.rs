@@ -44,13 +44,12 @@ pub(super) fn merge(mut content: Content, text: &[u8], non_finite: NonFinite) ->
         true => Faces::triangles(content.corners.values),
         false => Faces::polygons(content.corners.values, content.face_offsets),
     };
-    let (storage, digits) = storage_of_text(&[&content.positions]);
+    let storage = storage_of_text(&[&content.positions]);
     let positions = Positions::rounded(content.positions, storage);
     file_notes.extend(non_finite_note(positions.view(), non_finite));
     let builder = MeshBuilder { positions, faces, columns };
     let (mesh, non_finite_faces) =
         build_mesh(builder, non_finite).map_err(|error| mesh_error(text, &error))?;
-    let mesh = mesh.with_printed_digits(digits);
     let libraries = labels.of(Keyword::Library).map(|label| name_text(labels.name(label))).collect();
     Ok(Merged { mesh, non_finite_faces, notes: file_notes, libraries })
 }

@@ -9,8 +9,8 @@ use crate::io::error::{NoteKind, RepeatedNotes};
 use crate::io::mesh_checks::check_size;
 use crate::io::mesh_checks::{build_part, non_finite_note};
 use crate::io::text::{counted, in_text, storage_of_text};
-use crate::io::{Document, Format, Loaded, Note, Part, Place, Problem, ReadError, ReadOptions, Severity};
-use crate::mesh::{Column, Faces, MeshBuilder, MeshError, NONE, Positions, PrintedDigits, Storage};
+use crate::io::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions, Severity};
+use crate::mesh::{Column, Faces, MeshBuilder, MeshError, NONE, Positions, Storage};
 use glam::{DVec2, DVec3};
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -45,7 +45,7 @@ pub fn read(bytes: Vec<u8>, _base: Option<&Path>, options: &ReadOptions) -> Resu
     })?;
     let mut notes = notes(&reading, &rows, &header);
     notes.extend(non_finite_note(reading.mesh.positions.view(), options.non_finite));
-    let Reading { mesh, packed, digits, non_finite, out_of_range, .. } = reading;
+    let Reading { mesh, packed, non_finite, out_of_range, .. } = reading;
     let part = build_part(String::new(), mesh, options, |error| {
         let offset = match error {
             MeshError::NonFinite { .. } => non_finite,
@@ -54,7 +54,6 @@ pub fn read(bytes: Vec<u8>, _base: Option<&Path>, options: &ReadOptions) -> Resu
         };
         offset.map_or(Place::File, place)
     })?;
-    let part = Part { mesh: part.mesh.with_printed_digits(digits), ..part };
     let shared_lines = rows.shared_lines;
     let document = Document::Ply(Box::new(PlyDocument { bytes, header, roles, shared_lines, packed }));
     Ok(Loaded { format: Format::Ply, parts: vec![part], nodes: Vec::new(), notes, document })
@@ -66,8 +65,6 @@ struct Reading {
     mesh: MeshBuilder,
     notes: RepeatedNotes,
     packed: Packed,
-    /// The digits that positions were printed with.
-    digits: Option<PrintedDigits>,
     /// Where the first row is that has a position that is not finite.
     non_finite: Option<usize>,
     /// Where the row of the first face is that refers to a vertex that does not exist. Triangles of strips have no such row.
@@ -150,12 +147,9 @@ impl Reading {
         };
         mesh.positions = match (role.position.into_iter().all(exact), rows.encoding) {
             _ if are_singles => singles.into(),
-            (can_be_single, Encoding::Ascii) => {
-                let (storage, digits) = storage_of_text(&[&doubles]);
-                self.digits = digits;
-                let must_be_single = is(&[Scalar::F32]);
-                let storage = if must_be_single { Storage::F32 } else { storage };
-                Positions::rounded(doubles, if can_be_single { storage } else { Storage::F64 })
+            (true, Encoding::Ascii) if !is(&[Scalar::F32]) => {
+                let storage = storage_of_text(&[&doubles]);
+                Positions::rounded(doubles, storage)
             }
             (true, _) => Positions::rounded(doubles, Storage::F32),
             (false, _) => doubles.into(),

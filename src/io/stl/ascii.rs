@@ -6,9 +6,7 @@ use crate::io::text::{
     Words, at_byte, float, in_text, is_blank, line_place, line_places, shown, storage_of_text,
 };
 use crate::io::{Note, Part, Place, Problem, ReadError, ReadOptions};
-use crate::mesh::{
-    Column, Columns, Faces, MeshBuilder, MeshError, NONE, Positions, PositionsRef, PrintedDigits, Storage,
-};
+use crate::mesh::{Column, Columns, Faces, MeshBuilder, MeshError, NONE, Positions, PositionsRef, Storage};
 use glam::DVec3;
 use std::ops::Range;
 
@@ -51,10 +49,10 @@ pub(super) fn read(text: &[u8], options: &ReadOptions) -> Result<(Vec<Part>, Vec
     let mut notes: Vec<Note> =
         notes.notes(|offsets| line_places(text, offsets)).map(|(_, note)| note).collect();
     let positions: Vec<&[DVec3]> = solids.iter().map(|solid| &solid.positions[..]).collect();
-    let precision = storage_of_text(&positions);
+    let storage = storage_of_text(&positions);
     let non_finite = |positions| non_finite_note(PositionsRef::F64(positions), options.non_finite);
     notes.extend(positions.into_iter().filter_map(non_finite));
-    let parts = solids.into_iter().map(|solid| part(text, solid, precision, options));
+    let parts = solids.into_iter().map(|solid| part(text, solid, storage, options));
     Ok((parts.collect::<Result<_, _>>()?, notes))
 }
 
@@ -65,12 +63,7 @@ pub(super) fn solids(text: &[u8]) -> Vec<SolidText> {
     parser.solids
 }
 
-fn part(
-    text: &[u8],
-    solid: SolidText,
-    (storage, digits): (Storage, Option<PrintedDigits>),
-    options: &ReadOptions,
-) -> Result<Part, ReadError> {
+fn part(text: &[u8], solid: SolidText, storage: Storage, options: &ReadOptions) -> Result<Part, ReadError> {
     let SolidText { name, facets, vertices, positions } = solid;
     let mut faces = Faces::with_capacity(positions.len());
     let (mut values, mut index) = (Vec::with_capacity(facets.len()), Vec::with_capacity(positions.len()));
@@ -86,11 +79,10 @@ fn part(
     let normals = (!values.is_empty()).then(|| Column::per_corner(values, index));
     let columns = Columns { normals, ..Columns::default() };
     let builder = MeshBuilder { positions: Positions::rounded(positions, storage), faces, columns };
-    let part = build_part(name, builder, options, |error| match error {
+    build_part(name, builder, options, |error| match error {
         MeshError::NonFinite { vertex, .. } => line_place(text, vertices[*vertex].start),
         _ => Place::File,
-    })?;
-    Ok(Part { mesh: part.mesh.with_printed_digits(digits), ..part })
+    })
 }
 
 struct Parser<'a> {

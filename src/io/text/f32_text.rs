@@ -1,7 +1,7 @@
 //! Coordinates in text that were printed from single precision, or with no more digits than that holds.
 
 use super::numbers::{EXACT_POWERS, float};
-use crate::mesh::{PrintedDigits, Storage, decimals};
+use crate::mesh::Storage;
 use crate::num;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -23,18 +23,12 @@ const DIGITS: i32 = 6;
 ///   doubles would not be.
 ///
 /// Other numbers with a fixed count of decimals stay unchanged.
-///
-/// Also gives the digits of coordinates that were printed with few: the fewest decimals that hold all, if those are not `f32`; the
-/// digits of the largest, if they are `f32` because numbers have fewer decimals the larger they are.
-pub fn storage_of_text(parts: &[&[DVec3]]) -> (Storage, Option<PrintedDigits>) {
+pub fn storage_of_text(parts: &[&[DVec3]]) -> Storage {
     let all = parts.par_iter().flat_map(|part| part.par_iter());
     let spellings = all.try_fold(Spellings::default, Spellings::with);
     let spellings = spellings.try_reduce(Spellings::default, |a, b| Some(a.and(&b)));
-    if let Some(digits) = spellings.and_then(|spellings| spellings.digits_of_singles()) {
-        return (Storage::F32, digits.map(PrintedDigits::Significant));
-    }
-    let coordinates = parts.iter().flat_map(|part| part.iter().flat_map(DVec3::to_array));
-    (Storage::F64, decimals(coordinates).map(PrintedDigits::Decimals))
+    let are_singles = |spellings: Spellings| spellings.are_singles();
+    if spellings.is_some_and(are_singles) { Storage::F32 } else { Storage::F64 }
 }
 
 /// The powers of ten of first digits of `f32`: from 10⁻⁴⁵ to 10³⁸.
@@ -93,27 +87,24 @@ impl Spellings {
         self
     }
 
-    /// `None` if they are not `f32`; of those, the digits that they were printed with if these are few.
-    fn digits_of_singles(&self) -> Option<Option<i32>> {
-        if self.are_near && self.tested >= ENOUGH || self.are_shortest && self.fine >= ENOUGH {
-            return Some(None);
-        }
-        self.are_shortest.then(|| self.floating_digits().map(Some)).flatten()
+    fn are_singles(&self) -> bool {
+        self.are_near && self.tested >= ENOUGH
+            || self.are_shortest && (self.fine >= ENOUGH || self.is_floating())
     }
 
-    /// The digits of the largest, if enough of them have all digits of an `f32`, but fewer decimals than smaller ones.
-    fn floating_digits(&self) -> Option<i32> {
+    /// Whether enough of the largest have all digits of an `f32`, but fewer decimals than smaller ones.
+    fn is_floating(&self) -> bool {
         let (mut count, mut decimals) = (0, i32::MIN);
         for at in (0..DECADES).rev() {
             count += self.decades[at].0;
             decimals = decimals.max(self.decades[at].1);
             if count >= ENOUGH {
-                let digits = at as i32 + LOWEST + 1 + decimals;
+                let first = at as i32 + LOWEST;
                 let is_finer = |decade: &(usize, i32)| decade.1 > decimals;
-                return (digits >= DIGITS && self.decades[..at].iter().any(is_finer)).then_some(digits);
+                return first + 1 + decimals >= DIGITS && self.decades[..at].iter().any(is_finer);
             }
         }
-        None
+        false
     }
 }
 
@@ -249,10 +240,6 @@ mod tests {
     use crate::mesh::Positions;
     use crate::num::test_numbers::Numbers;
 
-    fn storage_of(parts: &[&[DVec3]]) -> Storage {
-        storage_of_text(parts).0
-    }
-
     fn positions(spell: impl Fn(f64) -> String) -> Vec<DVec3> {
         let mut numbers = Numbers::new(5);
         let mut coordinate = |size: f64| spell(size * (2.0 * numbers.unit() - 1.0)).parse().unwrap();
@@ -265,12 +252,12 @@ mod tests {
         let printed = |x: f64| (x as f32).to_string();
         let read = positions(printed);
         assert_ne!(read, positions(exact));
-        assert_eq!(storage_of(&[&read]), Storage::F32);
+        assert_eq!(storage_of_text(&[&read]), Storage::F32);
         assert_eq!(Positions::rounded(read, Storage::F32).view().to_vec(), positions(exact));
         // One number of its own is enough against it.
         let mut other = positions(printed);
         other[17].y = 0.1 + 0.2;
-        assert_eq!(storage_of(&[&other]), Storage::F64);
+        assert_eq!(storage_of_text(&[&other]), Storage::F64);
     }
 
     /// As `%g` and C++ streams print.
@@ -278,7 +265,7 @@ mod tests {
     fn six_digits_of_large_and_small_numbers_are_singles_at_any_scale() {
         for scale in [1e-12, 1e-3, 1.0, 1e3, 1e9] {
             let read = positions(|x| format!("{:.5e}", scale * x));
-            assert_eq!(storage_of(&[&read]), Storage::F32, "{scale}");
+            assert_eq!(storage_of_text(&[&read]), Storage::F32, "{scale}");
         }
     }
 
@@ -289,11 +276,11 @@ mod tests {
             [|x| format!("{:.8e}", x as f32), |x| format!("{:.8}", x as f32)];
         for spell in spellings {
             let read = positions(spell);
-            assert_eq!(storage_of(&[&read]), Storage::F32, "{}", spell(0.1));
-            assert_eq!(storage_of(&[&read[..3]]), Storage::F64, "too few to decide");
+            assert_eq!(storage_of_text(&[&read]), Storage::F32, "{}", spell(0.1));
+            assert_eq!(storage_of_text(&[&read[..3]]), Storage::F64, "too few to decide");
             let mut other = read.clone();
             other[17].y += 3e-7;
-            assert_eq!(storage_of(&[&other]), Storage::F64, "one number is not near");
+            assert_eq!(storage_of_text(&[&other]), Storage::F64, "one number is not near");
         }
     }
 
@@ -311,22 +298,11 @@ mod tests {
             |x| format!("{x:.8}"),
         ];
         for spell in spellings {
-            assert_eq!(storage_of(&[&positions(spell)]), Storage::F64, "{}", spell(0.1));
+            assert_eq!(storage_of_text(&[&positions(spell)]), Storage::F64, "{}", spell(0.1));
         }
         // With 6 decimals numbers between 8 and 16 are as near to each other as singles there.
         let dozen: Vec<DVec3> = (0..99).map(|i| DVec3::splat(f64::from(12_000_001 + i) / 1e6)).collect();
-        assert_eq!(storage_of(&[&dozen]), Storage::F64);
-    }
-
-    #[test]
-    fn few_digits_are_counted() {
-        let of = |spell: fn(f64) -> String| storage_of_text(&[&positions(spell)]).1;
-        assert_eq!(of(|x| format!("{x:.6}")), Some(PrintedDigits::Decimals(6)));
-        assert_eq!(of(|x| format!("{x:.4}")), Some(PrintedDigits::Decimals(4)));
-        assert_eq!(of(|x| format!("{x:.5e}")), Some(PrintedDigits::Significant(6)));
-        assert_eq!(of(|x| (x as f32).to_string()), None);
-        assert_eq!(of(|x| format!("{:.8}", x as f32)), None);
-        assert_eq!(of(|x| x.to_string()), None);
+        assert_eq!(storage_of_text(&[&dozen]), Storage::F64);
     }
 
     #[test]

@@ -1,14 +1,23 @@
 //! The error of angles between faces that the digits of positions allow.
 
-use crate::mesh::{FacesRef, Mesh, PositionsRef, PrintedDigits, Storage, decimals};
+use crate::mesh::{FacesRef, Mesh, PositionsRef, Storage};
 use glam::DVec3;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
+/// With more decimals than this, the angles between faces of any sensible size are right to far less than they are compared by.
+const MOST_DECIMALS: i32 = 6;
+
+/// Coordinates that have to end in a digit of their own before the last decimal counts as what others were rounded to, and
+/// different digits among them: a box of halves is exact, not rounded.
+const FEWEST_ROUNDED: usize = 12;
+const FEWEST_DIGITS: u32 = 4;
+
 /// For each face, the angle in radians by which its normal may be off because coordinates were rounded to a few decimals;
 /// `None` where they were not.
 ///
-/// The decimals are those of the text, as far as positions show them. A corner is then off by δ = √3/2 units of that decimal at most, and the area vector ½Σ Pᵢ × Pᵢ₊₁ by
+/// The decimals are those of the text, as far as positions show them: the fewest that hold every coordinate, if the last of them
+/// takes several values. A corner is then off by δ = √3/2 units of that decimal at most, and the area vector ½Σ Pᵢ × Pᵢ₊₁ by
 /// ½δ(Σ|Pᵢ₊₁ − Pᵢ₋₁| + nδ), which turns it by the arc sine of its share in the area. Where that is no angle, it is π.
 pub(in crate::normals) fn turns_by_rounding(mesh: &Mesh) -> Option<Vec<f64>> {
     let moved = 0.5 * 3.0_f64.sqrt() * rounded_to(mesh)?;
@@ -35,8 +44,38 @@ fn rounded_to(mesh: &Mesh) -> Option<f64> {
     if mesh.storage() == Storage::F32 {
         return None;
     }
-    let coordinates = mesh.positions().iter().flat_map(|p| p.to_array());
-    Some(PrintedDigits::Decimals(decimals(coordinates)?).step(0.0))
+    let mut decimals = 0;
+    for coordinate in coordinates(mesh) {
+        while last_digit(coordinate, decimals).is_none() {
+            decimals += 1;
+            if decimals > MOST_DECIMALS {
+                return None;
+            }
+        }
+    }
+    let mut rounded = 0;
+    let mut digits = 0_u32;
+    for digit in coordinates(mesh).filter_map(|x| last_digit(x, decimals)) {
+        rounded += usize::from(digit != 0);
+        digits |= 1 << digit;
+        if rounded >= FEWEST_ROUNDED && digits.count_ones() >= FEWEST_DIGITS {
+            return Some(1.0 / libm::exp10(f64::from(decimals)));
+        }
+    }
+    None
+}
+
+fn coordinates(mesh: &Mesh) -> impl Iterator<Item = f64> {
+    mesh.positions().iter().flat_map(|p| p.to_array())
+}
+
+/// The last of so many decimals, if there are no more.
+fn last_digit(coordinate: f64, decimals: i32) -> Option<u8> {
+    let units = (coordinate * libm::exp10(f64::from(decimals))).abs();
+    let whole = units.round();
+    // A number that was read from decimals is off by half a spacing, and so is the product; beyond 2⁴⁸ that would hide the rest.
+    let is_whole = (units - whole).abs() <= 2.0 * f64::EPSILON * units && units < libm::ldexp(1.0, 48);
+    is_whole.then(|| (whole % 10.0) as u8)
 }
 
 #[cfg(test)]
@@ -57,6 +96,19 @@ mod tests {
 
     fn to_decimals(decimals: i32) -> impl Fn(f64) -> f64 {
         move |x| format!("{x:.*}", decimals as usize).parse().unwrap()
+    }
+
+    #[test]
+    fn decimals_are_seen_where_there_are_few() {
+        for decimals in 0..=MOST_DECIMALS {
+            let unit = rounded_to(&strip(to_decimals(decimals), Storage::F64)).unwrap();
+            assert!((unit * libm::exp10(f64::from(decimals)) - 1.0).abs() < 1e-15, "{decimals}");
+        }
+        assert_eq!(rounded_to(&strip(to_decimals(7), Storage::F64)), None);
+        assert_eq!(rounded_to(&strip(|x| x, Storage::F64)), None);
+        assert_eq!(rounded_to(&strip(to_decimals(2), Storage::F32)), None);
+        // Halves are exact.
+        assert_eq!(rounded_to(&strip(|x| x.round() + 0.5, Storage::F64)), None);
     }
 
     /// Faces of exact corners against those of rounded ones.

@@ -1,8 +1,8 @@
 //! Normals of faces.
 
-use crate::mesh::FacesRef;
+use crate::mesh::{FacesRef, PositionsRef};
 use crate::normals::faces::component::Component;
-use crate::normals::faces::positions::{Coordinates, Source};
+use crate::normals::faces::positions::Source;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::recipe::Weight;
 use crate::normals::sums::block::{GroupTerms, are_inner, group_terms};
@@ -21,7 +21,7 @@ pub(crate) struct FaceNormals {
 }
 
 /// Computes the normal of every face.
-pub(crate) fn face_normals<'a>(faces: FacesRef, positions: impl Into<Coordinates<'a>>) -> FaceNormals {
+pub(crate) fn face_normals(faces: FacesRef, positions: PositionsRef) -> FaceNormals {
     let mut normals =
         FaceNormals { unit: bytemuck::zeroed_vec(faces.len()), state: vec![FaceState::Counted; faces.len()] };
     normals.fill(faces, positions);
@@ -30,18 +30,18 @@ pub(crate) fn face_normals<'a>(faces: FacesRef, positions: impl Into<Coordinates
 
 impl FaceNormals {
     /// As [`face_normals`], in memory that has served before.
-    pub(crate) fn fill<'a>(&mut self, faces: FacesRef, positions: impl Into<Coordinates<'a>>) {
+    pub(crate) fn fill(&mut self, faces: FacesRef, positions: PositionsRef) {
         self.unit.resize(faces.len(), DVec3::ZERO);
         self.state.resize(faces.len(), FaceState::Counted);
         let unit: &mut [[f64; 3]] = bytemuck::cast_slice_mut(&mut self.unit);
-        face_normals_into(faces, positions.into(), unit, &mut self.state);
+        face_normals_into(faces, positions, unit, &mut self.state);
     }
 }
 
 /// The same into the caller's slices, one entry a face; zero vectors where there is no direction.
 pub(crate) fn face_normals_into<O: Component>(
     faces: FacesRef,
-    positions: Coordinates,
+    positions: PositionsRef,
     unit: &mut [[O; 3]],
     state: &mut [FaceState],
 ) {

@@ -1,29 +1,10 @@
 //! Positions as the kernels read them: in place, in the type that they came in.
 
-use crate::mesh::{Mesh, PositionsRef, PrintedDigits, Storage};
-use crate::normals::faces::sliver::Rounding;
+use crate::mesh::{PositionsRef, Storage};
+use crate::normals::faces::sliver;
 use crate::num::{self, Kernel, LANES, Lanes};
 use glam::DVec3;
 use rayon::prelude::*;
-
-/// Positions, and the digits that they were printed with.
-#[derive(Clone, Copy)]
-pub(crate) struct Coordinates<'a> {
-    pub(crate) positions: PositionsRef<'a>,
-    pub(crate) printed: Option<PrintedDigits>,
-}
-
-impl<'a> From<PositionsRef<'a>> for Coordinates<'a> {
-    fn from(positions: PositionsRef<'a>) -> Self {
-        Self { positions, printed: None }
-    }
-}
-
-impl<'a> From<&'a Mesh> for Coordinates<'a> {
-    fn from(mesh: &'a Mesh) -> Self {
-        Self { positions: mesh.positions(), printed: mesh.printed_digits() }
-    }
-}
 
 /// Where kernels read positions. Everything is measured in *kernel units*: the caller's own for `f32` values;
 /// for doubles, those times a power of two that brings the largest coordinate to the top of the `f32` range. So
@@ -33,49 +14,49 @@ pub(crate) struct Source<'a> {
     positions: PositionsRef<'a>,
     /// From the caller's units to kernel units: a power of two.
     factor: f64,
-    /// In kernel units.
-    pub(crate) rounding: Rounding,
     extent: Option<Extent>,
 }
 
 /// How far coordinates go.
 #[derive(Clone, Copy)]
 pub(crate) struct Extent {
-    /// The [`triangle_bound`](Rounding::triangle_bound) of all triangles.
+    /// The [`triangle_bound`](sliver::triangle_bound) of all triangles.
     pub(crate) sliver_bound: f64,
     /// Differences of multiples of this are exact: a power of two.
     pub(crate) grain: f64,
 }
 
 impl Extent {
-    fn new(largest: f64, rounding: Rounding) -> Option<Self> {
+    fn new(largest: f64) -> Option<Self> {
         // Differences are at most twice as large, and 53 bits long. Where all is zero, any grain will do.
         let grain = num::power_of_two((num::exponent(largest) - 50).max(-1022));
-        let sliver_bound = rounding.triangle_bound(largest);
+        let sliver_bound = sliver::triangle_bound(Storage::F32, largest);
         largest.is_finite().then_some(Self { sliver_bound, grain })
     }
 }
 
 impl<'a> Source<'a> {
     /// Finds the largest coordinate, in parallel.
-    pub(crate) fn new(coordinates: impl Into<Coordinates<'a>>) -> Self {
-        let Coordinates { positions, printed } = coordinates.into();
-        match positions {
+    pub(crate) fn new(positions: PositionsRef<'a>) -> Self {
+        let (factor, extent) = match positions {
             PositionsRef::F32(points) => {
                 let largest = |points: &[[f32; 3]]| num::dispatch(LargestSingle(points.as_flattened()));
                 let largest = points.par_chunks(1 << 16).map(largest).reduce(|| 0, u32::max);
-                let rounding = Rounding::new(Storage::F32, printed, 1.0);
-                let extent = Extent::new(f64::from(f32::from_bits(largest)), rounding);
-                Self { positions, factor: 1.0, rounding, extent }
+                (1.0, Extent::new(f64::from(f32::from_bits(largest))))
             }
             PositionsRef::F64(points) => {
                 let largest = |points: &[DVec3]| num::dispatch(LargestDouble(points));
                 let largest = points.par_chunks(1 << 14).map(largest).reduce(|| 0.0, f64::max);
-                let factor = factor_of(largest);
-                let rounding = Rounding::new(Storage::F64, printed, factor);
-                Self { positions, factor, rounding, extent: None }
+                (factor_of(largest), None)
             }
-        }
+        };
+        Self { positions, factor, extent }
+    }
+
+    /// Whether every coordinate is an `f32` value.
+    #[inline(always)]
+    pub(crate) fn storage(&self) -> Storage {
+        self.positions.storage()
     }
 
     /// The position of a vertex, in kernel units, and whether the conversion lost bits.

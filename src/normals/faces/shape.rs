@@ -1,7 +1,7 @@
 //! The direction and area of one face, faithfully: the path that is right for every input.
 
 use crate::mesh::Storage;
-use crate::normals::faces::sliver::{self, Rounding};
+use crate::normals::faces::sliver;
 use crate::num::{self, CompensatedSum, ExactSum, Product};
 use glam::DVec3;
 
@@ -182,7 +182,7 @@ fn for_each_pair(points: &[DVec3], mut visit: impl FnMut(Difference, Difference)
 
 /// The shape of the face with these corners. `lossy`: bringing them to kernel units may have lost bits.
 #[inline(always)]
-pub(crate) fn face_shape<P: Product>(points: &[DVec3], rounding: Rounding, lossy: bool) -> FaceShape {
+pub(crate) fn face_shape<P: Product>(points: &[DVec3], storage: Storage, lossy: bool) -> FaceShape {
     if !points.iter().all(|point| point.is_finite()) {
         return FaceShape::without_direction(FaceState::NonFinite);
     }
@@ -199,7 +199,7 @@ pub(crate) fn face_shape<P: Product>(points: &[DVec3], rounding: Rounding, lossy
         return FaceShape::without_direction(FaceState::ZeroArea);
     }
     let (vector, settled) = match points.len() {
-        3 | 4 => area_vector_of_one_pair::<P>(points, rounding.storage, exponent, lossy),
+        3 | 4 => area_vector_of_one_pair::<P>(points, storage, exponent, lossy),
         _ => area_vector_of_fan::<P>(points, exponent, lossy),
     };
     if !settled {
@@ -210,7 +210,7 @@ pub(crate) fn face_shape<P: Product>(points: &[DVec3], rounding: Rounding, lossy
     }
     let (unit, length) = num::direction(vector);
     let diameter = sliver::squared_diameter(points, exponent).sqrt();
-    let threshold = libm::ldexp(rounding.threshold(largest), -exponent);
+    let threshold = libm::ldexp(sliver::threshold(storage, largest), -exponent);
     let state = if length < threshold * diameter { FaceState::Sliver } else { FaceState::Counted };
     FaceShape { vector, unit, length, exponent, state }
 }

@@ -1,54 +1,26 @@
 //! Faces so thin that their direction is noise of the file's own rounding.
 
-use crate::mesh::{PrintedDigits, Storage};
+use crate::mesh::Storage;
 use crate::num;
 use glam::DVec3;
 
-/// What coordinates were rounded to, when they were stored and when they were printed.
-#[derive(Clone, Copy)]
-pub(crate) struct Rounding {
-    pub(crate) storage: Storage,
-    /// The height below which printed decimals leave a face no direction; 0 without them.
-    decimals: f64,
-    significant: Option<PrintedDigits>,
-}
-
-impl Rounding {
-    /// For coordinates that were multiplied by a factor.
-    pub(crate) fn new(storage: Storage, printed: Option<PrintedDigits>, factor: f64) -> Self {
-        match printed {
-            Some(PrintedDigits::Decimals(_)) => {
-                Self { decimals: printed_height(printed, 0.0) * factor, ..Self::new(storage, None, factor) }
-            }
-            significant => Self { storage, decimals: 0.0, significant },
-        }
-    }
-
-    /// The height below which a face is a sliver, for the largest |coordinate| of the face: four times the spacing of `f32`
-    /// values there, or 2^-48 of it for doubles and text; √3 units of the last printed digit, if that is more.
-    #[inline]
-    pub(crate) fn threshold(self, largest: f64) -> f64 {
-        let stored = match self.storage {
-            // Below the normal numbers the spacing stays 2^-149.
-            Storage::F32 => 4.0 * num::power_of_two((num::exponent(largest) - 23).max(-149)),
-            Storage::F64 => largest * num::power_of_two(-48),
-        };
-        stored.max(self.decimals).max(printed_height(self.significant, largest))
-    }
-
-    /// Triangles whose |v|² is above this times |e1|² + |e2|² are no slivers, if no coordinate is larger than `largest`.
-    pub(crate) fn triangle_bound(self, largest: f64) -> f64 {
-        let threshold = self.threshold(largest);
-        // The longest edge is at most |e1| + |e2|, its square at most twice the sum of theirs; and something for the
-        // rounding of the test itself.
-        2.001 * threshold * threshold
+/// The height below which a face is a sliver, for the largest |coordinate| of the face: four times the spacing
+/// of `f32` values there, or 2^-48 of it for doubles and text.
+#[inline]
+pub(crate) fn threshold(storage: Storage, largest: f64) -> f64 {
+    match storage {
+        // Below the normal numbers the spacing stays 2^-149.
+        Storage::F32 => 4.0 * num::power_of_two((num::exponent(largest) - 23).max(-149)),
+        Storage::F64 => largest * num::power_of_two(-48),
     }
 }
 
-/// The height that a face without area may have after printing. Each corner moves by at most √3/2 units of the last digit, and the
-/// line through the two others by as much.
-fn printed_height(printed: Option<PrintedDigits>, largest: f64) -> f64 {
-    printed.map_or(0.0, |digits| 3.0_f64.sqrt() * digits.step(largest))
+/// Triangles whose |v|² is above this times |e1|² + |e2|² are no slivers, if no coordinate is larger than `largest`.
+pub(crate) fn triangle_bound(storage: Storage, largest: f64) -> f64 {
+    let threshold = threshold(storage, largest);
+    // The longest edge is at most |e1| + |e2|, its square at most twice the sum of theirs; and something for the
+    // rounding of the test itself.
+    2.001 * threshold * threshold
 }
 
 /// Up to this many corners, all pairs are measured.
@@ -113,25 +85,11 @@ mod tests {
 
     #[test]
     fn threshold_follows_the_spacing_of_the_storage() {
-        let threshold = |storage, largest| Rounding::new(storage, None, 1.0).threshold(largest);
         assert_eq!(threshold(Storage::F32, 1.0), 4.0 * f64::from(f32::EPSILON));
         assert_eq!(threshold(Storage::F32, 1.99), 4.0 * f64::from(f32::EPSILON));
         assert_eq!(threshold(Storage::F32, 1e-42), 4.0 * f64::from(f32::from_bits(1)));
         assert_eq!(threshold(Storage::F32, 0.0), 4.0 * f64::from(f32::from_bits(1)));
         assert_eq!(threshold(Storage::F64, 3.0), 3.0 / 281_474_976_710_656.0);
-    }
-
-    #[test]
-    fn threshold_is_that_of_printed_digits_where_they_are_few() {
-        let threshold =
-            |storage, printed, largest| Rounding::new(storage, Some(printed), 8.0).threshold(largest);
-        let [fixed, general] = [PrintedDigits::Decimals(6), PrintedDigits::Significant(6)];
-        let step = 3.0_f64.sqrt() * 8e-6;
-        assert!((threshold(Storage::F64, fixed, 80.0) / step - 1.0).abs() < 1e-15);
-        // The spacing of f32 is more.
-        assert_eq!(threshold(Storage::F32, fixed, 100.0), 4.0 * 64.0 * f64::from(f32::EPSILON));
-        let general = threshold(Storage::F32, general, 80.0);
-        assert!((general / (3.0_f64.sqrt() * 1e-4) - 1.0).abs() < 1e-15);
     }
 
     #[test]

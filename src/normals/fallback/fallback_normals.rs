@@ -198,7 +198,7 @@ pub(crate) struct FaceField(FaceNormals);
 impl FaceField {
     /// Of a mesh unchanged, faithful.
     pub(crate) fn new(mesh: &Mesh, topology: &Topology) -> Self {
-        Self::with_fallbacks(mesh, topology, face_normals(mesh.faces().view(), mesh))
+        Self::with_fallbacks(mesh, topology, face_normals(mesh.faces().view(), mesh.positions()))
     }
 
     /// Adds fallback normals for faces without a direction.

@@ -23,7 +23,7 @@ pub(super) fn means_of(mesh: &Mesh, corner_group: &[u32]) -> Vec<DVec3> {
     let groups = corner_group.iter().max().map_or(0, |&group| group as usize + 1);
     weighted_sums(&SumRequest {
         faces: mesh.faces().view(),
-        positions: mesh.into(),
+        positions: mesh.positions(),
         target: corner_group,
         slots: groups,
         weight: Weight::Angle,

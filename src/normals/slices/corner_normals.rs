@@ -74,7 +74,7 @@ pub fn corner_normals<T: Coordinate>(
     let crease = CreaseTest::new(Some(crease));
     let creases = TriangleCreases { faces, normals: face_normals, crease, slivers, counts: None };
     let (slots, _) = creases.entries(positions.len(), groups, index);
-    let request = SumRequest { faces, positions: points.into(), target: index, slots, weight, slivers };
+    let request = SumRequest { faces, positions: points, target: index, slots, weight, slivers };
     states.resize(slots, SlotState::Empty);
     normals.resize(slots, [T::ZERO; 3]);
     if precision == Precision::Fast

@@ -106,7 +106,7 @@ pub fn face_normals<T: Coordinate>(
     let faces = FacesRef::triangles(triangles);
     let states = &mut scratch.faces.state;
     states.resize(triangles.len(), FaceState::Counted);
-    face_normals_into(faces, T::positions(positions).into(), normals, states);
+    face_normals_into(faces, T::positions(positions), normals, states);
 
     let unusual = |(face, &state): (usize, &FaceState)| fault(face as u32, state);
     let faults =
@@ -176,7 +176,7 @@ pub fn vertex_normals<T: Coordinate>(
     let (faces, points) = (FacesRef::triangles(triangles), T::positions(positions));
     let request = SumRequest {
         faces,
-        positions: points.into(),
+        positions: points,
         target: faces.corners(),
         slots: positions.len(),
         weight,

@@ -331,7 +331,7 @@ mod tests {
                 {
                     let request = SumRequest {
                         faces: FacesRef::triangles(faces),
-                        positions: positions.view().into(),
+                        positions: positions.view(),
                         target: faces.as_flattened(),
                         slots: points.len(),
                         weight,

@@ -4,6 +4,7 @@
 
 use crate::mesh::Storage;
 use crate::normals::faces::positions::{Extent, Source};
+use crate::normals::faces::sliver;
 use crate::normals::recipe::Weight;
 use crate::normals::sums::weight::TriangleMeasures;
 use crate::num::{LANES, Lanes, Real, Rows, Scalars, Truth, Vectors};
@@ -65,8 +66,8 @@ pub(crate) fn group_terms<A: Lanes>(
     }
     // A bound for these triangles' own coordinates may be lower.
     let (largest, smallest) = range(arch, [p0, p1, p2]);
-    let bound = source.rounding.triangle_bound(largest);
-    let single = source.rounding.storage == Storage::F32;
+    let bound = sliver::triangle_bound(source.storage(), largest);
+    let single = source.storage() == Storage::F32;
     if single && largest < EXACT_RATIO * smallest {
         let (e1, e2) = (p1 - p0, p2 - p0);
         return Group { e1, e2, e3: p2 - p1, vector: e1.cross(e2) }.write(weight, bound, terms);

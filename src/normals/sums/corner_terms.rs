@@ -1,9 +1,8 @@
 //! What the corners of one face of any shape add to sums: the scalar path, the same bits as in blocks.
 
-use crate::mesh::FacesRef;
+use crate::mesh::{FacesRef, Storage};
 use crate::normals::faces::positions::Source;
 use crate::normals::faces::shape::{FaceShape, FaceState, face_shape};
-use crate::normals::faces::sliver::Rounding;
 use crate::normals::recipe::Weight;
 use crate::normals::sums::weight::TriangleMeasures;
 use crate::num::{self, Kernel, Lanes, OneLane, Scalars, Vectors};
@@ -40,7 +39,7 @@ impl CornerTerms {
             lossy |= lost;
             point
         }));
-        num::dispatch(Shape { points: &self.points, rounding: source.rounding, lossy })
+        num::dispatch(Shape { points: &self.points, storage: source.storage(), lossy })
     }
 
     /// Fills in what a face adds. A corner at the position of the corner before it adds nothing of its own if `repeats` is true
@@ -150,7 +149,7 @@ fn dot(a: DVec3, b: DVec3) -> f64 {
 /// A face's shape, computed with the instructions that the CPU has.
 struct Shape<'a> {
     points: &'a [DVec3],
-    rounding: Rounding,
+    storage: Storage,
     lossy: bool,
 }
 
@@ -159,6 +158,6 @@ impl Kernel for Shape<'_> {
 
     #[inline(always)]
     fn run<A: Lanes>(self, _: A) -> FaceShape {
-        face_shape::<A>(self.points, self.rounding, self.lossy)
+        face_shape::<A>(self.points, self.storage, self.lossy)
     }
 }

@@ -1,7 +1,6 @@
 //! What to sum, and what a sum can turn out to be.
 
-use crate::mesh::FacesRef;
-use crate::normals::faces::positions::Coordinates;
+use crate::mesh::{FacesRef, PositionsRef};
 use crate::normals::recipe::{Slivers, Weight};
 use glam::DVec3;
 
@@ -20,7 +19,7 @@ pub(crate) type Sum = [f64; 4];
 pub(crate) struct SumRequest<'a> {
     pub(crate) faces: FacesRef<'a>,
     /// The positions of vertices.
-    pub(crate) positions: Coordinates<'a>,
+    pub(crate) positions: PositionsRef<'a>,
     /// The slot of each corner, [`NONE`](crate::mesh::NONE) to leave it out.
     pub(crate) target: &'a [u32],
     /// The number of slots.

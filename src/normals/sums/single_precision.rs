@@ -48,7 +48,7 @@ pub(crate) fn single_sums_into<O: Component>(
         return false;
     }
     let mut copied = std::mem::take(&mut scratch.single_positions);
-    let points: &[[f32; 3]] = match request.positions.positions {
+    let points: &[[f32; 3]] = match request.positions {
         PositionsRef::F32(points) => points,
         PositionsRef::F64(points) => {
             points.par_iter().map(|point| point.as_vec3().to_array()).collect_into_vec(&mut copied);

@@ -225,7 +225,7 @@ fn own_pictures(own: &OwnMesh, parts: &[&Mesh], recipe: &NormalRecipe, page: &mu
         let estimate = own.methods[weight as usize].estimate;
         (weight, estimate, ErrorPicture { mesh: Cow::Borrowed(largest), field, errors })
     });
-    let of = if parts.len() > 1 { "The part with the most faces" } else { "The mesh" };
+    let of = if parts.len() > 1 { "The submesh with the most faces" } else { "The mesh" };
     error_sheet(page, pictures, &format!("{of}: angle to the reference; grey where there is none"))
 }
 

@@ -43,7 +43,7 @@ fn the_report_has_a_line_for_each_decision() {
     assert_eq!(code(&crease().args(["render", &output, "-o", &picture, "-q"]).output().unwrap()), 0);
     let second = plan(&[&output, "--tolerance", "0.001"]);
     assert!(
-        text(&second.stdout).contains("nothing can be left out within the tolerance"),
+        text(&second.stdout).contains("nothing can be omitted within the tolerance"),
         "{}",
         text(&second.stdout)
     );
