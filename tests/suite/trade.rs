@@ -117,7 +117,8 @@ fn the_report_has_every_part() {
     assert_eq!(classes.len(), 10);
     for class in classes {
         let points = class["points"].as_array().unwrap();
-        assert_eq!((points.len(), class["surfaces"].as_u64() >= Some(2)), (9, true), "{class}");
+        // `--quick` has scattered points of one surface only.
+        assert_eq!((points.len(), class["surfaces"].as_u64() >= Some(1)), (9, true), "{class}");
         assert!(points.iter().any(|point| point["dominated_by"].is_null()));
         let is_random = ["jittered", "quads", "polygons", "marching", "scattered", "noisy"];
         let has_spread = points.iter().any(|point| point["spread"][0] != point["spread"][1]);
