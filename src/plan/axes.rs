@@ -92,7 +92,7 @@ pub struct Normals {
     pub source: Source,
     /// Whether hard edges split them.
     pub creases: bool,
-    /// How carefully they are computed; `None` where they are not.
+    /// How carefully they are computed, if they are.
     pub precision: Precision,
     /// How they are stored; `None` as declared.
     pub format: Option<StoredFormat>,

@@ -36,26 +36,6 @@ impl Document {
         })
     }
 
-    /// Whether the table of an object has a key.
-    pub fn has(&self, object: usize, key: &str) -> bool {
-        self.table(object).is_some_and(|table| table.contains_key(key))
-    }
-
-    /// A string or an inner value of the table of an object.
-    pub fn text_of(&self, object: usize, key: &str) -> Option<&str> {
-        self.table(object)?.get(key)?.as_str()
-    }
-
-    /// A string of `[settings]`.
-    pub fn setting(&self, key: &str) -> Option<&str> {
-        self.0.get("settings")?.get(key)?.as_str()
-    }
-
-    /// Whether `[settings]` has a key.
-    pub fn has_setting(&self, key: &str) -> bool {
-        self.0.get("settings").is_some_and(|settings| settings.get(key).is_some())
-    }
-
     /// The cells of the tessellation of an object.
     pub fn segments(&self, object: usize) -> Option<[u32; 2]> {
         let tessellation = self.table(object)?.get("tessellation")?;
@@ -173,21 +153,25 @@ impl Document {
         let mut all = Table::new();
         all.set_implicit(true);
         let black = [(LightModel(Some(Light::Ambient { colour: LinearRgb::default() })), String::new())];
-        let lights = if lights.iter().any(|(light, _)| light.0.is_some()) { lights } else { &black };
+        let stays_lit = lights.iter().any(|(light, _)| light.0.is_some());
+        let old = self.light_tables();
+        let old = |number: usize| if stays_lit && old.len() == lights.len() { old.get(number) } else { None };
+        let lights = if stays_lit { lights } else { &black };
         for kind in KINDS {
             let of_kind = lights.iter().enumerate().filter_map(|(number, (light, comment))| {
                 let light = light.0.as_ref().filter(|light| light.kind() == kind)?;
-                let mut table = light_table(light);
+                let prefix = old(number).and_then(|table| table.decor().prefix()?.as_str()).unwrap_or("\n");
+                let mut table = match old(number) {
+                    Some(unchanged) if comment.is_empty() => unchanged.clone(),
+                    _ => light_table(light),
+                };
                 if kept.contains(&number) {
                     table.insert("plan", value("keep"));
                 }
                 // The order of lights, which their sum is formed in.
                 table.set_position(Some(isize::try_from(1000 + number).unwrap_or(isize::MAX)));
-                table.decor_mut().set_prefix(if comment.is_empty() {
-                    "\n".into()
-                } else {
-                    format!("\n# {comment}\n")
-                });
+                let reason = if comment.is_empty() { String::new() } else { format!("# {comment}\n") };
+                table.decor_mut().set_prefix(format!("{prefix}{reason}"));
                 Some(table)
             });
             let tables: ArrayOfTables = of_kind.collect();
@@ -196,6 +180,14 @@ impl Document {
             }
         }
         self.0.insert("light", Item::Table(all));
+    }
+
+    /// The tables of lights in the order of the text.
+    fn light_tables(&self) -> Vec<Table> {
+        let of_kind = |kind: &&str| self.0.get("light")?.get(kind)?.as_array_of_tables();
+        let mut tables: Vec<&Table> = KINDS.iter().filter_map(of_kind).flatten().collect();
+        tables.sort_by_key(|table| table.position());
+        tables.into_iter().cloned().collect()
     }
 
     /// Sets the camera.
@@ -362,5 +354,29 @@ mod tests {
         let text = format!("[settings] # pictures\nshading = \"flat\"\n{object}");
         let expected = text.replace("\"flat\"\n", "\"flat\"\nsize = [4, 3]\n");
         assert_eq!(with_size(&text, [4, 3]).unwrap(), expected);
+    }
+
+    /// Comments stay, and lights that do not change stay as they are written.
+    #[test]
+    fn lights_keep_their_comments_and_their_order() {
+        let text = "# the sun\n[[light.directional]]\ntowards = [0, 2, 0] # up\n\n# a lamp\n[[light.point]]\nposition = [0, 9, 0]\n\
+                    [[light.directional]] # sky\ntowards = [1, 0, 0]\n[[object]]\nsurface.sphere.radius = 1\n";
+        let mut document = Document::parse(text).unwrap();
+        let sun = |towards| LightModel(Some(Light::Directional { towards, colour: LinearRgb::WHITE }));
+        let lights = [
+            (sun(2.0 * DVec3::Y), String::new()),
+            (sun(9.0 * DVec3::Y), "plan: nearer".to_owned()),
+            (sun(DVec3::X), String::new()),
+        ];
+        document.set_lights(&lights, &[]);
+        let changed = document.to_string();
+        let places = [
+            "# the sun\n[[light.dir",
+            "[0, 2, 0] # up",
+            "# a lamp\n# plan: nearer\n[[light.dir",
+            "# sky\ntow",
+        ];
+        let places = places.map(|part| changed.find(part).unwrap_or_else(|| panic!("{part}: {changed}")));
+        assert!(places.is_sorted(), "{changed}");
     }
 }

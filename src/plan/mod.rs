@@ -12,6 +12,8 @@ mod lights;
 pub mod cost;
 // The text of a scene file, and changes to it.
 mod document;
+// An object table of the scene file.
+mod unit;
 // The objects of the scene with any model, drawn from every view.
 mod stage;
 // The models that an object may have.
@@ -26,12 +28,15 @@ mod views;
 mod trials;
 // The search.
 pub mod search;
+// The decisions of a plan, and the planned text.
+mod decisions;
 // The plan of a scene file.
 mod planned;
 
 pub use axes::{Axis, LightModel, Normals, ObjectModel, Source, Terms};
 pub use compare::Difference;
 pub use cost::{Cost, Minimise};
+pub use decisions::{Decision, Plan};
 pub use document::{scene_text, with_size};
-pub use planned::{Decision, Plan, PlanOptions, plan};
+pub use planned::{PlanOptions, plan};
 pub use stage::PlanError;

@@ -1,7 +1,8 @@
 //! The models that an object may have.
 
 use super::axes::{Axis, Normals, ObjectModel, Source, Terms};
-use super::stage::{Stage, Unit};
+use super::stage::Stage;
+use super::unit::Unit;
 use crate::normals::{Precision, Weight};
 use crate::raster::{Interpolation, Shading, StoredFormat};
 use crate::shade::Reflection;
@@ -14,11 +15,10 @@ pub fn models_of(stage: &Stage, unit: usize, is_open: &dyn Fn(Axis) -> bool) -> 
     if it.is_kept || reference.shading == Shading::Wireframe {
         return vec![reference];
     }
-    let open = |axis: Axis| is_open(axis);
     let mut models = vec![reference];
     // Each axis multiplies the models so far.
     let mut extend = |axis: Axis, values: &dyn Fn(&ObjectModel) -> Vec<ObjectModel>| {
-        if open(axis) {
+        if is_open(axis) {
             let more: Vec<ObjectModel> = models.iter().flat_map(values).collect();
             models.extend(more);
         }
@@ -31,7 +31,7 @@ pub fn models_of(stage: &Stage, unit: usize, is_open: &dyn Fn(Axis) -> bool) -> 
     }
     extend(Axis::Tessellation, &|model| {
         let mut list = Vec::new();
-        let mut segments = it.segments;
+        let mut segments = reference.segments;
         while let Some([u, v]) =
             segments.map(|[u, v]| [u * 3 / 4, v * 3 / 4]).filter(|[u, v]| *u >= 4 && *v >= 3)
         {
@@ -47,29 +47,20 @@ pub fn models_of(stage: &Stage, unit: usize, is_open: &dyn Fn(Axis) -> bool) -> 
         if model.two_sided { vec![ObjectModel { two_sided: false, ..*model }] } else { Vec::new() }
     });
     extend(Axis::Interpolation, &|model| {
-        let is_reduced = model.interpolation == Interpolation::Perspective && model.normals.is_some();
-        if is_reduced {
-            vec![ObjectModel { interpolation: Interpolation::Affine, ..*model }]
-        } else {
-            Vec::new()
-        }
+        let is_open = model.interpolation == Interpolation::Perspective && model.normals.is_some();
+        is_open
+            .then_some(ObjectModel { interpolation: Interpolation::Affine, ..*model })
+            .into_iter()
+            .collect()
     });
     let with = |model: &ObjectModel, change: &dyn Fn(Normals) -> Option<Normals>| {
         model.normals.and_then(change).map(|normals| ObjectModel { normals: Some(normals), ..*model })
     };
     extend(Axis::Weight, &|model| {
-        let weights = |weight: Weight| Normals {
-            source: Source::Computed(weight),
-            ..model.normals.unwrap_or(NO_NORMALS)
-        };
-        let cheaper: &[Weight] = match model.normals.map(|normals| normals.source) {
-            Some(Source::Computed(Weight::Uniform | Weight::Area)) | Some(Source::Given) | None => &[],
-            Some(Source::Computed(weight)) if weight.is_fit() => {
-                &[Weight::Angle, Weight::Max, Weight::Edge, Weight::AngleArea, Weight::Uniform, Weight::Area]
-            }
-            Some(_) => &[Weight::Uniform, Weight::Area],
-        };
-        cheaper.iter().map(|&weight| ObjectModel { normals: Some(weights(weight)), ..*model }).collect()
+        let weights = model.normals.map_or(&[][..], |normals| cheaper_weights(normals.source));
+        let computed =
+            |&weight| with(model, &|normals| Some(Normals { source: Source::Computed(weight), ..normals }));
+        weights.iter().filter_map(computed).collect()
     });
     extend(Axis::Creases, &|model| {
         let is_split = it.has_splits
@@ -108,14 +99,22 @@ pub fn models_of(stage: &Stage, unit: usize, is_open: &dyn Fn(Axis) -> bool) -> 
             _ => Vec::new(),
         }
     });
-    // Flat shading has no normals, so many combinations are the same. Ambient light needs none either.
+    // Flat shading has no normals, so many combinations are the same.
     let mut seen = HashSet::new();
     models.retain(|model| seen.insert(*model));
     models
 }
 
-const NO_NORMALS: Normals =
-    Normals { source: Source::Given, creases: true, precision: Precision::Faithful, format: None };
+/// The weights that cost less.
+fn cheaper_weights(source: Source) -> &'static [Weight] {
+    match source {
+        Source::Given | Source::Computed(Weight::Uniform | Weight::Area) => &[],
+        Source::Computed(weight) if weight.is_fit() => {
+            &[Weight::Angle, Weight::Max, Weight::Edge, Weight::AngleArea, Weight::Uniform, Weight::Area]
+        }
+        Source::Computed(_) => &[Weight::Uniform, Weight::Area],
+    }
+}
 
 /// The reductions of a unit's material.
 fn terms(unit: &Unit) -> Vec<Terms> {

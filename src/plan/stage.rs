@@ -1,44 +1,22 @@
 //! The scene of a plan: its objects with any model, drawn from every view.
 
-use super::axes::{Normals, ObjectModel, Source, Terms};
-use super::cost::{Highlight, Sizes};
+use super::axes::{Normals, ObjectModel, Terms};
+use super::cost::Sizes;
 use super::document::{Document, with_terms};
+use super::unit::{Unit, count_vertices};
 use crate::io::ReadError;
-use crate::mesh::ColumnIndex;
-use crate::normals::{Precision, Weight};
+use crate::num::LinearRgb;
 use crate::raster::{
-    Camera, Image, LoadOptions, Object, Paint, RenderError, RenderSettings, Scene, SceneFile, SceneShape,
-    Shading, Shape, pixel_colour, probe, render,
+    Camera, Image, LoadOptions, Object, Paint, RenderError, RenderSettings, Scene, SceneFile, SceneMesh,
+    SceneShape, Shape, pixel_colour, probe, render,
 };
-use crate::shade::{Light, Material};
+use crate::shade::Light;
 use std::borrow::Cow;
+use std::cell::RefCell;
 use std::collections::HashMap;
 use std::ops::Range;
 use std::path::Path;
-use std::sync::{Arc, Mutex};
-
-/// An object table of the scene file, which may be several objects of a mesh file.
-#[derive(Debug)]
-pub struct Unit {
-    /// Its name in reports.
-    pub name: String,
-    /// The objects as declared.
-    pub declared: Arc<SceneFile>,
-    /// Its model as declared.
-    pub reference: ObjectModel,
-    /// The material that all its objects have; `None` if they have several, or colours of their vertices.
-    pub material: Option<Material>,
-    /// Its most expensive highlight.
-    pub highlight: Highlight,
-    /// Whether the scene marks it as unchanged.
-    pub is_kept: bool,
-    /// Whether rays are cast at it.
-    pub is_cast: bool,
-    /// Whether its cells can be changed, with the declared ones.
-    pub segments: Option<[u32; 2]>,
-    /// Whether its normals differ between hard and smooth edges.
-    pub has_splits: bool,
-}
+use std::rc::Rc;
 
 /// What of a model decides the vertices and normals of an object.
 type Geometry = (usize, Option<Normals>, Option<[u32; 2]>);
@@ -54,17 +32,25 @@ pub struct Stage<'a> {
     pub units: Vec<Unit>,
     /// The number of the first object of each unit, and of all objects at the end.
     first: Vec<usize>,
-    background: crate::num::LinearRgb,
-    loaded: Mutex<HashMap<Geometry, Arc<SceneFile>>>,
+    background: LinearRgb,
+    /// Those of other models that were needed, and the corners that they have in all.
+    loaded: RefCell<(HashMap<Geometry, Rc<SceneFile>>, usize)>,
 }
 
+/// Most corners of faces of models that are kept: some 50 bytes each. Beyond that all are read again when they are needed.
+const MOST_CORNERS: usize = 1 << 25;
+
 impl<'a> Stage<'a> {
-    /// From a scene file.
+    /// From a scene file, which is read as a `whole` already.
     ///
     /// # Errors
     /// What makes the scene unreadable.
-    pub fn new(document: &'a Document, base: &'a Path, options: &'a LoadOptions) -> Result<Self, ReadError> {
-        let whole = SceneFile::from_toml(&document.to_string(), base, options)?;
+    pub fn new(
+        document: &'a Document,
+        whole: &SceneFile,
+        base: &'a Path,
+        options: &'a LoadOptions,
+    ) -> Result<Self, ReadError> {
         let settings = RenderSettings { keep_linear: true, keep_objects: true, ..whole.settings };
         let mut stage = Self {
             document,
@@ -74,12 +60,12 @@ impl<'a> Stage<'a> {
             units: Vec::new(),
             first: vec![0],
             background: whole.background,
-            loaded: Mutex::default(),
+            loaded: RefCell::default(),
         };
         for object in 0..document.objects() {
-            let declared = Arc::new(SceneFile::from_toml(&document.only(object).to_string(), base, options)?);
+            let declared = Rc::new(SceneFile::from_toml(&document.only(object).to_string(), base, options)?);
             stage.first.push(stage.objects() + declared.objects.len());
-            stage.units.push(unit(document, object, declared, &settings));
+            stage.units.push(Unit::new(document, object, declared, &settings));
         }
         Ok(stage)
     }
@@ -88,7 +74,7 @@ impl<'a> Stage<'a> {
     ///
     /// # Errors
     /// What makes the changed scene unreadable.
-    pub fn geometry(&self, unit: usize, model: &ObjectModel) -> Result<Arc<SceneFile>, ReadError> {
+    pub fn geometry(&self, unit: usize, model: &ObjectModel) -> Result<Rc<SceneFile>, ReadError> {
         let Unit { declared, reference, .. } = &self.units[unit];
         // Without normals of vertices those of faces are taken, which every mesh has.
         let normals = model.normals.or(reference.normals);
@@ -96,16 +82,21 @@ impl<'a> Stage<'a> {
             return Ok(declared.clone());
         }
         let key = (unit, normals, model.segments);
-        if let Some(known) = self.loaded.lock().ok().and_then(|loaded| loaded.get(&key).cloned()) {
-            return Ok(known);
+        if let Some(known) = self.loaded.borrow().0.get(&key) {
+            return Ok(known.clone());
         }
         let mut document = self.document.only(unit);
         let wanted = ObjectModel { normals, segments: model.segments, ..*reference };
         document.apply(0, &wanted, reference, None, &|_| String::new());
-        let file = Arc::new(SceneFile::from_toml(&document.to_string(), self.base, self.options)?);
-        if let Ok(mut loaded) = self.loaded.lock() {
-            loaded.insert(key, file.clone());
+        let file = Rc::new(SceneFile::from_toml(&document.to_string(), self.base, self.options)?);
+        let corners: usize = file.meshes.iter().map(|mesh| mesh.mesh.faces().corner_count()).sum();
+        let (loaded, count) = &mut *self.loaded.borrow_mut();
+        if *count + corners > MOST_CORNERS {
+            loaded.clear();
+            *count = 0;
         }
+        *count += corners;
+        loaded.insert(key, file.clone());
         Ok(file)
     }
 
@@ -120,7 +111,7 @@ impl<'a> Stage<'a> {
         camera: &Camera,
     ) -> Result<Image, PlanError> {
         let files = models.iter().map(|(unit, model)| self.geometry(*unit, model));
-        let files: Vec<Arc<SceneFile>> = files.collect::<Result<_, _>>()?;
+        let files: Vec<Rc<SceneFile>> = files.collect::<Result<_, _>>()?;
         let objects = models.iter().zip(&files).flat_map(|((unit, model), file)| {
             file.unframed().objects.into_iter().map(|object| self.changed(*unit, model, object))
         });
@@ -246,16 +237,13 @@ impl<'a> Stage<'a> {
         let mut sizes = Sizes { samples, pictures, is_cast: self.units[unit].is_cast, ..Sizes::default() };
         for object in &file.objects {
             let SceneShape::Mesh(number) = object.shape else { continue };
-            let mesh = &file.meshes[number];
-            let faces = mesh.mesh.faces();
-            sizes.vertices += mesh.mesh.vertex_count() as u64;
-            sizes.normals += match &mesh.normals.normals.index {
-                ColumnIndex::PerVertex => mesh.mesh.vertex_count() as u64,
-                ColumnIndex::PerCorner(_) => mesh.normals.normals.values.len() as u64,
-            };
-            sizes.faces += mesh.mesh.face_count() as u64;
-            sizes.corners += faces.corner_count() as u64;
-            sizes.triangles += (faces.corner_count() - 2 * mesh.mesh.face_count()) as u64;
+            let SceneMesh { mesh, normals, .. } = &file.meshes[number];
+            let used = Shape::Mesh { mesh, normals }.vertex_normals();
+            sizes.vertices += count_vertices(&used);
+            sizes.normals += used.len() as u64;
+            sizes.faces += mesh.face_count() as u64;
+            sizes.corners += mesh.faces().corner_count() as u64;
+            sizes.triangles += (mesh.faces().corner_count() - 2 * mesh.face_count()) as u64;
         }
         Ok(sizes)
     }
@@ -276,56 +264,4 @@ pub enum PlanError {
     /// What was asked for makes no sense for the scene.
     #[error("{0}")]
     Invalid(String),
-}
-
-fn unit(document: &Document, object: usize, declared: Arc<SceneFile>, settings: &RenderSettings) -> Unit {
-    let first = &declared.objects[0];
-    let is_same = declared.objects.iter().all(|other| other.material == first.material && !other.given);
-    let material = (is_same && !first.given).then_some(first.material);
-    let has_highlight =
-        |object: &crate::raster::SceneObject| object.material.specular.merged().largest() > 0.0;
-    let highlight =
-        declared.objects.iter().find(|object| has_highlight(object)).map(|object| object.material.reflection);
-    let is_cast = declared.objects.iter().all(|object| matches!(object.shape, SceneShape::Surface(_)));
-    let own = first.settings;
-    let normals = declared_normals(document, object);
-    let reference = ObjectModel {
-        shading: own.shading.unwrap_or(settings.shading),
-        normals: (!is_cast).then_some(normals),
-        interpolation: own.interpolation.unwrap_or(settings.interpolation),
-        terms: Terms::Declared,
-        segments: document.segments(object).filter(|_| !is_cast),
-        two_sided: own.two_sided.unwrap_or(settings.two_sided),
-    };
-    let reference = match reference.shading {
-        Shading::Flat | Shading::Wireframe => ObjectModel { normals: None, ..reference },
-        _ => reference,
-    };
-    let has_splits =
-        declared.meshes.iter().any(|mesh| mesh.normals.normals.values.len() > mesh.mesh.vertex_count());
-    let name = if first.name.is_empty() { format!("object {object}") } else { first.name.clone() };
-    let (is_kept, segments) = (first.is_kept, reference.segments);
-    Unit { name, declared, reference, material, highlight, is_kept, is_cast, segments, has_splits }
-}
-
-/// The normals that an object declares.
-fn declared_normals(document: &Document, object: usize) -> Normals {
-    let text = |key: &str| document.text_of(object, key).or_else(|| document.setting(key));
-    let weight = text("weight").and_then(|name| Weight::ALL.into_iter().find(|weight| weight.name() == name));
-    let computes = weight.is_some()
-        || text("precision").is_some()
-        || document.has(object, "crease")
-        || document.has_setting("crease");
-    let is_given = match document.text_of(object, "normals") {
-        Some(name) => name == "given",
-        None => !document.has(object, "mesh") && !computes,
-    };
-    Normals {
-        source: if is_given { Source::Given } else { Source::Computed(weight.unwrap_or_default()) },
-        creases: true,
-        precision: if text("precision") == Some("fast") { Precision::Fast } else { Precision::Faithful },
-        format: text("normal-format").and_then(|name| {
-            crate::raster::StoredFormat::ALL.into_iter().find(|format| format.name() == name)
-        }),
-    }
 }

@@ -2,9 +2,9 @@
 
 about = Find the cheapest model that a scene requires
 
-    The plan draws like the scene, within a tolerance, with the cheapest shading, normals, storage, lights and tessellation. It is
-    exact: no cheaper combination is within the tolerance. The planned scene is an ordinary scene file with the reason at each
-    change.
+    The plan draws like the scene, within a tolerance, with the cheapest shading, normals, storage, lights and tessellation. The
+    search is exact, except where docs/plan.md states a limit: no cheaper combination is within the tolerance. The planned scene
+    is an ordinary scene file with the reason at each change.
 example-1 = crease plan scene.toml -o planned.toml
 example-2 = crease plan scene.toml --tolerance 1 --views 12 --json
 example-3 = crease plan statue.glb --minimise bytes --only storage,shading -o lean.toml

@@ -8,7 +8,7 @@ use crease::num::three_digits;
 use crease::plan::{Decision, Minimise, Plan};
 use serde::Serialize;
 
-/// How costs are counted, and the formulas of bounds: the head of the module's own documentation.
+/// The choices, the formulas of bounds, and how costs are counted.
 pub const EXPLANATION: &str = include_str!("explanation.txt");
 
 #[derive(Debug, Serialize)]
@@ -51,7 +51,7 @@ pub fn text(report: &Report, style: Style) -> String {
         row(&mut out, "plan", "nothing can be omitted within the tolerance");
     }
     for decision in &plan.decisions {
-        row(&mut out, "plan", &line(decision, report.tolerance));
+        row(&mut out, "plan", &line(decision, report));
     }
     let totals = |of: fn(&crease::plan::Cost) -> u64| (of(&plan.declared), of(&plan.planned));
     row(&mut out, "work", &change(totals(|cost| cost.work), |work| format!("{work} operations")));
@@ -96,15 +96,16 @@ fn name(minimise: Minimise) -> &'static str {
     }
 }
 
-fn line(decision: &Decision, tolerance: f64) -> String {
+fn line(decision: &Decision, report: &Report) -> String {
     let Decision { what, axis, from, to, saved, bound, measured, .. } = decision;
     let axis = if what.starts_with("light ") { "" } else { axis.name() };
-    let bound = bound.map_or("none".to_owned(), three_digits);
+    let bound = bound.map_or("no bound".to_owned(), |bound| format!("bound {}", three_digits(bound)));
     format!(
-        "{what}: {axis}{}{from} to {to}; saves {saved}, {} steps alone (bound {bound}, margin {})",
+        "{what}: {axis}{}{from} to {to}; saves {saved} {}; {} steps alone ({bound}, margin {})",
         if axis.is_empty() { "" } else { " " },
+        name(report.minimise),
         three_digits(*measured),
-        three_digits(tolerance - measured)
+        three_digits(report.tolerance - measured)
     )
 }
 

@@ -88,6 +88,10 @@ pub struct SceneObject {
     pub surface: Option<Primitive>,
     /// Settings of its own.
     pub settings: ObjectSettings,
+    /// What the scene states about its normals.
+    pub normals: NormalSettings,
+    /// Whether it keeps stored normals.
+    pub keeps_normals: bool,
     /// Whether plans leave it unchanged.
     pub is_kept: bool,
 }
@@ -103,6 +107,8 @@ impl SceneObject {
             given: false,
             surface: None,
             settings: ObjectSettings::default(),
+            normals: NormalSettings::default(),
+            keeps_normals: false,
             is_kept: false,
         }
     }

@@ -20,12 +20,18 @@ fn check(declared: &SceneFile, planned: &SceneFile, tolerance: f64, stated: f64,
 }
 
 fn compare(seeds: std::ops::Range<u64>, most: usize) {
+    let mut bounded = 0;
     for seed in seeds {
         let it = RandomScene::new(seed);
         let (open, _) = it.open_axes(seed, most);
         let tolerance = [0.3, 1.0, 2.0, 5.0, 15.0][seed as usize % 5];
         let plan = planned(&it.text(), &PlanOptions { outline: 1.0, ..only(&open, tolerance) });
         check(&scene(&it.text()), &scene(&plan.text), tolerance, plan.worst.steps, &format!("seed {seed}"));
+        for decision in &plan.decisions {
+            let is_within = decision.bound.is_none_or(|bound| decision.measured <= bound);
+            assert!(is_within, "seed {seed}: {decision:?}");
+            bounded += usize::from(decision.bound.is_some());
+        }
         // A plan reports the changes that it makes, and no others.
         assert_eq!(
             plan.decisions.is_empty(),
@@ -37,6 +43,7 @@ fn compare(seeds: std::ops::Range<u64>, most: usize) {
             assert_eq!(plan.worst.steps, 0.0, "seed {seed}");
         }
     }
+    assert!(bounded > 10, "{bounded} changes have a bound");
 }
 
 #[test]

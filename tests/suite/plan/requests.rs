@@ -167,3 +167,24 @@ fn views_around_a_scene_hold_out_others() {
     assert!(plan.held_out.is_none_or(|worst| worst.steps <= 2.0), "{:?}", plan.held_out);
     assert!(plan.held_out.is_some() || plan.repairs == 3);
 }
+
+/// All views of the reference are kept in memory.
+#[test]
+fn more_pictures_than_memory_holds_are_an_error() {
+    let text = "[settings]\nsize = [4096, 4096]\n[[object]]\nsurface = { sphere = { radius = 1 } }\n";
+    let options = PlanOptions { views: Some(3), ..PlanOptions::default() };
+    let error = plan(text, Path::new(""), &LoadOptions::default(), &options, &|_| ()).unwrap_err();
+    assert!(error.to_string().starts_with("6 pictures of 16777216 pixels are too many"), "{error}");
+}
+
+/// A vertex that no face uses does not hide that another has several normals.
+#[test]
+fn unused_vertices_do_not_hide_creases() {
+    let text = "[settings]\nsize = [16, 16]\n[camera]\neye = [0, 0, 9]\ntarget = [0, 0, 0]\nheight = 1\n[[light.directional]]\n\
+         towards = [0, 0, 1]\n[[object]]\nweight = \"angle\"\nmaterial = { specular = 0 }\npolygons = { vertices = [[-2, -2, 0], \
+         [2, -2, 0], [2, 2, 0], [-2, 2, 0], [-2, 2, -2], [2, 2, -2], [9, 9, 9], [9, 9, 9], [9, 9, 9]], \
+         faces = [[0, 1, 2, 3], [3, 2, 5, 4]] }\n";
+    let options = PlanOptions { minimise: Minimise::Vertices, ..only(&[Axis::Creases], 255.0) };
+    let plan = planned(text, &options);
+    assert_eq!((plan.declared.vertices, plan.planned.vertices), (8, 6));
+}

@@ -132,7 +132,14 @@ impl<'a> Builder<'a> {
         let material = table.material.as_ref().map(|table| MaterialTable::material(self.source, table));
         let material = material.transpose()?.flatten();
         let own = table.material.as_ref().and_then(|material| material.get_ref().reflection);
-        for object in self.shapes(&span, &table)? {
+        let keys = of_keys(table.weight, table.crease, table.precision, table.normal_format);
+        let normals = keys.or(self.normals);
+        let computes = normals.computes().then_some(When::Always);
+        let when = self.options.when.or(table.normals.map(When::from)).or(computes);
+        // Meshes of the scene itself keep their normals unless they are to be computed.
+        let when = when.unwrap_or(if table.mesh.is_some() { When::default() } else { When::Missing });
+        let normals = (when, self.options.normals.or(normals));
+        for object in self.shapes(&span, &table, normals)? {
             let mut object = SceneObject {
                 name: if table.name.is_empty() { object.name } else { table.name.clone() },
                 transform: transform * object.transform,
@@ -142,6 +149,8 @@ impl<'a> Builder<'a> {
                     interpolation: table.interpolation,
                     two_sided: table.two_sided,
                 },
+                normals: normals.1,
+                keeps_normals: when != When::Always,
                 is_kept: table.plan.is_some(),
                 ..object
             };
@@ -183,24 +192,23 @@ impl<'a> Builder<'a> {
     }
 
     /// The objects of a table, in their own space.
-    fn shapes(&mut self, span: &Range<usize>, table: &ObjectTable) -> Result<Vec<SceneObject>, ReadError> {
+    fn shapes(
+        &mut self,
+        span: &Range<usize>,
+        table: &ObjectTable,
+        normals: (When, NormalSettings),
+    ) -> Result<Vec<SceneObject>, ReadError> {
         if let (Some(tessellation), None) = (&table.tessellation, &table.surface) {
             let found = "a tessellation without a surface";
             return Err(self.source.error(&tessellation.span(), found, "only a surface can be tessellated"));
         }
-        let own = of_keys(table.weight, table.crease, table.precision, table.normal_format);
-        let normals = self.options.normals.or(own).or(self.normals);
-        let computes = own.or(self.normals).computes().then_some(When::Always);
-        let when = self.options.when.or(table.normals.map(When::from)).or(computes);
         match (&table.mesh, &table.polygons, &table.surface) {
-            (Some(name), None, None) => self.file(name, when.unwrap_or_default(), normals),
+            (Some(name), None, None) => self.file(name, normals),
             (None, Some(polygons), None) => {
                 let (mesh, colours) = PolygonTable::mesh(self.source, polygons)?;
-                Ok(vec![self.mesh(mesh, colours, (when, normals), None)])
+                Ok(vec![self.mesh(mesh, colours, normals, None)])
             }
-            (None, None, Some(surface)) => {
-                self.surface(surface, table.tessellation.as_ref(), (when, normals))
-            }
+            (None, None, Some(surface)) => self.surface(surface, table.tessellation.as_ref(), normals),
             _ => {
                 let advice = "an object has exactly one of `mesh`, `polygons` and `surface`";
                 Err(self.source.error(span, "no shape, or several", advice))
@@ -208,15 +216,15 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// A mesh of the scene itself, which keeps its normals unless they are to be computed.
+    /// A mesh of the scene itself.
     fn mesh(
         &mut self,
         mesh: Mesh,
         colours: Option<Vec<LinearRgb>>,
-        (when, normals): (Option<When>, NormalSettings),
+        (when, normals): (When, NormalSettings),
         surface: Option<Primitive>,
     ) -> SceneObject {
-        let normals = normals.normals(&mesh, &self.options.recipe, when.unwrap_or(When::Missing));
+        let normals = normals.normals(&mesh, &self.options.recipe, when);
         self.scene.meshes.push(SceneMesh { mesh, normals, colours, source_faces: None });
         SceneObject { surface, ..SceneObject::new(SceneShape::Mesh(self.scene.meshes.len() - 1)) }
     }
@@ -225,7 +233,7 @@ impl<'a> Builder<'a> {
         &mut self,
         table: &Spanned<SurfaceTable>,
         tessellation: Option<&Spanned<Tessellation>>,
-        normals: (Option<When>, NormalSettings),
+        normals: (When, NormalSettings),
     ) -> Result<Vec<SceneObject>, ReadError> {
         let source = self.source;
         let surface = table.get_ref().surface();
@@ -253,8 +261,7 @@ impl<'a> Builder<'a> {
     fn file(
         &mut self,
         name: &Spanned<String>,
-        when: When,
-        normals: NormalSettings,
+        (when, normals): (When, NormalSettings),
     ) -> Result<Vec<SceneObject>, ReadError> {
         let fault = |error: ReadError| {
             let place = if error.place == Place::File { String::new() } else { format!("{}: ", error.place) };

@@ -1,0 +1,250 @@
+//! The decisions of a plan, what each of them saves and costs in accuracy, and the planned text.
+
+use super::axes::{Axis, LightModel, ObjectModel};
+use super::bounds::Setting;
+use super::compare::Difference;
+use super::cost::{Cost, Minimise};
+use super::document::Document;
+use super::search::{Found, Outcome, Search};
+use super::stage::{PlanError, Stage};
+use super::unit::Unit;
+use crate::num::{Radians, three_digits};
+use crate::raster::{SceneFile, StoredFormat};
+use glam::DVec3;
+
+/// A change of an object or a light.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Decision {
+    /// The object or light, by name.
+    pub what: String,
+    /// The number of the object, or of the light if the axis is `lights`.
+    pub number: usize,
+    /// What is changed.
+    pub axis: Axis,
+    /// As declared.
+    pub from: String,
+    /// As planned.
+    pub to: String,
+    /// What it saves of the cost that is minimised, with all other changes made.
+    pub saved: i64,
+    /// A proven bound on the difference that it makes alone, in steps; `None` where there is none.
+    pub bound: Option<f64>,
+    /// The difference that it makes alone, in steps.
+    pub measured: f64,
+}
+
+/// The result.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Plan {
+    /// The planned scene file.
+    #[serde(skip)]
+    pub text: String,
+    /// The changes, objects first.
+    pub decisions: Vec<Decision>,
+    /// The cost as declared.
+    pub declared: Cost,
+    /// The cost as planned.
+    pub planned: Cost,
+    /// The largest difference, in the view of this number.
+    pub worst: Difference,
+    /// The view of the largest difference.
+    pub worst_view: usize,
+    /// The largest distance of outlines, in pixels.
+    pub outline: f64,
+    /// The number of views that the plan was found with.
+    pub views: usize,
+    /// The largest difference over views that the plan was not found with; `None` for the scene's own camera.
+    pub held_out: Option<Difference>,
+    /// Views that were added because the plan was beyond the tolerance in them.
+    pub repairs: usize,
+    /// No plan costs less than this; 0 if the scene has so many lights that not all of their replacements were tried.
+    pub proven: u64,
+    /// Whether the plan is proven to be the cheapest.
+    pub is_cheapest: bool,
+    /// Combinations of models.
+    pub combinations: f64,
+    /// Models that were drawn and refused.
+    pub refused: u64,
+    /// Pixels drawn.
+    pub drawn: u64,
+}
+
+/// A planned scene.
+pub struct Described<'a> {
+    pub stage: &'a Stage<'a>,
+    pub document: &'a Document,
+    pub lights: &'a [Vec<LightModel>],
+    pub whole: &'a SceneFile,
+    /// The ball that contains all objects.
+    pub middle: DVec3,
+    pub radius: f64,
+}
+
+impl Described<'_> {
+    /// The plan that a search has found.
+    ///
+    /// # Errors
+    /// What makes a picture impossible.
+    pub fn describe(&self, search: &Search, outcome: &Outcome) -> Result<Plan, PlanError> {
+        let found = &outcome.found;
+        let declared: Vec<ObjectModel> = self.stage.units.iter().map(|unit| unit.reference).collect();
+        let declared_lights = vec![0; found.lights.len()];
+        let cost = |models: &[ObjectModel], lights: &Vec<usize>| search.cost(models, lights);
+        let (before, after) = (cost(&declared, &declared_lights)?, cost(&found.models, &found.lights)?);
+        let mut decisions = Vec::new();
+        for (unit, model) in found.models.iter().enumerate() {
+            let reference = declared[unit];
+            for axis in model.differs(&reference) {
+                let alone = reference.with(axis, model);
+                let without = model.with(axis, &reference);
+                let mut models = found.models.clone();
+                models[unit] = without;
+                let saved = difference_of(&cost(&models, &found.lights)?, &after, search.minimise);
+                let mut only = declared.clone();
+                only[unit] = alone;
+                decisions.push(Decision {
+                    what: self.stage.units[unit].name.clone(),
+                    number: unit,
+                    axis,
+                    from: reference.value(axis),
+                    to: model.value(axis),
+                    saved,
+                    bound: self.bound(search, unit, axis, model),
+                    measured: self.worst(search, &only, &declared_lights)?,
+                });
+            }
+        }
+        for (light, &number) in found.lights.iter().enumerate().filter(|(_, number)| **number > 0) {
+            let mut without = found.lights.clone();
+            without[light] = 0;
+            let mut only = declared_lights.clone();
+            only[light] = number;
+            let (old, new) = (&self.lights[light][0], &self.lights[light][number]);
+            decisions.push(Decision {
+                what: format!("light {light}"),
+                number: light,
+                axis: Axis::Lights,
+                from: old.to_string(),
+                to: new.to_string(),
+                saved: difference_of(&cost(&found.models, &without)?, &after, search.minimise),
+                bound: self.light_bound(search, old, new),
+                measured: self.worst(search, &declared, &only)?,
+            });
+        }
+        let is_cheapest = outcome.proven >= found.cost.of(search.minimise);
+        let (worst, worst_view) = found.worst;
+        Ok(Plan {
+            text: self.text(found, &decisions, (worst, search.trials.limits.tolerance)),
+            decisions,
+            declared: before,
+            planned: after,
+            worst,
+            worst_view,
+            outline: found.outline,
+            views: search.trials.views.len(),
+            held_out: None,
+            repairs: 0,
+            proven: outcome.proven,
+            is_cheapest,
+            combinations: outcome.combinations,
+            refused: outcome.refused,
+            drawn: outcome.drawn,
+        })
+    }
+
+    /// The largest difference of models over all views, in steps.
+    fn worst(&self, search: &Search, models: &[ObjectModel], lights: &Vec<usize>) -> Result<f64, PlanError> {
+        let measure = |view| Ok(search.trials.measure(view, models, lights)?.0.steps);
+        let steps: Result<Vec<f64>, PlanError> = search.trials.views.iter().map(measure).collect();
+        Ok(steps?.into_iter().fold(0.0, f64::max))
+    }
+
+    /// What bounds hold for; `None` if none does.
+    fn setting(&self, search: &Search) -> Option<Setting<'_>> {
+        let cameras = search.trials.views.iter().map(|view| view.camera).collect();
+        Setting::new(&self.stage.settings, cameras, self.middle, self.radius)
+    }
+
+    fn bound(&self, search: &Search, unit: usize, axis: Axis, model: &ObjectModel) -> Option<f64> {
+        let unit = &self.stage.units[unit];
+        let declared = unit.reference.normals?.format;
+        let format = model.normals.filter(|_| axis == Axis::Storage)?.format?;
+        let angle = |format: StoredFormat| Radians::from(format.encoding().worst_angle()).0;
+        let angle = angle(format) + declared.map_or(0.0, angle);
+        // The lights of all views: default lights follow the camera.
+        let lights = search.trials.views.iter().map(|view| view.lights.as_slice());
+        let bounds = lights.map(|lights| {
+            self.setting(search)?.normals(&unit.material?, lights, angle, unit.shortest_mean()?)
+        });
+        bounds.collect::<Option<Vec<f64>>>().map(|bounds| bounds.into_iter().fold(0.0, f64::max))
+    }
+
+    fn light_bound(&self, search: &Search, old: &LightModel, new: &LightModel) -> Option<f64> {
+        let setting = self.setting(search)?;
+        let of_unit = |unit: &Unit| setting.light(&unit.material?, old.0.as_ref()?, new.0.as_ref());
+        let bounds = self.stage.units.iter().map(of_unit).collect::<Option<Vec<f64>>>();
+        bounds.map(|bounds| bounds.into_iter().fold(0.0, f64::max))
+    }
+
+    /// The planned scene file, with the reason for each change.
+    fn text(&self, found: &Found, decisions: &[Decision], (worst, tolerance): (Difference, f64)) -> String {
+        let mut document = self.document.clone();
+        let comment = |decision: &Decision| {
+            let bound =
+                decision.bound.map_or(String::new(), |bound| format!(", bound {}", three_digits(bound)));
+            format!(
+                "plan: {} to {}, {} steps alone{bound}",
+                decision.from,
+                decision.to,
+                three_digits(decision.measured)
+            )
+        };
+        for (unit, model) in found.models.iter().enumerate() {
+            let reason = |key: &str| {
+                let axis = axis_of(key);
+                let decision = decisions
+                    .iter()
+                    .find(|it| it.axis != Axis::Lights && it.number == unit && Some(it.axis) == axis);
+                decision.map(&comment).unwrap_or_default()
+            };
+            let Some(unit_of) = self.stage.units.get(unit) else { continue };
+            document.apply(unit, model, &unit_of.reference, unit_of.material.as_ref(), &reason);
+        }
+        if found.lights.iter().any(|&number| number > 0) {
+            let lights = found.lights.iter().enumerate().map(|(light, &number)| {
+                let is_it = |it: &&Decision| it.axis == Axis::Lights && it.number == light;
+                (self.lights[light][number], decisions.iter().find(is_it).map(&comment).unwrap_or_default())
+            });
+            document.set_lights(&lights.collect::<Vec<_>>(), &self.whole.kept_lights);
+        }
+        let is_coarser = |(model, unit): (&ObjectModel, &Unit)| model.segments != unit.reference.segments;
+        if self.whole.camera.is_none() && found.models.iter().zip(&self.stage.units).any(is_coarser) {
+            // Fewer cells are smaller, and would be framed closer.
+            document.set_camera(&self.whole.scene().camera);
+        }
+        let steps = three_digits(worst.steps);
+        document
+            .set_head(&format!("Planned by crease: within {steps} steps of 255 (tolerance {tolerance})."));
+        document.to_string()
+    }
+}
+
+/// The axis that a key of an object belongs to.
+fn axis_of(key: &str) -> Option<Axis> {
+    Some(match key {
+        "shading" => Axis::Shading,
+        "weight" => Axis::Weight,
+        "crease" => Axis::Creases,
+        "precision" => Axis::Precision,
+        "normal-format" => Axis::Storage,
+        "interpolation" => Axis::Interpolation,
+        "material" => Axis::Reflection,
+        "tessellation" => Axis::Tessellation,
+        "two-sided" => Axis::TwoSided,
+        _ => return None,
+    })
+}
+
+fn difference_of(before: &Cost, after: &Cost, minimise: Minimise) -> i64 {
+    before.of(minimise) as i64 - after.of(minimise) as i64
+}

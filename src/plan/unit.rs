@@ -1,0 +1,114 @@
+//! An object table of a scene file, and its model as declared.
+
+use super::axes::{Normals, ObjectModel, Source, Terms};
+use super::cost::Highlight;
+use super::document::Document;
+use crate::mesh::normal_matrix;
+use crate::normals::{Precision, Scope};
+use crate::raster::{RenderSettings, SceneFile, SceneMesh, SceneObject, SceneShape, Shading, Shape};
+use crate::shade::Material;
+use glam::{DMat3, DVec3};
+use std::rc::Rc;
+
+/// An object table of the scene file, which may be several objects of a mesh file.
+#[derive(Debug)]
+pub struct Unit {
+    /// Its name in reports.
+    pub name: String,
+    /// The objects as declared.
+    pub declared: Rc<SceneFile>,
+    /// Its model as declared.
+    pub reference: ObjectModel,
+    /// The material that all its objects have; `None` if they have several, or colours of their vertices.
+    pub material: Option<Material>,
+    /// Its most expensive highlight.
+    pub highlight: Highlight,
+    /// Whether the scene marks it as unchanged.
+    pub is_kept: bool,
+    /// Whether rays are cast at it.
+    pub is_cast: bool,
+    /// Whether its normals differ between hard and smooth edges.
+    pub has_splits: bool,
+}
+
+impl Unit {
+    /// The table of an object, whose objects are declared like this.
+    pub fn new(
+        document: &Document,
+        object: usize,
+        declared: Rc<SceneFile>,
+        settings: &RenderSettings,
+    ) -> Self {
+        let first = &declared.objects[0];
+        let is_same = declared.objects.iter().all(|other| other.material == first.material && !other.given);
+        let material = is_same.then_some(first.material);
+        let has_highlight = |object: &&SceneObject| object.material.specular.merged().largest() > 0.0;
+        let highlight = declared.objects.iter().find(has_highlight).map(|object| object.material.reflection);
+        let is_cast = declared.objects.iter().all(|object| matches!(object.shape, SceneShape::Surface(_)));
+        let SceneObject { settings: own, is_kept, .. } = *first;
+        let shading = own.shading.unwrap_or(settings.shading);
+        let needs_normals = !is_cast && !matches!(shading, Shading::Flat | Shading::Wireframe);
+        let reference = ObjectModel {
+            shading,
+            normals: needs_normals.then(|| declared_normals(first)),
+            interpolation: own.interpolation.unwrap_or(settings.interpolation),
+            terms: Terms::Declared,
+            segments: document.segments(object).filter(|_| !is_cast),
+            two_sided: own.two_sided.unwrap_or(settings.two_sided),
+        };
+        let has_splits = declared.meshes.iter().any(|SceneMesh { mesh, normals, .. }| {
+            let used = Shape::Mesh { mesh, normals }.vertex_normals();
+            used.len() as u64 > count_vertices(&used)
+        });
+        let name = if first.name.is_empty() { format!("object {object}") } else { first.name.clone() };
+        Self { name, reference, material, highlight, is_kept, is_cast, has_splits, declared }
+    }
+
+    /// A length that no weighted mean of the normals at the corners of a face falls below. `None` if a transform changes angles, so that
+    /// errors of normals do not stay the same.
+    pub fn shortest_mean(&self) -> Option<f64> {
+        /// Angles of transforms that are made of rotations and uniform scales are kept to some roundings.
+        const ROUNDING: f64 = 1e-12;
+        let mut shortest = 1.0_f64;
+        for object in &self.declared.objects {
+            let SceneShape::Mesh(number) = object.shape else { continue };
+            let linear = DMat3::from_mat4(object.transform);
+            normal_matrix(linear)?;
+            let gram = linear.transpose() * linear;
+            let scale = gram.x_axis.x;
+            if !gram.abs_diff_eq(DMat3::from_diagonal(DVec3::splat(scale)), ROUNDING * scale) {
+                return None;
+            }
+            let SceneMesh { mesh, normals, .. } = &self.declared.meshes[number];
+            for face in 0..mesh.face_count() {
+                let range = mesh.faces().range(face);
+                let vertices = &mesh.faces().corners()[range.clone()];
+                let corners = range.zip(vertices);
+                let normals: Vec<DVec3> = corners
+                    .map(|(corner, &vertex)| normals.normals.get(corner, vertex).copied().unwrap_or_default())
+                    .collect();
+                // All of them are on one side of this plane, so their means are as well.
+                let axis = normals.iter().sum::<DVec3>().normalize_or_zero();
+                shortest = normals.iter().map(|normal| normal.dot(axis)).fold(shortest, f64::min);
+            }
+        }
+        (shortest > 0.0).then_some(shortest)
+    }
+}
+
+/// The vertices in an ascending list of vertices with the numbers of their normals.
+pub fn count_vertices(used: &[[u32; 2]]) -> u64 {
+    used.chunk_by(|a, b| a[0] == b[0]).count() as u64
+}
+
+/// The normals that an object declares.
+fn declared_normals(object: &SceneObject) -> Normals {
+    let settings = &object.normals;
+    let weight = settings.weight.unwrap_or_default();
+    Normals {
+        source: if object.keeps_normals { Source::Given } else { Source::Computed(weight) },
+        creases: settings.scope != Some(Scope::Vertex),
+        precision: settings.precision.unwrap_or(Precision::Faithful),
+        format: settings.format,
+    }
+}
