@@ -29,10 +29,12 @@ pub enum Axis {
     TwoSided,
     /// Kind, attenuation and presence of lights.
     Lights,
+    /// Samples of each pixel. It changes the whole picture, so it must be allowed.
+    Antialiasing,
 }
 
 impl Axis {
-    /// All of them, in the order in which ties are broken.
+    /// All but antialiasing, in the order in which ties are broken.
     pub const ALL: [Self; 10] = [
         Self::Shading,
         Self::Weight,
@@ -59,6 +61,7 @@ impl Axis {
             Self::Tessellation => "tessellation",
             Self::TwoSided => "two-sided",
             Self::Lights => "lights",
+            Self::Antialiasing => "antialiasing",
         }
     }
 }
@@ -153,7 +156,7 @@ impl ObjectModel {
             Axis::Reflection => Self { terms: other.terms, ..*self },
             Axis::Tessellation => Self { segments: other.segments, ..*self },
             Axis::TwoSided => Self { two_sided: other.two_sided, ..*self },
-            Axis::Lights => *self,
+            Axis::Lights | Axis::Antialiasing => *self,
         }
     }
 
@@ -222,7 +225,7 @@ impl ObjectModel {
             .to_owned(),
             Axis::Tessellation => self.segments.map_or("as declared".to_owned(), |[u, v]| format!("{u}×{v}")),
             Axis::TwoSided => if self.two_sided { "on" } else { "off" }.to_owned(),
-            Axis::Lights => String::new(),
+            Axis::Lights | Axis::Antialiasing => String::new(),
         }
     }
 }

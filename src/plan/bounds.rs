@@ -16,7 +16,7 @@
 //! - **Steps.** The transfer curve is concave and 0 at 0, so |encode(a) − encode(b)| ≤ encode(|a − b|): a difference E in linear light is at
 //!   most 255 encode(E) steps.
 
-use crate::num::{Transfer, steepest_slope};
+use crate::num::{Radians, Transfer, steepest_slope};
 use crate::raster::{Camera, Projection, RenderSettings};
 use crate::shade::{Guards, Light, Material, Reflection, Terminator, ToneRule};
 use glam::DVec3;
@@ -28,6 +28,8 @@ pub struct Setting<'a> {
     cameras: Vec<Camera>,
     middle: DVec3,
     radius: f64,
+    /// The angle by which lights may turn around the middle.
+    cone: Radians,
 }
 
 /// Steps by which single precision and the step of 10⁻⁷ where the pieces of the curve of sRGB meet can add to a difference: some ten
@@ -40,15 +42,15 @@ impl<'a> Setting<'a> {
     pub fn new(
         settings: &'a RenderSettings,
         cameras: Vec<Camera>,
-        middle: DVec3,
-        radius: f64,
+        (middle, radius): (DVec3, f64),
+        cone: Radians,
     ) -> Option<Self> {
         let is_plain = settings.tone == ToneRule::Clamp
             && settings.guards == Guards::default()
             && settings.terminator == Terminator::Smooth
             && settings.depth_cue.is_none();
         let is_outside = cameras.iter().all(|camera| camera.eye.distance(middle) > radius);
-        (is_plain && is_outside).then_some(Self { settings, cameras, middle, radius })
+        (is_plain && is_outside).then_some(Self { settings, cameras, middle, radius, cone })
     }
 
     /// The bound on an error of all normals by up to `angle`, for corner normals whose weighted means are at least `shortest` long.
@@ -130,7 +132,7 @@ impl<'a> Setting<'a> {
                 false => (camera.eye - self.middle, turn(camera.eye)?),
             };
             let between = libm::atan2(to_light.cross(to_viewer).length(), to_light.dot(to_viewer));
-            largest = largest.max(between + slack + more);
+            largest = largest.max(between + slack + more + self.cone.0);
         }
         Some(largest.min(PI))
     }

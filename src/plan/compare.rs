@@ -1,8 +1,8 @@
 //! Pictures compared before their values are rounded, and outlines.
 
-use crate::metric::{Contour, MetricError, contour_distance};
-use crate::num::Transfer;
-use crate::raster::{Image, RenderSettings};
+use crate::metric::{Contour, FLIP_PIXELS_PER_DEGREE, MetricError, contour_distance, flip};
+use crate::num::{Transfer, three_digits};
+use crate::raster::{Image, RenderSettings, Samples};
 use crate::shade::ToneRule;
 
 /// Pixels beyond the tolerance, in excess of those allowed, after which a comparison ends.
@@ -10,6 +10,27 @@ const ENOUGH: u64 = 256;
 
 /// The largest value of a code.
 const STEPS: f64 = 255.0;
+
+/// How pictures are compared.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Metric {
+    /// The largest difference over pixels and channels that show the same objects.
+    #[default]
+    Steps,
+    /// The mean of ꟻLIP over the whole picture, outlines included.
+    Flip,
+}
+
+impl Metric {
+    /// A difference as reports print it.
+    pub fn text(self, difference: f64) -> String {
+        match self {
+            Self::Steps => format!("{} steps", three_digits(difference)),
+            Self::Flip => format!("ꟻLIP {}", three_digits(difference)),
+        }
+    }
+}
 
 /// The largest difference of two pictures, where it is, and how many pixels are beyond the tolerance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
@@ -20,6 +41,19 @@ pub struct Difference {
     pub pixel: [u32; 2],
     /// Pixels whose difference is above the tolerance.
     pub beyond: u64,
+    /// The mean of ꟻLIP, if pictures are compared by it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flip: Option<f64>,
+}
+
+impl Difference {
+    /// The difference by a metric.
+    pub fn by(&self, metric: Metric) -> f64 {
+        match metric {
+            Metric::Steps => self.steps,
+            Metric::Flip => self.flip.unwrap_or(0.0),
+        }
+    }
 }
 
 /// The picture of the reference from one view.
@@ -31,15 +65,39 @@ pub struct Truth {
     codes: Vec<[f64; 3]>,
     tone: ToneRule,
     transfer: Transfer,
+    samples: Samples,
 }
 
 impl Truth {
     /// Of a picture with linear colours and objects.
     pub fn new(image: Image, settings: &RenderSettings) -> Self {
-        let RenderSettings { tone, transfer, .. } = *settings;
+        let RenderSettings { tone, transfer, samples, .. } = *settings;
         let linear = image.linear.as_deref().unwrap_or_default();
         let codes = linear.iter().map(|&colour| encoded(tone, transfer, colour)).collect();
-        Self { image, codes, tone, transfer }
+        Self { image, codes, tone, transfer, samples }
+    }
+
+    /// The samples of each of its pixels.
+    pub fn samples(&self) -> Samples {
+        self.samples
+    }
+
+    /// The mean of ꟻLIP over all pixels.
+    ///
+    /// # Errors
+    /// Pictures that cannot be compared.
+    pub fn flip(&self, picture: &Image) -> Result<f64, MetricError> {
+        let [ours, theirs] = [&self.image, picture].map(|image| self.displayed(image));
+        Ok(flip(&theirs, &ours, FLIP_PIXELS_PER_DEGREE)?.mean)
+    }
+
+    /// A picture with the light that a screen makes of its codes, which takes them for sRGB.
+    fn displayed(&self, image: &Image) -> Image {
+        let code = |colour: &[f32; 3]| encoded(self.tone, self.transfer, *colour);
+        let light = |code: f64| Transfer::Srgb.decode(code / STEPS) as f32;
+        let linear = image.linear.as_ref();
+        let linear = linear.map(|colours| colours.iter().map(|colour| code(colour).map(light)).collect());
+        Image { linear, ..image.clone() }
     }
 
     /// The difference of a picture over the pixels that `is_compared`. Pixels beyond the tolerance are counted
@@ -112,18 +170,16 @@ fn encoded(tone: ToneRule, transfer: Transfer, colour: [f32; 3]) -> [f64; 3] {
     tone.apply(colour.map(f64::from)).map(|component| STEPS * transfer.encode(component))
 }
 
-/// How far the outlines of two pictures are from each other, in pixels: 0 if both cover the same.
+/// How far the outlines of two pictures are from each other, in pixels: 0 if both cover the same. Each picture has its samples of a pixel.
 ///
 /// # Errors
 /// A picture in which nothing is covered, next to one in which something is.
 pub fn outline_distance(
-    picture: &Image,
-    truth: &Image,
-    settings: &RenderSettings,
+    (picture, samples): (&Image, Samples),
+    (truth, samples_of_truth): (&Image, Samples),
 ) -> Result<f64, MetricError> {
-    if picture.coverage == truth.coverage {
+    if samples == samples_of_truth && picture.coverage == truth.coverage {
         return Ok(0.0);
     }
-    let of = |image: &Image| Contour::of(image, settings.samples);
-    Ok(contour_distance(&of(picture), &of(truth))?.hausdorff)
+    Ok(contour_distance(&Contour::of(picture, samples), &Contour::of(truth, samples_of_truth))?.hausdorff)
 }

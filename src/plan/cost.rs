@@ -28,7 +28,7 @@
 //! *Bytes* are those of the vertex and index buffers: 12 for a position and the size of the stored normal for each vertex, 12 for each
 //! triangle. *Vertices* are those of the vertex buffer, where a vertex with several normals counts several times.
 
-use super::axes::{Axis, ObjectModel, Source, Terms};
+use super::axes::{ObjectModel, Source, Terms};
 use crate::normals::{Precision, Weight};
 use crate::raster::{Interpolation, Shading};
 use crate::shade::{AreaShape, Attenuation, Light, Reflection};
@@ -189,13 +189,4 @@ fn lit_point(model: &ObjectModel, highlight: Highlight, lights: &[Light]) -> (u6
         work += direction + 12 + highlight;
     }
     (work, near)
-}
-
-/// What an axis saves: the cost of one model less that of another.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
-pub struct Saving {
-    /// The axis.
-    pub axis: Axis,
-    /// Operations, or bytes, or vertices.
-    pub saved: i64,
 }

@@ -7,8 +7,9 @@ use super::cost::{Cost, Minimise};
 use super::document::Document;
 use super::search::{Found, Outcome, Search};
 use super::stage::{PlanError, Stage};
+use super::trials::Limits;
 use super::unit::Unit;
-use crate::num::{Radians, three_digits};
+use crate::num::{Degrees, Radians, three_digits};
 use crate::raster::{SceneFile, StoredFormat};
 use glam::DVec3;
 
@@ -29,7 +30,7 @@ pub struct Decision {
     pub saved: i64,
     /// A proven bound on the difference that it makes alone, in steps; `None` where there is none.
     pub bound: Option<f64>,
-    /// The difference that it makes alone, in steps.
+    /// The difference that it makes alone, in steps; by ꟻLIP if pictures are compared by it.
     pub measured: f64,
 }
 
@@ -75,6 +76,10 @@ pub struct Described<'a> {
     pub document: &'a Document,
     pub lights: &'a [Vec<LightModel>],
     pub whole: &'a SceneFile,
+    /// The search with the samples of the reference.
+    pub declared: &'a Search<'a>,
+    /// The angle by which lights may turn.
+    pub light_cone: Degrees,
     /// The ball that contains all objects.
     pub middle: DVec3,
     pub radius: f64,
@@ -86,11 +91,14 @@ impl Described<'_> {
     /// # Errors
     /// What makes a picture impossible.
     pub fn describe(&self, search: &Search, outcome: &Outcome) -> Result<Plan, PlanError> {
-        let found = &outcome.found;
+        let Some(found) = &outcome.found else {
+            return Err(PlanError::Invalid("no plan was found".to_owned()));
+        };
         let declared: Vec<ObjectModel> = self.stage.units.iter().map(|unit| unit.reference).collect();
         let declared_lights = vec![0; found.lights.len()];
         let cost = |models: &[ObjectModel], lights: &Vec<usize>| search.cost(models, lights);
-        let (before, after) = (cost(&declared, &declared_lights)?, cost(&found.models, &found.lights)?);
+        let before = self.declared.cost(&declared, &declared_lights)?;
+        let after = cost(&found.models, &found.lights)?;
         let mut decisions = Vec::new();
         for (unit, model) in found.models.iter().enumerate() {
             let reference = declared[unit];
@@ -110,7 +118,7 @@ impl Described<'_> {
                     to: model.value(axis),
                     saved,
                     bound: self.bound(search, unit, axis, model),
-                    measured: self.worst(search, &only, &declared_lights)?,
+                    measured: self.worst(self.declared, &only, &declared_lights)?,
                 });
             }
         }
@@ -128,13 +136,27 @@ impl Described<'_> {
                 to: new.to_string(),
                 saved: difference_of(&cost(&found.models, &without)?, &after, search.minimise),
                 bound: self.light_bound(search, old, new),
-                measured: self.worst(search, &declared, &only)?,
+                measured: self.worst(self.declared, &declared, &only)?,
+            });
+        }
+        let (old, new) = (self.stage.settings.samples, search.trials.stage.settings.samples);
+        if old != new {
+            let without = self.declared.cost(&found.models, &found.lights)?;
+            decisions.push(Decision {
+                what: "picture".to_owned(),
+                number: 0,
+                axis: Axis::Antialiasing,
+                from: old.count().to_string(),
+                to: new.count().to_string(),
+                saved: difference_of(&without, &after, search.minimise),
+                bound: None,
+                measured: self.worst(search, &declared, &declared_lights)?,
             });
         }
         let is_cheapest = outcome.proven >= found.cost.of(search.minimise);
         let (worst, worst_view) = found.worst;
         Ok(Plan {
-            text: self.text(found, &decisions, (worst, search.trials.limits.tolerance)),
+            text: self.text(found, &decisions, worst, search),
             decisions,
             declared: before,
             planned: after,
@@ -152,9 +174,10 @@ impl Described<'_> {
         })
     }
 
-    /// The largest difference of models over all views, in steps.
+    /// The largest difference of models over all views.
     fn worst(&self, search: &Search, models: &[ObjectModel], lights: &Vec<usize>) -> Result<f64, PlanError> {
-        let measure = |view| Ok(search.trials.measure(view, models, lights)?.0.steps);
+        let metric = search.trials.limits.metric;
+        let measure = |view| Ok(search.trials.measure(view, models, lights)?.0.by(metric));
         let steps: Result<Vec<f64>, PlanError> = search.trials.views.iter().map(measure).collect();
         Ok(steps?.into_iter().fold(0.0, f64::max))
     }
@@ -162,7 +185,7 @@ impl Described<'_> {
     /// What bounds hold for; `None` if none does.
     fn setting(&self, search: &Search) -> Option<Setting<'_>> {
         let cameras = search.trials.views.iter().map(|view| view.camera).collect();
-        Setting::new(&self.stage.settings, cameras, self.middle, self.radius)
+        Setting::new(&self.stage.settings, cameras, (self.middle, self.radius), self.light_cone.into())
     }
 
     fn bound(&self, search: &Search, unit: usize, axis: Axis, model: &ObjectModel) -> Option<f64> {
@@ -187,16 +210,17 @@ impl Described<'_> {
     }
 
     /// The planned scene file, with the reason for each change.
-    fn text(&self, found: &Found, decisions: &[Decision], (worst, tolerance): (Difference, f64)) -> String {
+    fn text(&self, found: &Found, decisions: &[Decision], worst: Difference, search: &Search) -> String {
+        let Limits { metric, tolerance, .. } = search.trials.limits;
         let mut document = self.document.clone();
         let comment = |decision: &Decision| {
             let bound =
                 decision.bound.map_or(String::new(), |bound| format!(", bound {}", three_digits(bound)));
             format!(
-                "plan: {} to {}, {} steps alone{bound}",
+                "plan: {} to {}, {} alone{bound}",
                 decision.from,
                 decision.to,
-                three_digits(decision.measured)
+                metric.text(decision.measured)
             )
         };
         for (unit, model) in found.models.iter().enumerate() {
@@ -218,13 +242,16 @@ impl Described<'_> {
             document.set_lights(&lights.collect::<Vec<_>>(), &self.whole.kept_lights);
         }
         let is_coarser = |(model, unit): (&ObjectModel, &Unit)| model.segments != unit.reference.segments;
-        if self.whole.camera.is_none() && found.models.iter().zip(&self.stage.units).any(is_coarser) {
+        if self.whole.camera.is_none() && found.models.iter().zip(self.stage.units.iter()).any(is_coarser) {
             // Fewer cells are smaller, and would be framed closer.
             document.set_camera(&self.whole.scene().camera);
         }
-        let steps = three_digits(worst.steps);
-        document
-            .set_head(&format!("Planned by crease: within {steps} steps of 255 (tolerance {tolerance})."));
+        if let Some(decision) = decisions.iter().find(|decision| decision.axis == Axis::Antialiasing) {
+            let samples = search.trials.stage.settings.samples.count() as i64;
+            document.set_setting("samples", samples, &comment(decision));
+        }
+        let worst = metric.text(worst.by(metric)).replace("steps", "steps of 255");
+        document.set_head(&format!("Planned by crease: within {worst} (tolerance {tolerance})."));
         document.to_string()
     }
 }

@@ -73,11 +73,15 @@ impl Document {
     pub fn set(&mut self, object: usize, key: &str, new: impl Into<Value>, comment: &str) {
         let tables = self.0.get_mut("object").and_then(Item::as_array_of_tables_mut);
         let Some(table) = tables.and_then(|tables| tables.get_mut(object)) else { return };
-        let mut new: Value = new.into();
-        if !comment.is_empty() {
-            new.decor_mut().set_suffix(format!(" # {comment}"));
+        table.insert(key, Item::Value(commented(new, comment)));
+    }
+
+    /// Sets a key of `[settings]`, with a comment at the end of its line.
+    pub fn set_setting(&mut self, key: &str, new: impl Into<Value>, comment: &str) {
+        if self.0.get("settings").is_none() {
+            self.0.insert("settings", Item::Table(Table::new()));
         }
-        table.insert(key, Item::Value(new));
+        self.0["settings"][key] = Item::Value(commented(new, comment));
     }
 
     /// Writes an object's model, where it differs from that of the reference. `comment` gives the reason for a key.
@@ -242,12 +246,18 @@ pub fn scene_text(path: &Path, options: &LoadOptions) -> Result<String, ReadErro
 /// # Errors
 /// What is no TOML.
 pub fn with_size(text: &str, size: [u32; 2]) -> Result<String, TomlError> {
-    let mut document: DocumentMut = text.parse()?;
-    if document.get("settings").is_none() {
-        document.insert("settings", Item::Table(Table::new()));
-    }
-    document["settings"]["size"] = value(size.map(i64::from).into_iter().collect::<Array>());
+    let mut document = Document(text.parse()?);
+    document.set_setting("size", size.map(i64::from).into_iter().collect::<Array>(), "");
     Ok(document.to_string())
+}
+
+/// A value with a comment at the end of its line.
+fn commented(new: impl Into<Value>, comment: &str) -> Value {
+    let mut new: Value = new.into();
+    if !comment.is_empty() {
+        new.decor_mut().set_suffix(format!(" # {comment}"));
+    }
+    new
 }
 
 impl std::fmt::Display for Document {

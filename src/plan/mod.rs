@@ -4,7 +4,7 @@
 //! tessellation whose pictures stay within the tolerance of the scene as declared, and returns the text of the scene that
 //! way. Costs are counted ([`cost`]), so that the plan is the same on every machine. [`search`] describes why it is the cheapest.
 
-// What may be left out.
+// What may be omitted.
 mod axes;
 // Cheaper lights.
 mod lights;
@@ -22,7 +22,7 @@ mod models;
 mod compare;
 // Bounds on the error of a change.
 mod bounds;
-// Views around a scene.
+// Views of the reference: cameras around a scene, with lights that turn.
 mod views;
 // Pictures of models, compared with the reference.
 mod trials;
@@ -30,13 +30,16 @@ mod trials;
 pub mod search;
 // The decisions of a plan, and the planned text.
 mod decisions;
+// The options of a plan.
+mod options;
 // The plan of a scene file.
 mod planned;
 
 pub use axes::{Axis, LightModel, Normals, ObjectModel, Source, Terms};
-pub use compare::Difference;
+pub use compare::{Difference, Metric};
 pub use cost::{Cost, Minimise};
 pub use decisions::{Decision, Plan};
 pub use document::{scene_text, with_size};
-pub use planned::{PlanOptions, plan};
+pub use options::PlanOptions;
+pub use planned::plan;
 pub use stage::PlanError;

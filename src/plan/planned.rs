@@ -2,68 +2,20 @@
 
 use super::axes::{Axis, LightModel, ObjectModel};
 use super::compare::Difference;
-use super::cost::Minimise;
 use super::decisions::{Described, Plan};
 use super::document::Document;
 use super::lights::{bound_combinations, replacements};
 use super::models::models_of;
-use super::search::Search;
+use super::options::PlanOptions;
+use super::search::{Outcome, Search};
 use super::stage::{PlanError, Stage};
-use super::trials::{Limits, Trials, View};
-use super::views::around;
-use crate::raster::{Camera, LoadOptions, SceneFile, default_lights};
+use super::trials::{Limits, Trials};
+use super::views::{Turn, View, around};
+use crate::num::Degrees;
+use crate::raster::{Camera, LoadOptions, Samples, SceneFile, default_lights};
+use glam::DVec3;
 use std::path::Path;
-
-/// What a plan keeps to, and how it is found.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PlanOptions {
-    /// Largest difference over all pixels and channels in steps of 1/255, before values are rounded.
-    pub tolerance: f64,
-    /// Share of the covered pixels that may be beyond it.
-    pub share: f64,
-    /// Largest distance of outlines, in pixels.
-    pub outline: f64,
-    /// What is made as small as possible.
-    pub minimise: Minimise,
-    /// The number of views around the scene; `None` for its camera.
-    pub views: Option<u32>,
-    /// Axes that stay as declared.
-    pub keep: Vec<Axis>,
-    /// Most pixels to draw.
-    pub budget: u64,
-}
-
-impl Default for PlanOptions {
-    /// Two steps, half a pixel, and 10¹⁰ pixels.
-    fn default() -> Self {
-        Self {
-            tolerance: 2.0,
-            share: 0.0,
-            outline: 0.5,
-            minimise: Minimise::Work,
-            views: None,
-            keep: Vec::new(),
-            budget: 10_000_000_000,
-        }
-    }
-}
-
-impl PlanOptions {
-    fn check(&self) -> Result<(), PlanError> {
-        let limits = [
-            ("tolerance", self.tolerance, f64::MAX),
-            ("share of pixels", self.share, 1.0),
-            ("distance of outlines", self.outline, f64::MAX),
-        ];
-        match limits.into_iter().find(|(_, value, most)| !(0.0..=*most).contains(value)) {
-            None => Ok(()),
-            Some((name, value, most)) => {
-                let range = if most == 1.0 { "a number from 0 to 1" } else { "a finite number, 0 or more" };
-                Err(PlanError::Invalid(format!("the {name} is {value}; {range} was expected")))
-            }
-        }
-    }
-}
+use std::time::{Duration, Instant};
 
 /// Most models of all objects together: 64 bytes each.
 const MOST_MODELS: usize = 1 << 23;
@@ -88,7 +40,6 @@ pub fn plan(
     let document =
         Document::parse(text).map_err(|error| PlanError::Invalid(error.to_string()))?.with_tables();
     let stage = Stage::new(&document, &whole, base, load)?;
-    let camera = whole.scene().camera;
     let (low, high) = whole.scene().bounds().unwrap_or_default();
     let (middle, radius) = (low.midpoint(high), 0.5 * low.distance(high));
     let is_open = |axis: Axis| !options.keep.contains(&axis);
@@ -98,70 +49,138 @@ pub fn plan(
         let found = format!("{} objects have too many models together; open fewer axes", models.len());
         return Err(PlanError::Invalid(found));
     }
-    let declared_lights = whole.lights.clone().unwrap_or_default();
-    let mut lights: Vec<Vec<LightModel>> = declared_lights
-        .iter()
-        .enumerate()
-        .map(|(number, light)| match is_open(Axis::Lights) && !whole.kept_lights.contains(&number) {
-            true => replacements(light, middle),
-            false => vec![LightModel(Some(*light))],
-        })
-        .collect();
+    let mut lights = light_models(&whole, middle, is_open(Axis::Lights));
     let is_bounded = bound_combinations(&mut lights);
-    let lights_at = |camera: &Camera| whole.lights.clone().unwrap_or_else(|| default_lights(camera).to_vec());
-    let cameras = options.views.map_or_else(|| vec![camera], |count| around(&camera, count.max(1), 0.0));
-    let held_out = options.views.map_or_else(Vec::new, |count| around(&camera, count.max(1), 0.5));
-    let pixels = stage.settings.size.iter().map(|&side| u64::from(side)).product::<u64>();
-    if pixels * (cameras.len() + held_out.len()) as u64 > MOST_PIXELS {
-        let found =
-            format!("{} pictures of {pixels} pixels are too many to keep", cameras.len() + held_out.len());
-        return Err(PlanError::Invalid(format!("{found}; use fewer views or a smaller size")));
-    }
-    let view = |camera: &Camera| View::new(&stage, *camera, lights_at(camera));
-    let mut views = cameras.iter().map(view).collect::<Result<Vec<_>, _>>()?;
-    if views.iter().all(|view| view.truth.image.statistics.covered_pixels == 0) {
-        return Err(PlanError::Invalid("no view shows any object".to_owned()));
-    }
+    let (mut views, mut waiting) = views_of(&stage, &whole, options, middle)?;
     let limits = Limits {
+        metric: options.metric,
         tolerance: options.tolerance,
         share: options.share,
         outline: options.outline,
         budget: options.budget,
+        deadline: options.seconds.map(|seconds| Instant::now() + Duration::from_secs_f64(seconds)),
     };
-    let held_out_views = held_out.iter().map(view).collect::<Result<Vec<_>, _>>()?;
-    let mut waiting: Vec<View> = held_out_views;
+    let declared = stage.settings.samples;
+    let fewer =
+        [Samples::Four, Samples::One].into_iter().filter(|samples| samples.count() < declared.count());
+    let fewer = fewer.filter(|_| options.allow_antialiasing);
+    let stages: Vec<Stage> = [declared].into_iter().chain(fewer).map(|it| stage.with_samples(it)).collect();
     let mut repairs = 0;
     loop {
-        let trials = Trials::new(&stage, &views, &lights, limits, progress);
-        let search = Search::new(trials, &models, options.minimise);
-        let outcome = search.run()?;
-        let mut worst: Option<(Difference, usize)> = None;
-        for (number, view) in waiting.iter().enumerate() {
-            let (difference, distance) =
-                search.trials.measure(view, &outcome.found.models, &outcome.found.lights)?;
-            let distance_steps = if distance > limits.outline { f64::INFINITY } else { difference.steps };
-            let difference = Difference { steps: distance_steps, ..difference };
-            if worst.is_none_or(|(other, _)| difference.steps > other.steps) {
-                worst = Some((difference, number));
-            }
-        }
-        if let Some((difference, number)) = worst
-            && difference.steps > limits.tolerance
-        {
-            let view = waiting.swap_remove(number);
+        let trials = |stage| Trials::new(stage, &views, &lights, limits, progress);
+        let search = |stage| Search::new(trials(stage), &models, options.minimise);
+        let searches: Vec<Search> = stages.iter().map(search).collect();
+        let (best, outcome) = cheapest(&searches)?;
+        let (worst, failing) = verify(&searches[best].trials, &waiting, &outcome)?;
+        if let Some(number) = failing {
             repairs += 1;
-            drop(search);
-            views.push(view);
+            drop(searches);
+            views.push(waiting.swap_remove(number));
             continue;
         }
-        let whole = &whole;
-        let scene = Described { stage: &stage, document: &document, lights: &lights, whole, middle, radius };
-        let mut plan = scene.describe(&search, &outcome)?;
-        plan.held_out = worst.map(|(difference, _)| difference);
+        let described = Described {
+            stage: &stage,
+            document: &document,
+            lights: &lights,
+            whole: &whole,
+            declared: &searches[0],
+            light_cone: options.light_cone,
+            middle,
+            radius,
+        };
+        let mut plan = described.describe(&searches[best], &outcome)?;
+        plan.held_out = worst;
         plan.repairs = repairs;
         if is_bounded {
             (plan.proven, plan.is_cheapest) = (0, false);
         }
         return Ok(plan);
     }
+}
+
+/// What may replace each declared light.
+fn light_models(whole: &SceneFile, middle: DVec3, is_open: bool) -> Vec<Vec<LightModel>> {
+    let models = |(number, light)| match is_open && !whole.kept_lights.contains(&number) {
+        true => replacements(light, middle),
+        false => vec![LightModel(Some(*light))],
+    };
+    whole.lights.iter().flatten().enumerate().map(models).collect()
+}
+
+/// The views that a plan is found with, and those that verify it.
+fn views_of(
+    stage: &Stage,
+    whole: &SceneFile,
+    options: &PlanOptions,
+    middle: DVec3,
+) -> Result<(Vec<View>, Vec<View>), PlanError> {
+    let camera = whole.scene().camera;
+    let cone: Degrees = options.light_cone;
+    let turns = Turn::sampled(cone, middle);
+    let others = if cone.0 > 0.0 { Turn::held_out(cone, middle) } else { turns.clone() };
+    let (cameras, between) = match options.views {
+        Some(count) => (around(&camera, count.max(1), 0.0), around(&camera, count.max(1), 0.5)),
+        None if cone.0 > 0.0 => (vec![camera], vec![camera]),
+        None => (vec![camera], Vec::new()),
+    };
+    let count = cameras.len() * turns.len() + between.len() * others.len();
+    let pixels = stage.settings.size.iter().map(|&side| u64::from(side)).product::<u64>();
+    if pixels * count as u64 > MOST_PIXELS {
+        let found = format!("{count} pictures of {pixels} pixels are too many to keep");
+        return Err(PlanError::Invalid(format!("{found}; use fewer views or a smaller size")));
+    }
+    let views = |cameras: &[Camera], turns: &[Turn]| {
+        let pairs = cameras.iter().flat_map(|camera| turns.iter().map(move |turn| (*camera, *turn)));
+        pairs
+            .map(|(camera, turn)| {
+                let lights = whole.lights.clone().unwrap_or_else(|| default_lights(&camera).to_vec());
+                View::new(stage, camera, &lights, turn)
+            })
+            .collect::<Result<Vec<View>, PlanError>>()
+    };
+    let found_with = views(&cameras, &turns)?;
+    if found_with.iter().all(|view| view.truth.image.statistics.covered_pixels == 0) {
+        return Err(PlanError::Invalid("no view shows any object".to_owned()));
+    }
+    Ok((found_with, views(&between, &others)?))
+}
+
+/// The cheapest plan of several searches, with the number of its search. The first one has the reference.
+fn cheapest(searches: &[Search]) -> Result<(usize, Outcome), PlanError> {
+    let (mut best, mut outcome) = (0, searches[0].run(None)?);
+    for (number, search) in searches.iter().enumerate().skip(1) {
+        let next = search.run(outcome.found.as_ref())?;
+        if next.found.is_some() {
+            (best, outcome.found) = (number, next.found);
+        }
+        outcome.proven = outcome.proven.min(next.proven);
+        outcome.combinations += next.combinations;
+        outcome.refused += next.refused;
+        outcome.drawn += next.drawn;
+    }
+    Ok((best, outcome))
+}
+
+/// The largest difference of a plan in views that it was not found with, and the number of the worst view that is beyond the limits.
+fn verify(
+    trials: &Trials,
+    views: &[View],
+    outcome: &Outcome,
+) -> Result<(Option<Difference>, Option<usize>), PlanError> {
+    let metric = trials.limits.metric;
+    let mut largest: Option<Difference> = None;
+    let mut failing: Option<(f64, usize)> = None;
+    for (number, view) in views.iter().enumerate() {
+        let Some(found) = &outcome.found else { continue };
+        let (difference, outline) = trials.measure(view, &found.models, &found.lights)?;
+        let size = difference.by(metric);
+        if largest.is_none_or(|other| size > other.by(metric)) {
+            largest = Some(difference);
+        }
+        if !trials.limits.accept(view, &difference, outline) && failing.is_none_or(|(other, _)| size > other)
+        {
+            failing = Some((size, number));
+        }
+    }
+    Ok((largest, failing.map(|(_, number)| number)))
 }

@@ -29,14 +29,16 @@ pub struct Found {
     pub worst: (Difference, usize),
     /// The largest distance of outlines, in pixels.
     pub outline: f64,
+    /// The number of changes.
+    pub changes: u32,
 }
 
 /// How a search ended.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// The cheapest plan found.
-    pub found: Found,
-    /// No plan costs less than this; the cost of the plan if it is proven cheapest.
+    /// The cheapest plan; `None` if none is cheaper than the best one before.
+    pub found: Option<Found>,
+    /// No plan costs less than this; the cost of the best plan if it is proven cheapest.
     pub proven: u64,
     /// Pixels drawn.
     pub drawn: u64,
@@ -70,32 +72,36 @@ impl<'a> Search<'a> {
         Self { trials, models, minimise, sizes: RefCell::default() }
     }
 
-    /// Searches. The reference itself is always a plan.
+    /// Searches for a plan that is cheaper than the `best` one so far. Without one, that is the reference itself.
     ///
     /// # Errors
     /// What makes a picture impossible.
-    pub fn run(&self) -> Result<Outcome, PlanError> {
+    pub fn run(&self, best: Option<&Found>) -> Result<Outcome, PlanError> {
         let mut ranked: Vec<(u64, u32, LightChoice)> = Vec::new();
         for choice in self.light_choices() {
             let changes = choice.iter().filter(|&&number| number > 0).count() as u32;
-            ranked.push((self.least(&choice)?, changes, choice));
+            ranked.push((self.least(&choice)?, changes + u32::from(self.has_fewer_samples()), choice));
         }
         ranked.sort_unstable();
         let models = self.models.iter().map(|list| list.len() as f64);
         let combinations = ranked.len() as f64 * models.product::<f64>();
-        let reference = self.reference()?;
-        let mut best: (u64, u32, Found) = (reference.cost.of(self.minimise), 0, reference);
+        let mut found = if best.is_none() { Some(self.reference()?) } else { None };
+        let cost = |found: &Found| (found.cost.of(self.minimise), found.changes);
+        let mut most = best.or(found.as_ref()).map_or((u64::MAX, u32::MAX), cost);
         let mut open = u64::MAX;
         for (least, changes, choice) in &ranked {
-            if *least > best.0 {
+            if *least > most.0 {
                 break;
             }
             if self.trials.is_spent() {
                 open = *least;
                 break;
             }
-            match self.cheapest(choice, &self.ranked(choice)?, *changes, (best.0, best.1))? {
-                Step::Found(cost, changes, found) => best = (cost, changes, *found),
+            match self.cheapest(choice, &self.ranked(choice)?, *changes, most)? {
+                Step::Found(better) => {
+                    most = cost(&better);
+                    found = Some(*better);
+                }
                 Step::Nothing => {}
                 Step::Spent(least) => {
                     open = least;
@@ -103,20 +109,20 @@ impl<'a> Search<'a> {
                 }
             }
         }
-        Ok(Outcome {
-            proven: open.min(best.0),
-            found: best.2,
-            drawn: self.trials.drawn(),
-            combinations,
-            refused: self.trials.refused(),
-        })
+        let (drawn, refused) = (self.trials.drawn(), self.trials.refused());
+        Ok(Outcome { proven: open.min(most.0), found, drawn, combinations, refused })
+    }
+
+    /// Whether pictures have fewer samples than those of the reference.
+    fn has_fewer_samples(&self) -> bool {
+        self.trials.stage.settings.samples != self.trials.views[0].truth.samples()
     }
 
     fn reference(&self) -> Result<Found, PlanError> {
         let models: Vec<ObjectModel> = self.trials.stage.units.iter().map(|unit| unit.reference).collect();
         let lights = vec![0; self.trials.lights.len()];
         let cost = self.cost(&models, &lights)?;
-        Ok(Found { models, lights, cost, worst: Default::default(), outline: 0.0 })
+        Ok(Found { models, lights, cost, worst: Default::default(), outline: 0.0, changes: 0 })
     }
 
     /// The cost of models under a choice of lights.
@@ -135,7 +141,8 @@ impl<'a> Search<'a> {
         let sizes = match known {
             Some(known) => known,
             None => {
-                let samples = views.iter().map(|view| view.samples[unit]).sum();
+                let samples = views.iter().map(|view| view.pixels[unit]).sum::<u64>()
+                    * stage.settings.samples.count() as u64;
                 let sizes = stage.sizes(unit, model, samples, views.len() as u64)?;
                 *self.sizes.borrow_mut().entry(key).or_insert(sizes)
             }
@@ -208,7 +215,8 @@ impl<'a> Search<'a> {
                 let at = next[unit];
                 next[unit] += 1;
                 let number = lists[unit][at].2;
-                let is_reference = number == 0 && choice.iter().all(|&light| light == 0);
+                let is_reference =
+                    number == 0 && choice.iter().all(|&light| light == 0) && !self.has_fewer_samples();
                 if is_reference
                     || self.trials.is_within((unit, number), &self.models[unit][number], choice)?
                 {
@@ -252,8 +260,8 @@ impl<'a> Search<'a> {
                 entries.iter().enumerate().map(|(unit, entry)| self.models[unit][entry.2]).collect();
             if let Some((worst, outline)) = self.trials.check(&models, choice)? {
                 let cost = entries.iter().map(|entry| entry.3).sum();
-                let found = Found { models, lights: choice.clone(), cost, worst, outline };
-                return Ok(Step::Found(rank.0, rank.1, Box::new(found)));
+                let found = Found { models, lights: choice.clone(), cost, worst, outline, changes: rank.1 };
+                return Ok(Step::Found(Box::new(found)));
             }
             if self.trials.is_spent() {
                 return Ok(Step::Spent(rank.0));
@@ -271,7 +279,7 @@ impl<'a> Search<'a> {
 }
 
 enum Step {
-    Found(u64, u32, Box<Found>),
+    Found(Box<Found>),
     Nothing,
     /// The budget is used up; no plan under these lights costs less than this.
     Spent(u64),

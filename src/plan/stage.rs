@@ -7,8 +7,8 @@ use super::unit::{Unit, count_vertices};
 use crate::io::ReadError;
 use crate::num::LinearRgb;
 use crate::raster::{
-    Camera, Image, LoadOptions, Object, Paint, RenderError, RenderSettings, Scene, SceneFile, SceneMesh,
-    SceneShape, Shape, pixel_colour, probe, render,
+    Camera, Image, LoadOptions, Object, Paint, RenderError, RenderSettings, Samples, Scene, SceneFile,
+    SceneMesh, SceneShape, Shape, pixel_colour, probe, render,
 };
 use crate::shade::Light;
 use std::borrow::Cow;
@@ -21,7 +21,8 @@ use std::rc::Rc;
 /// What of a model decides the vertices and normals of an object.
 type Geometry = (usize, Option<Normals>, Option<[u32; 2]>);
 
-/// The scene of a plan.
+/// The scene of a plan. A copy shares everything that was read.
+#[derive(Clone)]
 pub struct Stage<'a> {
     document: &'a Document,
     base: &'a Path,
@@ -29,13 +30,16 @@ pub struct Stage<'a> {
     /// The settings of its pictures.
     pub settings: RenderSettings,
     /// Its objects.
-    pub units: Vec<Unit>,
+    pub units: Rc<[Unit]>,
     /// The number of the first object of each unit, and of all objects at the end.
     first: Vec<usize>,
     background: LinearRgb,
-    /// Those of other models that were needed, and the corners that they have in all.
-    loaded: RefCell<(HashMap<Geometry, Rc<SceneFile>>, usize)>,
+    /// Those of other models that were needed.
+    loaded: Rc<RefCell<Loaded>>,
 }
+
+/// Models of objects that were read, and the corners that they have in all.
+type Loaded = (HashMap<Geometry, Rc<SceneFile>>, usize);
 
 /// Most corners of faces of models that are kept: some 50 bytes each. Beyond that all are read again when they are needed.
 const MOST_CORNERS: usize = 1 << 25;
@@ -52,22 +56,20 @@ impl<'a> Stage<'a> {
         options: &'a LoadOptions,
     ) -> Result<Self, ReadError> {
         let settings = RenderSettings { keep_linear: true, keep_objects: true, ..whole.settings };
-        let mut stage = Self {
-            document,
-            base,
-            options,
-            settings,
-            units: Vec::new(),
-            first: vec![0],
-            background: whole.background,
-            loaded: RefCell::default(),
-        };
+        let (mut units, mut first) = (Vec::new(), vec![0]);
         for object in 0..document.objects() {
             let declared = Rc::new(SceneFile::from_toml(&document.only(object).to_string(), base, options)?);
-            stage.first.push(stage.objects() + declared.objects.len());
-            stage.units.push(Unit::new(document, object, declared, &settings));
+            first.push(first[object] + declared.objects.len());
+            units.push(Unit::new(document, object, declared, &settings));
         }
-        Ok(stage)
+        let (units, background, loaded) = (units.into(), whole.background, Rc::default());
+        Ok(Self { document, base, options, settings, units, first, background, loaded })
+    }
+
+    /// The same scene, drawn with another number of samples for each pixel.
+    pub fn with_samples(&self, samples: Samples) -> Self {
+        let settings = RenderSettings { samples, ..self.settings };
+        Self { settings, ..self.clone() }
     }
 
     /// The objects of a unit with the vertices and normals of a model.

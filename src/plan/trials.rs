@@ -1,18 +1,22 @@
 //! Pictures of models, compared with the reference.
 
 use super::axes::{LightModel, ObjectModel};
-use super::compare::{Difference, Truth, outline_distance};
+use super::compare::{Difference, Metric, outline_distance};
 use super::stage::{PlanError, Stage};
+use super::views::View;
 use crate::mesh::NONE;
-use crate::raster::{Camera, Image};
+use crate::raster::Image;
 use crate::shade::Light;
 use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
+use std::time::Instant;
 
 /// What a plan has to keep to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// Largest difference of a pixel, in steps of 1/255.
+    /// How pictures are compared.
+    pub metric: Metric,
+    /// Largest difference by this metric.
     pub tolerance: f64,
     /// Share of the covered pixels of a view that may be beyond it.
     pub share: f64,
@@ -20,56 +24,22 @@ pub struct Limits {
     pub outline: f64,
     /// Most pixels to draw.
     pub budget: u64,
+    /// When the search ends.
+    pub deadline: Option<Instant>,
 }
 
-/// A view of the reference.
-pub struct View {
-    /// The camera.
-    pub camera: Camera,
-    /// The lights as declared.
-    pub lights: Vec<Light>,
-    /// The picture of the reference.
-    pub truth: Truth,
-    /// Pixels that something covers.
-    covered: u64,
-    /// The number of the object that all samples of a pixel show; [`NONE`] for others.
-    object_of: Vec<u32>,
-    /// Samples of pixels that show only a unit.
-    pub samples: Vec<u64>,
-    /// The picture of each unit alone, for its outline; drawn where it is needed.
-    alone: Vec<RefCell<Option<Image>>>,
-}
-
-impl View {
-    /// Draws the reference from a camera.
-    ///
-    /// # Errors
-    /// What makes the picture impossible.
-    pub fn new(stage: &Stage, camera: Camera, lights: Vec<Light>) -> Result<Self, PlanError> {
-        let models: Vec<_> = stage.units.iter().map(|unit| unit.reference).enumerate().collect();
-        let image = stage.draw(&models, &lights, &camera)?;
-        let covered = image.statistics.covered_pixels;
-        let samples_of_pixel = stage.settings.samples.count();
-        let objects: HashMap<u32, u32> = (0..stage.objects() as u32)
-            .map(|object| (Image::number_of(object as usize, samples_of_pixel), object))
-            .collect();
-        let numbers = image.objects.iter().flatten();
-        let object_of: Vec<u32> =
-            numbers.map(|number| objects.get(number).copied().unwrap_or(NONE)).collect();
-        let mut samples = vec![0; stage.units.len()];
-        for &object in object_of.iter().filter(|&&object| object != NONE) {
-            samples[stage.unit_of(object)] += samples_of_pixel as u64;
+impl Limits {
+    /// Whether a difference and a distance of outlines in a view are within the limits.
+    pub fn accept(&self, view: &View, difference: &Difference, outline: f64) -> bool {
+        match self.metric {
+            Metric::Steps => difference.beyond <= self.most_beyond(view) && outline <= self.outline,
+            Metric::Flip => difference.by(Metric::Flip) <= self.tolerance,
         }
-        let alone = stage.units.iter().map(|_| RefCell::default()).collect();
-        Ok(Self {
-            camera,
-            lights,
-            truth: Truth::new(image, &stage.settings),
-            covered,
-            object_of,
-            samples,
-            alone,
-        })
+    }
+
+    /// Pixels that may be beyond the tolerance.
+    fn most_beyond(&self, view: &View) -> u64 {
+        (self.share * view.covered as f64) as u64
     }
 }
 
@@ -138,9 +108,10 @@ impl<'a> Trials<'a> {
         self.refused.get()
     }
 
-    /// Whether the budget is used up.
+    /// Whether the budget or the time is used up.
     pub fn is_spent(&self) -> bool {
         self.drawn.get() > self.limits.budget
+            || self.limits.deadline.is_some_and(|deadline| Instant::now() > deadline)
     }
 
     /// The lights of a view with a choice: all declared ones where no light has replacements.
@@ -148,10 +119,12 @@ impl<'a> Trials<'a> {
         if self.lights.is_empty() {
             return view.lights.clone();
         }
-        self.lights.iter().zip(choice).filter_map(|(models, &number)| models[number].0).collect()
+        let chosen = self.lights.iter().zip(choice).filter_map(|(models, &number)| models[number].0);
+        chosen.map(|light| view.turn.of(&light)).collect()
     }
 
-    /// Whether a model of a unit, known by its number, keeps to the limits on the pixels that show nothing else.
+    /// Whether a model of a unit, known by its number, keeps to the limits on the pixels that show nothing else. ꟻLIP depends on the whole
+    /// picture, so it refuses nothing here.
     ///
     /// # Errors
     /// What makes a picture impossible.
@@ -161,6 +134,9 @@ impl<'a> Trials<'a> {
         model: &ObjectModel,
         choice: &LightChoice,
     ) -> Result<bool, PlanError> {
+        if self.limits.metric == Metric::Flip {
+            return Ok(true);
+        }
         let key = (unit, number, choice.clone());
         if let Some(&known) = self.known.borrow().get(&key) {
             return Ok(known);
@@ -243,13 +219,14 @@ impl<'a> Trials<'a> {
             let object = view.object_of[pixel] as usize;
             objects.contains(&object) && shown[pixel] == Image::number_of(object - objects.start, samples)
         };
-        let most = self.most_beyond(view);
+        let most = self.limits.most_beyond(view);
         let difference = view.truth.difference(&picture, self.limits.tolerance, most, is_compared);
         if difference.beyond > most {
             self.add_witness(number, unit, model, difference.pixel)?;
             return Ok(false);
         }
-        if model.segments == self.stage.units[unit].reference.segments {
+        let has_other_samples = view.truth.samples() != self.stage.settings.samples;
+        if model.segments == self.stage.units[unit].reference.segments && !has_other_samples {
             return Ok(true);
         }
         Ok(self.outline(view, unit, &picture)? <= self.limits.outline)
@@ -259,19 +236,18 @@ impl<'a> Trials<'a> {
     fn outline(&self, view: &View, unit: usize, picture: &Image) -> Result<f64, PlanError> {
         let mut alone = view.alone[unit].borrow_mut();
         if alone.is_none() {
-            *alone = Some(self.draw(&[(unit, self.stage.units[unit].reference)], &view.lights, view)?);
+            let stage = self.stage.with_samples(view.truth.samples());
+            let reference = self.stage.units[unit].reference;
+            *alone = Some(stage.draw(&[(unit, reference)], &view.lights, &view.camera)?);
+            self.count(picture.coverage.len() as u64);
         }
         let Some(truth) = &*alone else { return Ok(0.0) };
-        match outline_distance(picture, truth, &self.stage.settings) {
+        match outline_distance((picture, self.stage.settings.samples), (truth, view.truth.samples())) {
             Ok(distance) => Ok(distance),
             // Nothing is left of it, or nothing was there.
             Err(crate::metric::MetricError::Empty) => Ok(f64::INFINITY),
             Err(error) => Err(error.into()),
         }
-    }
-
-    fn most_beyond(&self, view: &View) -> u64 {
-        (self.limits.share * view.covered as f64) as u64
     }
 
     fn draw(
@@ -296,10 +272,11 @@ impl<'a> Trials<'a> {
         let (mut worst, mut outline) = ((Difference::default(), 0), 0.0_f64);
         for (number, view) in self.views.iter().enumerate() {
             let (difference, distance) = self.measure(view, models, choice)?;
-            if difference.beyond > self.most_beyond(view) || distance > self.limits.outline {
+            if !self.limits.accept(view, &difference, distance) {
                 return Ok(None);
             }
-            if difference.steps > worst.0.steps {
+            let metric = self.limits.metric;
+            if difference.by(metric) > worst.0.by(metric) {
                 worst = (difference, number);
             }
             outline = outline.max(distance);
@@ -317,18 +294,31 @@ impl<'a> Trials<'a> {
         let lights = self.lights_of(view, choice);
         let all: Vec<_> = models.iter().copied().enumerate().collect();
         let picture = self.draw(&all, &lights, view)?;
-        let (Some(truth), Some(shown)) = (&view.truth.image.objects, &picture.objects) else {
-            return Ok(Default::default());
-        };
-        let is_compared = |pixel: usize| truth[pixel] == shown[pixel];
-        let difference = view.truth.difference(&picture, self.limits.tolerance, u64::MAX, is_compared);
+        let shown = picture.objects.as_deref().unwrap_or_default();
+        let is_compared = |pixel: usize| self.shows_the_same(view, shown, pixel);
+        let mut difference = view.truth.difference(&picture, self.limits.tolerance, u64::MAX, is_compared);
+        if self.limits.metric == Metric::Flip {
+            difference.flip = Some(view.truth.flip(&picture)?);
+            return Ok((difference, 0.0));
+        }
+        let has_other_samples = view.truth.samples() != self.stage.settings.samples;
         let mut outline = 0.0_f64;
         for (unit, model) in models.iter().enumerate() {
-            if model.segments != self.stage.units[unit].reference.segments {
+            if has_other_samples || model.segments != self.stage.units[unit].reference.segments {
                 let alone = self.draw(&[(unit, *model)], &lights, view)?;
                 outline = outline.max(self.outline(view, unit, &alone)?);
             }
         }
         Ok((difference, outline))
+    }
+    /// Whether a pixel of a picture shows the same objects as in the reference. With another number of samples those pixels count which show
+    /// one object.
+    fn shows_the_same(&self, view: &View, shown: &[u32], pixel: usize) -> bool {
+        let samples = self.stage.settings.samples;
+        if view.truth.samples() == samples {
+            return view.truth.image.objects.as_ref().is_some_and(|truth| truth[pixel] == shown[pixel]);
+        }
+        let object = view.object_of[pixel];
+        object != NONE && shown[pixel] == Image::number_of(object as usize, samples.count())
     }
 }

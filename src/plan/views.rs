@@ -1,8 +1,62 @@
-//! Views around a scene.
+//! Views of the reference: cameras around a scene, with lights that turn.
 
-use crate::raster::Camera;
-use glam::{DVec3, dvec3};
+use super::compare::Truth;
+use super::stage::{PlanError, Stage};
+use crate::mesh::NONE;
+use crate::num::Degrees;
+use crate::raster::{Camera, Image};
+use crate::shade::{AreaShape, Cone, Light};
+use glam::{DQuat, DVec3, dvec3};
+use std::cell::RefCell;
+use std::collections::HashMap;
 use std::f64::consts::PI;
+
+/// A view of the reference.
+pub struct View {
+    /// The camera.
+    pub camera: Camera,
+    /// The lights as declared, turned.
+    pub lights: Vec<Light>,
+    /// How all lights turn.
+    pub turn: Turn,
+    /// The picture of the reference.
+    pub truth: Truth,
+    /// Pixels that something covers.
+    pub covered: u64,
+    /// The number of the object that all samples of a pixel show; [`NONE`] for others.
+    pub object_of: Vec<u32>,
+    /// Pixels that show only a unit.
+    pub pixels: Vec<u64>,
+    /// The picture of each unit alone, for its outline; drawn where it is needed.
+    pub alone: Vec<RefCell<Option<Image>>>,
+}
+
+impl View {
+    /// Draws the reference from a camera.
+    ///
+    /// # Errors
+    /// What makes the picture impossible.
+    pub fn new(stage: &Stage, camera: Camera, lights: &[Light], turn: Turn) -> Result<Self, PlanError> {
+        let lights: Vec<Light> = lights.iter().map(|light| turn.of(light)).collect();
+        let models: Vec<_> = stage.units.iter().map(|unit| unit.reference).enumerate().collect();
+        let image = stage.draw(&models, &lights, &camera)?;
+        let covered = image.statistics.covered_pixels;
+        let samples_of_pixel = stage.settings.samples.count();
+        let objects: HashMap<u32, u32> = (0..stage.objects() as u32)
+            .map(|object| (Image::number_of(object as usize, samples_of_pixel), object))
+            .collect();
+        let numbers = image.objects.iter().flatten();
+        let object_of: Vec<u32> =
+            numbers.map(|number| objects.get(number).copied().unwrap_or(NONE)).collect();
+        let mut pixels = vec![0; stage.units.len()];
+        for &object in object_of.iter().filter(|&&object| object != NONE) {
+            pixels[stage.unit_of(object)] += 1;
+        }
+        let alone = stage.units.iter().map(|_| RefCell::default()).collect();
+        let truth = Truth::new(image, &stage.settings);
+        Ok(Self { camera, lights, turn, truth, covered, object_of, pixels, alone })
+    }
+}
 
 /// Views at the same distance as a camera on a sphere around its target, evenly spread: Fibonacci's lattice (Á. González, *Measurement of areas
 /// on a sphere using Fibonacci and latitude–longitude lattices*, Mathematical Geosciences 42, 2010). `offset` from 0 to 1 moves all of them
@@ -19,4 +73,66 @@ pub fn around(camera: &Camera, count: u32, offset: f64) -> Vec<Camera> {
         Camera { eye: camera.target + towards * distance, up, ..*camera }
     };
     (0..count).map(view).collect()
+}
+
+/// A rotation of all lights around a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn {
+    rotation: DQuat,
+    middle: DVec3,
+}
+
+impl Turn {
+    /// No rotation, then if `cone` is above 0 rotations by this angle around the coordinate axes, in both directions: each direction of
+    /// light moves towards four others or more.
+    pub fn sampled(cone: Degrees, middle: DVec3) -> Vec<Self> {
+        let axes = [DVec3::X, DVec3::Y, DVec3::Z, -DVec3::X, -DVec3::Y, -DVec3::Z];
+        let none = Self { rotation: DQuat::IDENTITY, middle };
+        [none].into_iter().chain(Self::around_axes(&axes, cone, middle)).collect()
+    }
+
+    /// Rotations between the sampled ones, around the diagonals of a cube.
+    pub fn held_out(cone: Degrees, middle: DVec3) -> Vec<Self> {
+        let signs = (0..8).map(|bits| [1, 2, 4].map(|bit| if bits & bit == 0 { 1.0 } else { -1.0 }));
+        let axes: Vec<DVec3> = signs.map(|sign| DVec3::from(sign).normalize()).collect();
+        Self::around_axes(&axes, cone, middle)
+    }
+
+    fn around_axes(axes: &[DVec3], Degrees(cone): Degrees, middle: DVec3) -> Vec<Self> {
+        let axes = if cone > 0.0 { axes } else { &[] };
+        let (sin, cos) = libm::sincos(0.5 * cone.to_radians());
+        let rotation = |&axis: &DVec3| DQuat::from_vec4((sin * axis).extend(cos));
+        axes.iter().map(|axis| Self { rotation: rotation(axis), middle }).collect()
+    }
+
+    /// A light, turned.
+    pub fn of(&self, light: &Light) -> Light {
+        if self.rotation == DQuat::IDENTITY {
+            return *light;
+        }
+        let turned = |direction: DVec3| self.rotation * direction;
+        let moved = |position: DVec3| self.middle + self.rotation * (position - self.middle);
+        match *light {
+            Light::Ambient { .. } => *light,
+            Light::Directional { towards, colour } => Light::Directional { towards: turned(towards), colour },
+            Light::Point { position, colour, attenuation } => {
+                Light::Point { position: moved(position), colour, attenuation }
+            }
+            Light::Spot { position, colour, attenuation, cone } => {
+                let cone = Cone { axis: turned(cone.axis), ..cone };
+                Light::Spot { position: moved(position), colour, attenuation, cone }
+            }
+            Light::Area { shape, colour } => {
+                let shape = match shape {
+                    AreaShape::Rectangle { centre, u, v } => {
+                        AreaShape::Rectangle { centre: moved(centre), u: turned(u), v: turned(v) }
+                    }
+                    AreaShape::Disc { centre, normal, radius } => {
+                        AreaShape::Disc { centre: moved(centre), normal: turned(normal), radius }
+                    }
+                };
+                Light::Area { shape, colour }
+            }
+        }
+    }
 }

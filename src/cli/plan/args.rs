@@ -4,7 +4,8 @@ use crate::cli::common::choice::{choices, one_of};
 use crate::cli::common::options::{RunArgs, not_negative};
 use crate::cli::render::values::size;
 use clap::Args;
-use crease::plan::{Axis, Minimise};
+use crease::num::Degrees;
+use crease::plan::{Axis, Metric, Minimise, PlanOptions};
 use std::path::{Path, PathBuf};
 
 #[derive(Args)]
@@ -13,12 +14,14 @@ pub struct PlanArgs {
     pub input: Option<PathBuf>,
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    #[arg(long, value_name = "STEPS", default_value = "2", value_parser = not_negative, allow_negative_numbers = true)]
-    pub tolerance: f64,
-    #[arg(long, value_name = "SHARE", default_value = "0", value_parser = share)]
-    pub share: f64,
-    #[arg(long, value_name = "PIXELS", default_value = "0.5", value_parser = not_negative, allow_negative_numbers = true)]
-    pub outline: f64,
+    #[arg(long, value_name = "STEPS", value_parser = not_negative, allow_negative_numbers = true)]
+    pub tolerance: Option<f64>,
+    #[arg(long, value_name = "METRIC", default_value = "steps", value_parser = one_of::<Metric>())]
+    pub metric: Metric,
+    #[arg(long, value_name = "SHARE", value_parser = share)]
+    pub share: Option<f64>,
+    #[arg(long, value_name = "PIXELS", value_parser = not_negative, allow_negative_numbers = true)]
+    pub outline: Option<f64>,
     #[arg(long, value_name = "WHAT", default_value = "work", value_parser = one_of::<Minimise>())]
     pub minimise: Minimise,
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
@@ -29,8 +32,14 @@ pub struct PlanArgs {
     pub keep: Vec<Axis>,
     #[arg(long, value_name = "AXIS,AXIS", value_parser = one_of::<Axis>(), value_delimiter = ',', conflicts_with = "keep")]
     pub only: Vec<Axis>,
+    #[arg(long, value_name = "DEG", value_parser = not_negative, allow_negative_numbers = true)]
+    pub light_cone: Option<f64>,
+    #[arg(long, value_name = "WHAT", value_parser = ["antialiasing"])]
+    pub allow: Option<String>,
     #[arg(long, value_name = "PIXELS", default_value = "10000000000")]
     pub budget: u64,
+    #[arg(long, value_name = "S", value_parser = not_negative, allow_negative_numbers = true)]
+    pub seconds: Option<f64>,
     #[arg(long)]
     pub explain: bool,
 
@@ -39,6 +48,8 @@ pub struct PlanArgs {
 }
 
 choices! { Minimise: "work" => Work, "bytes" => Bytes, "vertices" => Vertices }
+
+choices! { Metric: "steps" => Steps, "flip" => Flip }
 
 choices! { Axis:
     "shading" => Shading, "weight" => Weight, "creases" => Creases, "precision" => Precision,
@@ -52,8 +63,45 @@ impl PlanArgs {
         self.input.as_deref().unwrap_or(Path::new(""))
     }
 
+    /// The tolerance of the metric: 2 steps or a mean ꟻLIP of 0.01, if none is given.
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance.unwrap_or(match self.metric {
+            Metric::Steps => 2.0,
+            Metric::Flip => 0.01,
+        })
+    }
+
+    /// What the library plans with.
+    ///
+    /// # Errors
+    /// Options that do not go together.
+    pub fn options(&self) -> Result<PlanOptions, String> {
+        let default = PlanOptions::default();
+        if self.metric == Metric::Flip {
+            let unused = [("--share", self.share.is_some()), ("--outline", self.outline.is_some())];
+            if let Some((name, _)) = unused.into_iter().find(|(_, is_given)| *is_given) {
+                return Err(format!(
+                    "{name} does not apply to --metric flip\nhelp: ꟻLIP compares whole pictures; omit {name}"
+                ));
+            }
+        }
+        Ok(PlanOptions {
+            metric: self.metric,
+            tolerance: self.tolerance(),
+            share: self.share.unwrap_or(default.share),
+            outline: self.outline.unwrap_or(default.outline),
+            minimise: self.minimise,
+            views: self.views,
+            light_cone: Degrees(self.light_cone.unwrap_or(0.0)),
+            keep: self.kept(),
+            allow_antialiasing: self.allow.is_some(),
+            budget: self.budget,
+            seconds: self.seconds,
+        })
+    }
+
     /// The axes that stay as declared.
-    pub fn kept(&self) -> Vec<Axis> {
+    fn kept(&self) -> Vec<Axis> {
         match &self.only[..] {
             [] => self.keep.clone(),
             only => Axis::ALL.into_iter().filter(|axis| !only.contains(axis)).collect(),

@@ -11,14 +11,18 @@ example-3 = crease plan statue.glb --minimise bytes --only storage,shading -o le
 
 input = Scene file, or a mesh or glTF file
 output = Planned scene file, or `-` for standard output
-tolerance = Largest difference of a pixel, in steps of 1/255 before rounding
-share = Share of the covered pixels that may be beyond the tolerance
-outline = Largest distance of outlines, in pixels
+tolerance = Largest difference by the metric [default: 2 steps of 1/255 before rounding, or a mean ꟻLIP of 0.01]
+metric = Comparison of pictures: the largest difference of a pixel, or the mean of ꟻLIP, which models what eyes see
+share = Share of the covered pixels that may be beyond the tolerance [default: 0]
+outline = Largest distance of outlines, in pixels [default: 0.5]
 minimise = Quantity to minimise
 views = Number of views around the scene, in place of its camera; as many others verify the plan
 size = Size of the pictures [default: that of the scene]
 keep = Axes that stay as declared
 only = The only axes that may change
+light-cone = Angle by which all lights may turn around the scene, in degrees; the tolerance holds for all sampled turns
+allow = Also choose the number of samples of a pixel: 16, 4 or 1
+seconds = Maximum time; then the search ends with the best plan so far, which depends on the machine
 budget = Maximum number of pixels to draw; then the search ends with the best plan so far
 explain = Print how costs and bounds are computed
 
@@ -26,6 +30,7 @@ explain = Print how costs and bounds are computed
 
 output-short = Planned scene file, or `-` for standard output
 tolerance-short = Largest difference of a pixel, in steps of 1/255
+metric-short = Comparison of pictures
 minimise-short = Quantity to minimise
 views-short = Number of views around the scene
 size-short = Size of the pictures

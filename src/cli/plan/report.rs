@@ -5,7 +5,7 @@ use crate::cli::common::console::{Style, escaped};
 use crate::cli::common::numbers::{count, row, size};
 use crate::cli::common::report::Head;
 use crease::num::three_digits;
-use crease::plan::{Decision, Minimise, Plan};
+use crease::plan::{Decision, Metric, Minimise, Plan};
 use serde::Serialize;
 
 /// The choices, the formulas of bounds, and how costs are counted.
@@ -16,13 +16,27 @@ pub struct Report {
     #[serde(flatten)]
     pub head: Head,
     pub input: String,
+    metric: Metric,
     tolerance: f64,
+    light_cone: f64,
     minimise: Minimise,
     #[serde(flatten)]
     pub plan: Option<Plan>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub output: Option<String>,
+    /// The budget of seconds, with which a plan depends on the machine.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    most_seconds: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub draw_seconds: Option<DrawSeconds>,
     pub seconds: f64,
+}
+
+/// Times to draw one picture on this machine.
+#[derive(Debug, Serialize)]
+pub struct DrawSeconds {
+    pub declared: f64,
+    pub planned: f64,
 }
 
 impl Report {
@@ -30,10 +44,14 @@ impl Report {
         Self {
             head: Head::new("crease-plan/1"),
             input: args.scene().display().to_string(),
-            tolerance: args.tolerance,
+            metric: args.metric,
+            tolerance: args.tolerance(),
+            light_cone: args.light_cone.unwrap_or(0.0),
             minimise: args.minimise,
             plan: None,
             output: None,
+            most_seconds: args.seconds,
+            draw_seconds: None,
             seconds: 0.0,
         }
     }
@@ -59,14 +77,25 @@ pub fn text(report: &Report, style: Style) -> String {
     row(&mut out, "vertices", &change(totals(|cost| cost.vertices), |count| count.to_string()));
     let [x, y] = plan.worst.pixel;
     let view = if plan.views > 1 { format!(" of view {}", plan.worst_view) } else { String::new() };
-    let mut worst = format!(
-        "{} steps of 255 at pixel {x},{y}{view} (tolerance {}); outlines within {} pixels",
-        three_digits(plan.worst.steps),
-        report.tolerance,
-        three_digits(plan.outline)
-    );
+    let steps = format!("{} steps of 255 at pixel {x},{y}{view}", three_digits(plan.worst.steps));
+    let mut worst = match report.metric {
+        Metric::Steps => format!(
+            "{steps} (tolerance {}); outlines within {} pixels",
+            report.tolerance,
+            three_digits(plan.outline)
+        ),
+        Metric::Flip => format!(
+            "{} (tolerance {}); {steps}",
+            report.metric.text(plan.worst.by(report.metric)),
+            report.tolerance
+        ),
+    };
+    if report.light_cone > 0.0 {
+        worst += &format!("; lights turned by up to {}°", report.light_cone);
+    }
     if let Some(held_out) = &plan.held_out {
-        worst += &format!("; {} in views that the plan was not found with", three_digits(held_out.steps));
+        let most = three_digits(held_out.by(report.metric));
+        worst += &format!("; {most} in views that the plan was not found with");
     }
     if plan.repairs > 0 {
         worst += &format!("; {} added after failing there", count(plan.repairs, "view"));
@@ -75,6 +104,11 @@ pub fn text(report: &Report, style: Style) -> String {
     let proven = match plan.is_cheapest {
         true => "the cheapest plan".to_owned(),
         false if plan.proven == 0 => "many lights: not all of their replacements were tried".to_owned(),
+        false if report.most_seconds.is_some_and(|seconds| report.seconds > seconds) => format!(
+            "time used up, so the plan depends on the machine: no plan costs less than {} {}",
+            plan.proven,
+            name(report.minimise)
+        ),
         false => format!("budget used up: no plan costs less than {} {}", plan.proven, name(report.minimise)),
     };
     let search = format!(
@@ -84,7 +118,11 @@ pub fn text(report: &Report, style: Style) -> String {
         plan.drawn as f64 / 1e6
     );
     row(&mut out, "search", &search);
-    row(&mut out, "time", &format!("{:.3} s", report.seconds));
+    let mut time = format!("planned in {:.3} s", report.seconds);
+    if let Some(DrawSeconds { declared, planned }) = report.draw_seconds {
+        time += &format!("; a picture takes {:.1} ms, before {:.1} ms", 1e3 * planned, 1e3 * declared);
+    }
+    row(&mut out, "time", &time);
     out
 }
 
@@ -101,10 +139,10 @@ fn line(decision: &Decision, report: &Report) -> String {
     let axis = if what.starts_with("light ") { "" } else { axis.name() };
     let bound = bound.map_or("no bound".to_owned(), |bound| format!("bound {}", three_digits(bound)));
     format!(
-        "{what}: {axis}{}{from} to {to}; saves {saved} {}; {} steps alone ({bound}, margin {})",
+        "{what}: {axis}{}{from} to {to}; saves {saved} {}; {} alone ({bound}, margin {})",
         if axis.is_empty() { "" } else { " " },
         name(report.minimise),
-        three_digits(*measured),
+        report.metric.text(*measured),
         three_digits(report.tolerance - measured)
     )
 }

@@ -1,15 +1,15 @@
 //! Runs `crease plan`.
 
 use super::args::PlanArgs;
-use super::report::{EXPLANATION, Report, text};
+use super::report::{DrawSeconds, EXPLANATION, Report, text};
 use crate::cli::common::console::{Console, escaped};
 use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
 use crate::cli::common::options::Color;
 use crate::cli::common::output::{Target, is_same_file};
 use crate::cli::common::progress::Progress;
 use crate::cli::help::usage_error;
-use crease::plan::{Plan, PlanError, PlanOptions, plan, scene_text};
-use crease::raster::LoadOptions;
+use crease::plan::{PlanError, plan, scene_text};
+use crease::raster::{LoadOptions, SceneFile, render};
 use std::path::Path;
 use std::time::Instant;
 
@@ -39,10 +39,25 @@ pub fn main(args: &PlanArgs, color: Color) -> Exit {
 }
 
 fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, Failure> {
+    let options = args.options().unwrap_or_else(|message| usage_error("plan", message));
+    let loading = LoadOptions::default();
+    let base = args.scene().parent().unwrap_or(Path::new(""));
+    let text = scene_text(args.scene(), &loading)?;
+    let text = match args.size {
+        Some(size) => crease::plan::with_size(&text, size).map_err(Failure::input)?,
+        None => text,
+    };
     let progress = Progress::of_share(console, "planning");
-    let planned = find(args, &|share| progress.share(share));
+    let planned = plan(&text, base, &loading, &options, &|share| progress.share(share));
     drop(progress);
-    let planned = planned?;
+    let planned = planned.map_err(|error| match error {
+        PlanError::Read(error) => error.into(),
+        error => Failure::advised(error),
+    })?;
+    report.draw_seconds = Some(DrawSeconds {
+        declared: draw_seconds(&text, base, &loading)?,
+        planned: draw_seconds(&planned.text, base, &loading)?,
+    });
     if let Some(path) = &args.output {
         let target = Target::of(path);
         report.output = Some(target.name());
@@ -52,25 +67,15 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
     Ok(Exit::Done)
 }
 
-fn find(args: &PlanArgs, progress: &dyn Fn(f64)) -> Result<Plan, Failure> {
-    let options = PlanOptions {
-        tolerance: args.tolerance,
-        share: args.share,
-        outline: args.outline,
-        minimise: args.minimise,
-        views: args.views,
-        keep: args.kept(),
-        budget: args.budget,
-    };
-    let base = args.scene().parent().unwrap_or(Path::new(""));
-    let loading = LoadOptions::default();
-    let text = scene_text(args.scene(), &loading)?;
-    let text = match args.size {
-        Some(size) => crease::plan::with_size(&text, size).map_err(Failure::input)?,
-        None => text,
-    };
-    plan(&text, base, &loading, &options, progress).map_err(|error| match error {
-        PlanError::Read(error) => error.into(),
-        error => Failure::advised(error),
-    })
+/// The shortest of three times to draw a scene from its own camera.
+fn draw_seconds(text: &str, base: &Path, loading: &LoadOptions) -> Result<f64, Failure> {
+    let file = SceneFile::from_toml(text, base, loading)?;
+    let scene = file.scene();
+    let mut shortest = f64::INFINITY;
+    for _ in 0..3 {
+        let start = Instant::now();
+        render(&scene, &file.settings).map_err(Failure::advised)?;
+        shortest = shortest.min(start.elapsed().as_secs_f64());
+    }
+    Ok(shortest)
 }

@@ -175,7 +175,7 @@ impl Thing {
                 list
             }
             Axis::TwoSided if self.is_two_sided => vec![Self { is_two_sided: false, ..it() }],
-            Axis::Creases | Axis::TwoSided | Axis::Lights => Vec::new(),
+            Axis::Creases | Axis::TwoSided | Axis::Lights | Axis::Antialiasing => Vec::new(),
         }
     }
 
