@@ -43,19 +43,8 @@ pub struct Flip {
 /// [`MetricError`].
 pub fn flip(picture: &Image, truth: &Image, pixels_per_degree: f64) -> Result<Flip, MetricError> {
     same_size(picture, truth)?;
-    let seen = |image: &Image| Ok(Seen::new(image.size, linear(image)?, pixels_per_degree));
-    let (a, b) = (seen(picture)?, seen(truth)?);
-    let largest = power(hyab(hunt_lab([0.0, 1.0, 0.0]), hunt_lab([0.0, 0.0, 1.0])));
-    let value = |pixel: usize| {
-        let colour = spread(power(hyab(a.lab[pixel], b.lab[pixel])), largest);
-        let change = |of: fn(&Seen) -> &[f64]| (of(&a)[pixel] - of(&b)[pixel]).abs();
-        let feature = change(|seen| &seen.edges).max(change(|seen| &seen.points));
-        libm::pow(colour, 1.0 - (FRAC_1_SQRT_2 * feature).sqrt())
-    };
-    let map: Vec<f64> = (0..a.lab.len()).into_par_iter().map(value).collect();
-    let mut sum = CompensatedSum::default();
-    map.iter().for_each(|&value| sum += value);
-    Ok(Flip { mean: sum.value() / map.len().max(1) as f64, map })
+    let of = |image: &Image| Perceived::new(image, pixels_per_degree);
+    Ok(of(picture)?.flip(&of(truth)?))
 }
 
 fn linear(image: &Image) -> Result<Vec<[f64; 3]>, MetricError> {
@@ -63,8 +52,9 @@ fn linear(image: &Image) -> Result<Vec<[f64; 3]>, MetricError> {
     Ok(colours.iter().map(|colour| colour.map(|value| f64::from(value).clamp(0.0, 1.0))).collect())
 }
 
-/// What an eye sees of one picture.
-struct Seen {
+/// What an eye sees of one picture: to compare many pictures with one.
+#[derive(Clone, Debug)]
+pub struct Perceived {
     /// The blurred colour in CIELAB, its chroma scaled by lightness (Hunt's effect).
     lab: Vec<[f64; 3]>,
     /// The strength of edges and of points (and lines) in the luminance of each pixel.
@@ -72,8 +62,13 @@ struct Seen {
     points: Vec<f64>,
 }
 
-impl Seen {
-    fn new(size: [u32; 2], linear: Vec<[f64; 3]>, pixels_per_degree: f64) -> Self {
+impl Perceived {
+    /// Of a picture with linear samples.
+    ///
+    /// # Errors
+    /// [`MetricError::NoLinear`].
+    pub fn new(image: &Image, pixels_per_degree: f64) -> Result<Self, MetricError> {
+        let (linear, size) = (linear(image)?, image.size);
         let plane = |of: &(dyn Fn([f64; 3]) -> f64 + Sync)| Plane {
             width: size[0] as usize,
             values: linear.par_iter().map(|&colour| of(colour)).collect(),
@@ -88,7 +83,23 @@ impl Seen {
         });
         let luminance = plane(&|colour| relative(colour)[1]);
         let [edges, points] = luminance.features(0.5 * FEATURE_WIDTH * pixels_per_degree);
-        Self { lab: lab.collect(), edges, points }
+        Ok(Self { lab: lab.collect(), edges, points })
+    }
+
+    /// Compares two pictures of one size.
+    pub fn flip(&self, other: &Self) -> Flip {
+        let largest = power(hyab(hunt_lab([0.0, 1.0, 0.0]), hunt_lab([0.0, 0.0, 1.0])));
+        let value = |pixel: usize| {
+            let colour = spread(power(hyab(self.lab[pixel], other.lab[pixel])), largest);
+            let change = |of: fn(&Self) -> &[f64]| (of(self)[pixel] - of(other)[pixel]).abs();
+            let feature = change(|seen| &seen.edges).max(change(|seen| &seen.points));
+            libm::pow(colour, 1.0 - (FRAC_1_SQRT_2 * feature).sqrt())
+        };
+        let pixels = self.lab.len().min(other.lab.len());
+        let map: Vec<f64> = (0..pixels).into_par_iter().map(value).collect();
+        let mut sum = CompensatedSum::default();
+        map.iter().for_each(|&value| sum += value);
+        Flip { mean: sum.value() / map.len().max(1) as f64, map }
     }
 }
 

@@ -35,7 +35,7 @@ mod profile;
 pub use contour::Contour;
 pub use difference::{Difference, ImageError, NormalDeviation, image_error, normal_deviation};
 pub use distance::{ContourDistance, Distances, contour_distance};
-pub use flip::{FLIP_PIXELS_PER_DEGREE, Flip, flip};
+pub use flip::{FLIP_PIXELS_PER_DEGREE, Flip, Perceived, flip};
 pub use highlight::{Highlight, HighlightChange};
 pub use pairs::MetricError;
 pub use profile::{DifferenceOfGaussians, PIXELS_PER_DEGREE, Profile};

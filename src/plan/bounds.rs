@@ -1,24 +1,24 @@
-//! A-priori bounds on the error of a change, in steps of 1/255.
+//! A-priori bounds on the error of a change, in linear light and in steps of 1/255.
 //!
 //! Let I be the largest strength of a light on the objects, k_d and k_s the largest diffuse and specular reflectance, n the exponent and
 //! M(n) the steepest slope of cosⁿ ([`steepest_slope`]). Angles are in radians.
 //!
-//! - **A normal off by δ.** The cosine of an angle changes by at most δ if the angle does, and cosⁿ by at most M(n) δ. The angle to the half
-//!   vector changes by δ, that to the mirrored ray by 2δ. So the light changes by at most Σ I ((k_d + k_s M(n)) δ + J) with Blinn's
-//!   highlight, Σ I ((k_d + 2 k_s M(n)) δ + J) with Phong's.
-//! - **The cut J** of the highlight where N·L = 0: Blinn's has k_s (N·H)ⁿ there, at most k_s sinⁿ(θ/2) for the angle θ between the directions
-//!   to light and viewer, Phong's k_s max(0, −cos θ)ⁿ. It vanishes unless the light comes from behind.
-//! - **Interpolated normals.** Normals of corners that are off by δ are 2 sin(δ/2) from the right ones, and so is their weighted mean, which
-//!   is at least ℓ long. Its direction is off by at most asin(2 sin(δ/2) / ℓ).
-//! - **A direction of light off by δ** turns the half vector by at most δ / (2 cos(θ/2)), the mirrored ray by δ. For a ball of radius r at the
-//!   distance D, δ = asin(r/D).
+//! - **Directions.** If the normal is off by δ, the direction to the light by λ and that to the viewer by υ, then N·L is off by at most δ + λ.
+//!   The angle between N and the half vector is off by δ + f (λ + υ) with f = 1/(2 cos(θ/2)) for the angle θ between the directions to
+//!   light and viewer, that between the viewer and the mirrored ray by 2δ + λ + υ. The light changes by at most the sum of
+//!   I (k_d (δ + λ) + k_s (M(n) times this angle) + J).
+//! - **The cut J** of the highlight where N·L = 0: Blinn's has k_s (N·H)ⁿ there, at most k_s sinⁿ(θ/2), Phong's
+//!   k_s max(0, −cos θ)ⁿ. It vanishes unless the light comes from behind.
+//! - **Positions** off by s see a light, or a viewer, at the distance of D − r or more in a direction that is off by asin(s/(D − r)).
+//! - **A point light taken as directional** over a ball of radius r at the distance D has λ = asin(r/D).
 //! - **A strength off by ΔI** changes the light by at most ΔI (k_d + k_s).
 //! - **Steps.** The transfer curve is concave and 0 at 0, so |encode(a) − encode(b)| ≤ encode(|a − b|): a difference E in linear light is at
 //!   most 255 encode(E) steps.
 
+use super::axes::Terms;
 use crate::num::{Radians, Transfer, steepest_slope};
 use crate::raster::{Camera, Projection, RenderSettings};
-use crate::shade::{Guards, Light, Material, Reflection, Terminator, ToneRule};
+use crate::shade::{Attenuation, Guards, Light, Material, Reflection, Terminator, ToneRule};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -35,6 +35,13 @@ pub struct Setting<'a> {
 /// Steps by which single precision and the step of 10⁻⁷ where the pieces of the curve of sRGB meet can add to a difference: some ten
 /// roundings of 2⁻²⁴ at its steepest slope, 255 · 12.92 · 10 · 2⁻²⁴.
 const ROUNDING: f64 = 2e-3;
+
+/// An angle by which normals are off, and a distance by which lit positions are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shift {
+    pub normal: f64,
+    pub position: f64,
+}
 
 impl<'a> Setting<'a> {
     /// `None` where the bounds do not hold: with a tone rule that divides, without guards, with a terminator that depends on faces, with depth
@@ -53,47 +60,115 @@ impl<'a> Setting<'a> {
         (is_plain && is_outside).then_some(Self { settings, cameras, middle, radius, cone })
     }
 
-    /// The bound on an error of all normals by up to `angle`, for corner normals whose weighted means are at least `shortest` long.
-    pub fn normals(&self, material: &Material, lights: &[Light], angle: f64, shortest: f64) -> Option<f64> {
-        let off = 2.0 * libm::sin(0.5 * angle);
-        let angle = (off < shortest).then(|| libm::asin(off / shortest))?;
-        let factor = if material.reflection == Reflection::Phong { 2.0 } else { 1.0 };
-        let rate = diffuse(material) + factor * slope(material)?;
+    /// The bound on the light of normals and lit positions that are off by a shift.
+    pub fn shifted(&self, material: &Material, lights: &[Light], shift: Shift) -> Option<f64> {
         let mut error = 0.0;
         for light in lights.iter().filter(|light| !matches!(light, Light::Ambient { .. })) {
-            let cut = cut(material, self.largest_angle(light)?);
-            error += self.strength(light)? * (rate * angle + cut);
+            let to_light = self.direction_off(light, shift.position)?;
+            let rate = diffuse(material) * (shift.normal + to_light);
+            let slope = self.highlight_off(
+                material,
+                light,
+                [shift.normal, to_light, self.viewer_off(shift.position)?],
+            )?;
+            error += self.strength(light)? * (rate + slope);
+            error += self.strength_off(light, shift.position)? * (diffuse(material) + specular(material));
         }
-        Some(self.steps(error))
+        Some(error)
     }
 
-    /// The bound on the error of a light in place of a point light, or of an omitted one.
-    pub fn light(&self, material: &Material, old: &Light, new: Option<&Light>) -> Option<f64> {
+    /// The bound on the light of terms that are omitted: the highlight, or all but ambient light. A highlight in place of another one is
+    /// off by at most k_s.
+    pub fn without_terms(&self, material: &Material, lights: &[Light], terms: Terms) -> Option<f64> {
+        let reflected = match terms {
+            Terms::Declared => return Some(0.0),
+            Terms::Blinn | Terms::Diffuse => specular(material),
+            Terms::Ambient => diffuse(material) + specular(material),
+        };
+        let lights = lights.iter().filter(|light| !matches!(light, Light::Ambient { .. }));
+        lights.map(|light| Some(self.strength(light)? * reflected)).sum()
+    }
+
+    /// The bound on the light of another light in place of a point light, or of an omitted one.
+    pub fn replaced(&self, material: &Material, old: &Light, new: Option<&Light>) -> Option<f64> {
         let most = self.strength(old)?;
         let Some(new) = new else {
             let reflected = match old {
                 Light::Ambient { .. } => material.ambient.merged().largest(),
                 _ => diffuse(material) + specular(material),
             };
-            return Some(self.steps(most * reflected));
+            return Some(most * reflected);
         };
         let Light::Point { position, colour, attenuation } = old else { return None };
         let distance = position.distance(self.middle);
         let least = colour.largest() * attenuation.factor(distance + self.radius);
         let strength = new.colour().largest();
         let spread = (most - strength).abs().max((strength - least).abs());
-        let mut error = spread * (diffuse(material) + specular(material));
-        if matches!(new, Light::Directional { .. }) {
-            let angle = self.largest_angle(old)?;
-            let factor = match material.reflection {
-                Reflection::Phong => 1.0,
-                Reflection::Blinn => 0.5 / libm::cos(0.5 * angle),
-            };
-            let off = libm::asin(self.radius / distance);
-            error +=
-                strength * ((diffuse(material) + factor * slope(material)?) * off + cut(material, angle));
+        let error = spread * (diffuse(material) + specular(material));
+        if !matches!(new, Light::Directional { .. }) {
+            return Some(error);
         }
-        Some(self.steps(error))
+        let off = libm::asin(self.radius / distance);
+        let highlight = self.highlight_off(material, old, [0.0, off, 0.0])?;
+        Some(error + strength * (diffuse(material) * off + highlight))
+    }
+
+    /// The bound on the highlight if the normal and the directions to light and viewer are off by these angles.
+    fn highlight_off(
+        &self,
+        material: &Material,
+        light: &Light,
+        [normal, to_light, to_viewer]: [f64; 3],
+    ) -> Option<f64> {
+        if specular(material) == 0.0 || normal + to_light + to_viewer == 0.0 {
+            return Some(0.0);
+        }
+        let angle = self.largest_angle(light)?;
+        let off = match material.reflection {
+            Reflection::Phong => 2.0 * normal + to_light + to_viewer,
+            Reflection::Blinn => normal + 0.5 / libm::cos(0.5 * angle) * (to_light + to_viewer),
+        };
+        Some(slope(material)? * off + cut(material, angle))
+    }
+
+    /// The angle by which the direction to a light is off at a position that is off by a distance.
+    fn direction_off(&self, light: &Light, position: f64) -> Option<f64> {
+        match light {
+            _ if position == 0.0 => Some(0.0),
+            Light::Point { position: place, .. } => self.angle_off(*place, position),
+            Light::Directional { .. } => Some(0.0),
+            _ => None,
+        }
+    }
+
+    fn viewer_off(&self, position: f64) -> Option<f64> {
+        let off = |camera: &Camera| match self.is_far(camera) {
+            true => Some(0.0),
+            false => self.angle_off(camera.eye, position),
+        };
+        self.cameras.iter().map(off).try_fold(0.0, |most: f64, off| Some(most.max(off?)))
+    }
+
+    /// asin(s/(D − r)) for a distance s between two positions in the ball.
+    fn angle_off(&self, from: DVec3, position: f64) -> Option<f64> {
+        let share = position / (from.distance(self.middle) - self.radius);
+        (0.0..1.0).contains(&share).then(|| libm::asin(share))
+    }
+
+    /// How much the strength of a light varies between positions in the ball at a distance of each other.
+    fn strength_off(&self, light: &Light, position: f64) -> Option<f64> {
+        let Light::Point { position: place, attenuation, colour } = light else { return Some(0.0) };
+        if position == 0.0 {
+            return Some(0.0);
+        }
+        let nearest = place.distance(self.middle) - self.radius;
+        let farthest = match attenuation {
+            // 1/d² is steepest where it is nearest.
+            Attenuation::InverseSquare => nearest + position,
+            _ => nearest + 2.0 * self.radius,
+        };
+        let off = attenuation.factor(nearest) - attenuation.factor(farthest);
+        (nearest > 0.0 && off.is_finite()).then(|| off * colour.largest())
     }
 
     /// The largest strength of a light on the ball; `None` without a bound.
@@ -125,9 +200,7 @@ impl<'a> Setting<'a> {
         };
         let mut largest = 0.0_f64;
         for camera in &self.cameras {
-            let is_far =
-                self.settings.infinite_viewer || matches!(camera.projection, Projection::Orthographic(_));
-            let (to_viewer, more) = match is_far {
+            let (to_viewer, more) = match self.is_far(camera) {
                 true => (camera.eye - camera.target, 0.0),
                 false => (camera.eye - self.middle, turn(camera.eye)?),
             };
@@ -137,7 +210,12 @@ impl<'a> Setting<'a> {
         Some(largest.min(PI))
     }
 
-    fn steps(&self, linear: f64) -> f64 {
+    fn is_far(&self, camera: &Camera) -> bool {
+        self.settings.infinite_viewer || matches!(camera.projection, Projection::Orthographic(_))
+    }
+
+    /// A bound in steps, from one in linear light.
+    pub fn steps(&self, linear: f64) -> f64 {
         let transfer: Transfer = self.settings.transfer;
         (255.0 * transfer.encode(linear.clamp(0.0, 1.0)) + ROUNDING).min(255.0)
     }
@@ -188,7 +266,7 @@ mod tests {
         0.4 * if is_lit { libm::pow(cosine.max(0.0), 20.0) } else { 0.0 }
     }
 
-    /// Light on pairs of normals, and on pairs of directions of light, an angle δ apart: none differs by more than the formulas say, and
+    /// Light on pairs of normals, and on pairs of directions to a light or a viewer, with an angle δ between them: none differs by more than the formulas say, and
     /// some differ by more than without the cut.
     #[test]
     fn no_pair_of_directions_exceeds_the_bound() {
@@ -216,6 +294,8 @@ mod tests {
                 };
                 let of_light = change([normal, light, view], [normal, turn * light, view]);
                 assert!(of_light <= factor * slope + cut(&material, largest) + 1e-12, "{seed}");
+                let of_viewer = change([normal, light, view], [normal, light, turn * view]);
+                assert!(of_viewer <= factor * slope + cut(&material, largest) + 1e-12, "{seed}");
             }
             assert!(needs_cut, "{reflection:?}");
         }

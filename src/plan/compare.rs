@@ -1,9 +1,10 @@
 //! Pictures compared before their values are rounded, and outlines.
 
-use crate::metric::{Contour, FLIP_PIXELS_PER_DEGREE, MetricError, contour_distance, flip};
+use crate::metric::{Contour, FLIP_PIXELS_PER_DEGREE, MetricError, Perceived, contour_distance};
 use crate::num::{Transfer, three_digits};
 use crate::raster::{Image, RenderSettings, Samples};
 use crate::shade::ToneRule;
+use std::cell::OnceCell;
 
 /// Pixels beyond the tolerance, in excess of those allowed, after which a comparison ends.
 const ENOUGH: u64 = 256;
@@ -66,6 +67,8 @@ pub struct Truth {
     tone: ToneRule,
     transfer: Transfer,
     samples: Samples,
+    /// What an eye sees of it, computed when it is needed.
+    perceived: OnceCell<Perceived>,
 }
 
 impl Truth {
@@ -74,7 +77,7 @@ impl Truth {
         let RenderSettings { tone, transfer, samples, .. } = *settings;
         let linear = image.linear.as_deref().unwrap_or_default();
         let codes = linear.iter().map(|&colour| encoded(tone, transfer, colour)).collect();
-        Self { image, codes, tone, transfer, samples }
+        Self { image, codes, tone, transfer, samples, perceived: OnceCell::new() }
     }
 
     /// The samples of each of its pixels.
@@ -87,8 +90,13 @@ impl Truth {
     /// # Errors
     /// Pictures that cannot be compared.
     pub fn flip(&self, picture: &Image) -> Result<f64, MetricError> {
-        let [ours, theirs] = [&self.image, picture].map(|image| self.displayed(image));
-        Ok(flip(&theirs, &ours, FLIP_PIXELS_PER_DEGREE)?.mean)
+        let perceived = |image| Perceived::new(&self.displayed(image), FLIP_PIXELS_PER_DEGREE);
+        let theirs = perceived(picture)?;
+        if self.perceived.get().is_none() {
+            let _ = self.perceived.set(perceived(&self.image)?);
+        }
+        let Some(ours) = self.perceived.get() else { return Ok(0.0) };
+        Ok(theirs.flip(ours).mean)
     }
 
     /// A picture with the light that a screen makes of its codes, which takes them for sRGB.

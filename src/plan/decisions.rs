@@ -1,7 +1,6 @@
 //! The decisions of a plan, what each of them saves and costs in accuracy, and the planned text.
 
 use super::axes::{Axis, LightModel, ObjectModel};
-use super::bounds::Setting;
 use super::compare::Difference;
 use super::cost::{Cost, Minimise};
 use super::document::Document;
@@ -9,9 +8,8 @@ use super::search::{Found, Outcome, Search};
 use super::stage::{PlanError, Stage};
 use super::trials::Limits;
 use super::unit::Unit;
-use crate::num::{Degrees, Radians, three_digits};
-use crate::raster::{SceneFile, StoredFormat};
-use glam::DVec3;
+use crate::num::three_digits;
+use crate::raster::SceneFile;
 
 /// A change of an object or a light.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -78,11 +76,6 @@ pub struct Described<'a> {
     pub whole: &'a SceneFile,
     /// The search with the samples of the reference.
     pub declared: &'a Search<'a>,
-    /// The angle by which lights may turn.
-    pub light_cone: Degrees,
-    /// The ball that contains all objects.
-    pub middle: DVec3,
-    pub radius: f64,
 }
 
 impl Described<'_> {
@@ -117,7 +110,7 @@ impl Described<'_> {
                     from: reference.value(axis),
                     to: model.value(axis),
                     saved,
-                    bound: self.bound(search, unit, axis, model),
+                    bound: self.bound(unit, &alone, &declared_lights),
                     measured: self.worst(self.declared, &only, &declared_lights)?,
                 });
             }
@@ -135,7 +128,7 @@ impl Described<'_> {
                 from: old.to_string(),
                 to: new.to_string(),
                 saved: difference_of(&cost(&found.models, &without)?, &after, search.minimise),
-                bound: self.light_bound(search, old, new),
+                bound: self.bound_of_lights(&only),
                 measured: self.worst(self.declared, &declared, &only)?,
             });
         }
@@ -182,31 +175,16 @@ impl Described<'_> {
         Ok(steps?.into_iter().fold(0.0, f64::max))
     }
 
-    /// What bounds hold for; `None` if none does.
-    fn setting(&self, search: &Search) -> Option<Setting<'_>> {
-        let cameras = search.trials.views.iter().map(|view| view.camera).collect();
-        Setting::new(&self.stage.settings, cameras, (self.middle, self.radius), self.light_cone.into())
+    /// The bound on the difference of the reference with one model and a choice of lights.
+    fn bound(&self, unit: usize, model: &ObjectModel, choice: &Vec<usize>) -> Option<f64> {
+        self.declared.trials.bounds.as_ref()?.model(unit, model, choice)
     }
 
-    fn bound(&self, search: &Search, unit: usize, axis: Axis, model: &ObjectModel) -> Option<f64> {
-        let unit = &self.stage.units[unit];
-        let declared = unit.reference.normals?.format;
-        let format = model.normals.filter(|_| axis == Axis::Storage)?.format?;
-        let angle = |format: StoredFormat| Radians::from(format.encoding().worst_angle()).0;
-        let angle = angle(format) + declared.map_or(0.0, angle);
-        // The lights of all views: default lights follow the camera.
-        let lights = search.trials.views.iter().map(|view| view.lights.as_slice());
-        let bounds = lights.map(|lights| {
-            self.setting(search)?.normals(&unit.material?, lights, angle, unit.shortest_mean()?)
-        });
+    /// The bound on the difference of the reference under a choice of lights.
+    fn bound_of_lights(&self, choice: &Vec<usize>) -> Option<f64> {
+        let units = self.stage.units.iter().enumerate();
+        let bounds = units.map(|(number, unit)| self.bound(number, &unit.reference, choice));
         bounds.collect::<Option<Vec<f64>>>().map(|bounds| bounds.into_iter().fold(0.0, f64::max))
-    }
-
-    fn light_bound(&self, search: &Search, old: &LightModel, new: &LightModel) -> Option<f64> {
-        let setting = self.setting(search)?;
-        let of_unit = |unit: &Unit| setting.light(&unit.material?, old.0.as_ref()?, new.0.as_ref());
-        let bounds = self.stage.units.iter().map(of_unit).collect::<Option<Vec<f64>>>();
-        bounds.map(|bounds| bounds.into_iter().fold(0.0, f64::max))
     }
 
     /// The planned scene file, with the reason for each change.

@@ -20,8 +20,12 @@ mod stage;
 mod models;
 // Pictures compared.
 mod compare;
-// Bounds on the error of a change.
+// Bounds on the error of a change of light.
 mod bounds;
+// How much normals and positions within a face vary.
+mod spread;
+// Bounds on the error of a model.
+mod model_bounds;
 // Views of the reference: cameras around a scene, with lights that turn.
 mod views;
 // Pictures of models, compared with the reference.

@@ -5,6 +5,7 @@ use super::compare::Difference;
 use super::decisions::{Described, Plan};
 use super::document::Document;
 use super::lights::{bound_combinations, replacements};
+use super::model_bounds::ModelBounds;
 use super::models::models_of;
 use super::options::PlanOptions;
 use super::search::{Outcome, Search};
@@ -67,7 +68,13 @@ pub fn plan(
     let stages: Vec<Stage> = [declared].into_iter().chain(fewer).map(|it| stage.with_samples(it)).collect();
     let mut repairs = 0;
     loop {
-        let trials = |stage| Trials::new(stage, &views, &lights, limits, progress);
+        let trials = |stage| {
+            // With other samples outlines move as well, which no bound covers.
+            let cone = options.light_cone.into();
+            let bounds = ModelBounds::new(stage, &views, &lights, (middle, radius), cone);
+            let bounds = bounds.filter(|_| stage.settings.samples == declared);
+            Trials::new(stage, &views, &lights, limits, bounds, progress)
+        };
         let search = |stage| Search::new(trials(stage), &models, options.minimise);
         let searches: Vec<Search> = stages.iter().map(search).collect();
         let (best, outcome) = cheapest(&searches)?;
@@ -84,9 +91,6 @@ pub fn plan(
             lights: &lights,
             whole: &whole,
             declared: &searches[0],
-            light_cone: options.light_cone,
-            middle,
-            radius,
         };
         let mut plan = described.describe(&searches[best], &outcome)?;
         plan.held_out = worst;

@@ -2,6 +2,7 @@
 
 use super::axes::{LightModel, ObjectModel};
 use super::compare::{Difference, Metric, outline_distance};
+use super::model_bounds::ModelBounds;
 use super::stage::{PlanError, Stage};
 use super::views::View;
 use crate::mesh::NONE;
@@ -56,6 +57,8 @@ pub struct Trials<'a> {
     pub lights: &'a [Vec<LightModel>],
     /// What a plan keeps to.
     pub limits: Limits,
+    /// Bounds on the difference of models, where they hold.
+    pub bounds: Option<ModelBounds<'a>>,
     /// Called with the share of the budget that is used up.
     progress: &'a dyn Fn(f64),
     drawn: Cell<u64>,
@@ -92,10 +95,11 @@ impl<'a> Trials<'a> {
         views: &'a [View],
         lights: &'a [Vec<LightModel>],
         limits: Limits,
+        bounds: Option<ModelBounds<'a>>,
         progress: &'a dyn Fn(f64),
     ) -> Self {
         let (drawn, refused, known, witnesses) = Default::default();
-        Self { stage, views, lights, limits, progress, drawn, refused, known, witnesses }
+        Self { stage, views, lights, limits, bounds, progress, drawn, refused, known, witnesses }
     }
 
     /// Pixels drawn.
@@ -141,9 +145,11 @@ impl<'a> Trials<'a> {
         if let Some(&known) = self.known.borrow().get(&key) {
             return Ok(known);
         }
-        let mut is_within = !self.fails_at_witness(unit, model, choice)?;
+        let bound = self.bounds.as_ref().and_then(|bounds| bounds.model(unit, model, choice));
+        let is_bounded = bound.is_some_and(|bound| bound <= self.limits.tolerance);
+        let mut is_within = is_bounded || !self.fails_at_witness(unit, model, choice)?;
         for view in 0..self.views.len() {
-            if !is_within {
+            if is_bounded || !is_within {
                 break;
             }
             is_within = self.is_within_view(view, unit, model, choice)?;

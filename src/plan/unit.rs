@@ -3,11 +3,9 @@
 use super::axes::{Normals, ObjectModel, Source, Terms};
 use super::cost::Highlight;
 use super::document::Document;
-use crate::mesh::normal_matrix;
 use crate::normals::{Precision, Scope};
 use crate::raster::{RenderSettings, SceneFile, SceneMesh, SceneObject, SceneShape, Shading, Shape};
 use crate::shade::Material;
-use glam::{DMat3, DVec3};
 use std::rc::Rc;
 
 /// An object table of the scene file, which may be several objects of a mesh file.
@@ -62,37 +60,6 @@ impl Unit {
         });
         let name = if first.name.is_empty() { format!("object {object}") } else { first.name.clone() };
         Self { name, reference, material, highlight, is_kept, is_cast, has_splits, declared }
-    }
-
-    /// A length that no weighted mean of the normals at the corners of a face falls below. `None` if a transform changes angles, so that
-    /// errors of normals do not stay the same.
-    pub fn shortest_mean(&self) -> Option<f64> {
-        /// Angles of transforms that are made of rotations and uniform scales are kept to some roundings.
-        const ROUNDING: f64 = 1e-12;
-        let mut shortest = 1.0_f64;
-        for object in &self.declared.objects {
-            let SceneShape::Mesh(number) = object.shape else { continue };
-            let linear = DMat3::from_mat4(object.transform);
-            normal_matrix(linear)?;
-            let gram = linear.transpose() * linear;
-            let scale = gram.x_axis.x;
-            if !gram.abs_diff_eq(DMat3::from_diagonal(DVec3::splat(scale)), ROUNDING * scale) {
-                return None;
-            }
-            let SceneMesh { mesh, normals, .. } = &self.declared.meshes[number];
-            for face in 0..mesh.face_count() {
-                let range = mesh.faces().range(face);
-                let vertices = &mesh.faces().corners()[range.clone()];
-                let corners = range.zip(vertices);
-                let normals: Vec<DVec3> = corners
-                    .map(|(corner, &vertex)| normals.normals.get(corner, vertex).copied().unwrap_or_default())
-                    .collect();
-                // All of them are on one side of this plane, so their means are as well.
-                let axis = normals.iter().sum::<DVec3>().normalize_or_zero();
-                shortest = normals.iter().map(|normal| normal.dot(axis)).fold(shortest, f64::min);
-            }
-        }
-        (shortest > 0.0).then_some(shortest)
     }
 }
 

@@ -43,7 +43,7 @@ fn compare(seeds: std::ops::Range<u64>, most: usize) {
             assert_eq!(plan.worst.steps, 0.0, "seed {seed}");
         }
     }
-    assert!(bounded > 10, "{bounded} changes have a bound");
+    assert!(bounded > 100, "{bounded} changes have a bound");
 }
 
 #[test]
