@@ -210,6 +210,12 @@ impl<'a> Setting<'a> {
         Some(largest.min(PI))
     }
 
+    /// The distance of a light in radii of the ball, and asin(r/D).
+    pub fn lamp(&self, position: DVec3) -> Option<(f64, f64)> {
+        let radii = position.distance(self.middle) / self.radius;
+        (radii > 1.0 && radii.is_finite()).then(|| (radii, libm::asin(1.0 / radii)))
+    }
+
     fn is_far(&self, camera: &Camera) -> bool {
         self.settings.infinite_viewer || matches!(camera.projection, Projection::Orthographic(_))
     }

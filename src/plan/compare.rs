@@ -150,6 +150,18 @@ impl Truth {
         codes.map(|(code, other)| (code - other).abs()).fold(0.0, f64::max)
     }
 
+    /// The difference of each pixel and channel in steps, and the largest one.
+    pub fn code_differences(&self, picture: &Image) -> (Vec<[f64; 3]>, f64) {
+        let linear = picture.linear.as_deref().unwrap_or_default();
+        let of_pixel = |(codes, colour): (&[f64; 3], &[f32; 3])| {
+            let other = encoded(self.tone, self.transfer, *colour);
+            std::array::from_fn(|channel| (codes[channel] - other[channel]).abs())
+        };
+        let steps: Vec<[f64; 3]> = self.codes.iter().zip(linear).map(of_pixel).collect();
+        let largest = steps.iter().flatten().copied().fold(0.0, f64::max);
+        (steps, largest)
+    }
+
     /// Whether two colours may differ by more than so many steps. The curve of sRGB is concave but for a step of 10⁻⁷ where its
     /// pieces meet, so the slope at the smaller value bounds the difference.
     fn may_exceed(&self, ours: [f32; 3], theirs: [f32; 3], steps: f64) -> bool {

@@ -4,6 +4,7 @@ use super::axes::{Axis, LightModel, ObjectModel};
 use super::compare::Difference;
 use super::cost::{Cost, Minimise};
 use super::document::Document;
+use super::model_bounds::ModelBounds;
 use super::search::{Found, Outcome, Search};
 use super::stage::{PlanError, Stage};
 use super::trials::Limits;
@@ -30,6 +31,10 @@ pub struct Decision {
     pub bound: Option<f64>,
     /// The difference that it makes alone, in steps; by ꟻLIP if pictures are compared by it.
     pub measured: f64,
+    /// The angle in degrees by which normals or the direction to the light are off at most; `None` for other changes.
+    pub angle: Option<f64>,
+    /// The distance of a point light from the middle of the scene, in radii of the scene.
+    pub radii: Option<f64>,
 }
 
 /// The result.
@@ -112,6 +117,8 @@ impl Described<'_> {
                     saved,
                     bound: self.bound(unit, &alone, &declared_lights),
                     measured: self.worst(self.declared, &only, &declared_lights)?,
+                    angle: self.angle(unit, axis, &alone),
+                    radii: None,
                 });
             }
         }
@@ -121,6 +128,7 @@ impl Described<'_> {
             let mut only = declared_lights.clone();
             only[light] = number;
             let (old, new) = (&self.lights[light][0], &self.lights[light][number]);
+            let lamp = self.bounds().and_then(|bounds| bounds.lamp(old.0.as_ref()?, new.0.as_ref()?));
             decisions.push(Decision {
                 what: format!("light {light}"),
                 number: light,
@@ -130,6 +138,8 @@ impl Described<'_> {
                 saved: difference_of(&cost(&found.models, &without)?, &after, search.minimise),
                 bound: self.bound_of_lights(&only),
                 measured: self.worst(self.declared, &declared, &only)?,
+                angle: lamp.map(|(_, angle)| angle.to_degrees()),
+                radii: lamp.map(|(radii, _)| radii),
             });
         }
         let (old, new) = (self.stage.settings.samples, search.trials.stage.settings.samples);
@@ -144,6 +154,8 @@ impl Described<'_> {
                 saved: difference_of(&without, &after, search.minimise),
                 bound: None,
                 measured: self.worst(search, &declared, &declared_lights)?,
+                angle: None,
+                radii: None,
             });
         }
         let is_cheapest = outcome.proven >= found.cost.of(search.minimise);
@@ -177,7 +189,17 @@ impl Described<'_> {
 
     /// The bound on the difference of the reference with one model and a choice of lights.
     fn bound(&self, unit: usize, model: &ObjectModel, choice: &Vec<usize>) -> Option<f64> {
-        self.declared.trials.bounds.as_ref()?.model(unit, model, choice)
+        self.bounds()?.model(unit, model, choice)
+    }
+
+    /// The angle in degrees by which the normals of a model are off.
+    fn angle(&self, unit: usize, axis: Axis, model: &ObjectModel) -> Option<f64> {
+        let of_normals = matches!(axis, Axis::Weight | Axis::Creases | Axis::Precision | Axis::Storage);
+        self.bounds().filter(|_| of_normals)?.normals_off(unit, model).map(f64::to_degrees)
+    }
+
+    fn bounds(&self) -> Option<&ModelBounds<'_>> {
+        self.declared.trials.bounds.as_ref()
     }
 
     /// The bound on the difference of the reference under a choice of lights.

@@ -34,6 +34,8 @@ mod trials;
 pub mod search;
 // The decisions of a plan, and the planned text.
 mod decisions;
+// Pictures of a plan and of refused steps.
+mod evidence;
 // The options of a plan.
 mod options;
 // The plan of a scene file.
@@ -44,6 +46,7 @@ pub use compare::{Difference, Metric};
 pub use cost::{Cost, Minimise};
 pub use decisions::{Decision, Plan};
 pub use document::{scene_text, with_size};
+pub use evidence::{Comparison, Evidence, Refusal, Tried};
 pub use options::PlanOptions;
-pub use planned::plan;
+pub use planned::{plan, plan_with_evidence};
 pub use stage::PlanError;

@@ -126,9 +126,21 @@ impl<'a> ModelBounds<'a> {
         })
     }
 
-    /// The largest angle between stored normals of a model and those of the reference.
-    fn normals_off(&self, unit: usize, model: &ObjectModel) -> Option<f64> {
-        let declared = self.stage.units[unit].reference.normals?;
+    /// The distance of a point light in radii of the scene, and the largest angle by which a directional light in its place is off.
+    pub fn lamp(&self, old: &Light, new: &Light) -> Option<(f64, f64)> {
+        match (old, new) {
+            (Light::Point { position, .. }, Light::Directional { .. }) => self.setting.lamp(*position),
+            _ => None,
+        }
+    }
+
+    /// The largest angle between stored normals of a model and those of the reference; `None` if a model has none, or other corners.
+    pub fn normals_off(&self, unit: usize, model: &ObjectModel) -> Option<f64> {
+        let reference = self.stage.units[unit].reference;
+        if model.segments != reference.segments || model.normals == reference.normals {
+            return (model.segments == reference.segments).then_some(0.0);
+        }
+        let declared = reference.normals?;
         let normals = model.normals?;
         let unrounded = Normals { format: declared.format, ..normals };
         let known = self.angles.borrow().get(&(unit, unrounded)).copied();

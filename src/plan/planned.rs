@@ -4,6 +4,7 @@ use super::axes::{Axis, LightModel, ObjectModel};
 use super::compare::Difference;
 use super::decisions::{Described, Plan};
 use super::document::Document;
+use super::evidence::Evidence;
 use super::lights::{bound_combinations, replacements};
 use super::model_bounds::ModelBounds;
 use super::models::models_of;
@@ -35,6 +36,32 @@ pub fn plan(
     options: &PlanOptions,
     progress: &dyn Fn(f64),
 ) -> Result<Plan, PlanError> {
+    Ok(find((text, base, load), options, progress, false)?.0)
+}
+
+/// As [`plan`], with the pictures for a page.
+///
+/// # Errors
+/// As [`plan`].
+pub fn plan_with_evidence(
+    text: &str,
+    base: &Path,
+    load: &LoadOptions,
+    options: &PlanOptions,
+    progress: &dyn Fn(f64),
+) -> Result<(Plan, Evidence), PlanError> {
+    let (plan, evidence) = find((text, base, load), options, progress, true)?;
+    let missing = || PlanError::Invalid("no plan was found".to_owned());
+    Ok((plan, evidence.ok_or_else(missing)?))
+}
+
+/// A plan, and its evidence if it is wanted.
+fn find(
+    (text, base, load): (&str, &Path, &LoadOptions),
+    options: &PlanOptions,
+    progress: &dyn Fn(f64),
+    wants_evidence: bool,
+) -> Result<(Plan, Option<Evidence>), PlanError> {
     options.check()?;
     // Errors of the text have lines if the reader of scenes finds them.
     let whole = SceneFile::from_toml(text, base, load)?;
@@ -98,7 +125,9 @@ pub fn plan(
         if is_bounded {
             (plan.proven, plan.is_cheapest) = (0, false);
         }
-        return Ok(plan);
+        let found = outcome.found.as_ref().filter(|_| wants_evidence);
+        let evidence = found.map(|found| described.evidence(&searches[best], found, &plan)).transpose()?;
+        return Ok((plan, evidence));
     }
 }
 

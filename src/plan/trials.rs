@@ -8,7 +8,7 @@ use super::views::View;
 use crate::mesh::NONE;
 use crate::raster::Image;
 use crate::shade::Light;
-use std::cell::{Cell, RefCell};
+use std::cell::{Cell, Ref, RefCell};
 use std::collections::HashMap;
 use std::time::Instant;
 
@@ -47,6 +47,19 @@ impl Limits {
 /// The lights of a plan: one of the replacements of each declared light, by number.
 pub type LightChoice = Vec<usize>;
 
+/// Models that were drawn and compared.
+#[derive(Clone, Debug)]
+pub struct Trial {
+    /// The objects that have them.
+    pub models: Vec<(usize, ObjectModel)>,
+    /// The lights.
+    pub lights: LightChoice,
+    /// The largest difference that was found.
+    pub error: f64,
+    /// Whether it is within the limits.
+    pub is_within: bool,
+}
+
 /// Draws models and remembers which keep to the limits.
 pub struct Trials<'a> {
     /// The scene.
@@ -64,6 +77,7 @@ pub struct Trials<'a> {
     drawn: Cell<u64>,
     refused: Cell<u64>,
     known: RefCell<HashMap<(usize, usize, LightChoice), bool>>,
+    log: RefCell<Vec<Trial>>,
     /// Pixels at which models of a unit with these cells were refused: most others fail there too. The latest comes first.
     witnesses: RefCell<Witnesses>,
 }
@@ -98,8 +112,8 @@ impl<'a> Trials<'a> {
         bounds: Option<ModelBounds<'a>>,
         progress: &'a dyn Fn(f64),
     ) -> Self {
-        let (drawn, refused, known, witnesses) = Default::default();
-        Self { stage, views, lights, limits, bounds, progress, drawn, refused, known, witnesses }
+        let (drawn, refused, known, log, witnesses) = Default::default();
+        Self { stage, views, lights, limits, bounds, progress, drawn, refused, known, log, witnesses }
     }
 
     /// Pixels drawn.
@@ -110,6 +124,11 @@ impl<'a> Trials<'a> {
     /// Models refused.
     pub fn refused(&self) -> u64 {
         self.refused.get()
+    }
+
+    /// All that was drawn and compared, in order.
+    pub fn log(&self) -> Ref<'_, Vec<Trial>> {
+        self.log.borrow()
     }
 
     /// Whether the budget or the time is used up.
@@ -147,28 +166,35 @@ impl<'a> Trials<'a> {
         }
         let bound = self.bounds.as_ref().and_then(|bounds| bounds.model(unit, model, choice));
         let is_bounded = bound.is_some_and(|bound| bound <= self.limits.tolerance);
-        let mut is_within = is_bounded || !self.fails_at_witness(unit, model, choice)?;
-        for view in 0..self.views.len() {
-            if is_bounded || !is_within {
-                break;
+        let mut is_within = true;
+        if !is_bounded {
+            let mut error = self.error_at_witness(unit, model, choice)?;
+            is_within = error <= self.limits.tolerance;
+            for view in 0..self.views.len() {
+                if is_within {
+                    let (found, is_within_view) = self.is_within_view(view, unit, model, choice)?;
+                    (error, is_within) = (error.max(found), is_within_view);
+                }
             }
-            is_within = self.is_within_view(view, unit, model, choice)?;
+            let (models, lights) = (vec![(unit, *model)], choice.clone());
+            self.log.borrow_mut().push(Trial { models, lights, error, is_within });
         }
         self.refused.set(self.refused.get() + u64::from(!is_within));
         self.known.borrow_mut().insert(key, is_within);
         Ok(is_within)
     }
 
-    /// Whether a model is beyond the tolerance at a pixel where others were: that takes a face, not a picture.
-    fn fails_at_witness(
+    /// The difference of a model at a pixel where others were beyond the tolerance: that takes a face, not a picture. 0 if it is within the
+    /// tolerance at all of them.
+    fn error_at_witness(
         &self,
         unit: usize,
         model: &ObjectModel,
         choice: &LightChoice,
-    ) -> Result<bool, PlanError> {
+    ) -> Result<f64, PlanError> {
         // With a share, one pixel refuses nothing.
         if self.limits.share > 0.0 {
-            return Ok(false);
+            return Ok(0.0);
         }
         let key = (unit, model.segments);
         let list = self.witnesses.borrow().get(&key).cloned().unwrap_or_default();
@@ -179,14 +205,15 @@ impl<'a> Trials<'a> {
             let colour = self.stage.colour_of_face((unit, model), &lights, &view.camera, at)?;
             let [width, height] = self.stage.settings.size.map(u64::from);
             self.count((width * height).min(TILE));
-            if view.truth.steps_at(witness.pixel, colour) > self.limits.tolerance {
+            let steps = view.truth.steps_at(witness.pixel, colour);
+            if steps > self.limits.tolerance {
                 if let Some(list) = self.witnesses.borrow_mut().get_mut(&key) {
                     list[..=number].rotate_right(1);
                 }
-                return Ok(true);
+                return Ok(steps);
             }
         }
-        Ok(false)
+        Ok(0.0)
     }
 
     /// Remembers a pixel at which a model was refused.
@@ -208,17 +235,18 @@ impl<'a> Trials<'a> {
         Ok(())
     }
 
+    /// The largest difference of a model in a view, and whether it is within the limits.
     fn is_within_view(
         &self,
         number: usize,
         unit: usize,
         model: &ObjectModel,
         choice: &LightChoice,
-    ) -> Result<bool, PlanError> {
+    ) -> Result<(f64, bool), PlanError> {
         let view = &self.views[number];
         let lights = self.lights_of(view, choice);
         let picture = self.draw(&[(unit, *model)], &lights, view)?;
-        let Some(shown) = &picture.objects else { return Ok(true) };
+        let Some(shown) = &picture.objects else { return Ok((0.0, true)) };
         let objects = self.stage.objects_of(unit);
         let samples = self.stage.settings.samples.count();
         let is_compared = |pixel: usize| {
@@ -229,13 +257,13 @@ impl<'a> Trials<'a> {
         let difference = view.truth.difference(&picture, self.limits.tolerance, most, is_compared);
         if difference.beyond > most {
             self.add_witness(number, unit, model, difference.pixel)?;
-            return Ok(false);
+            return Ok((difference.steps, false));
         }
         let has_other_samples = view.truth.samples() != self.stage.settings.samples;
         if model.segments == self.stage.units[unit].reference.segments && !has_other_samples {
-            return Ok(true);
+            return Ok((difference.steps, true));
         }
-        Ok(self.outline(view, unit, &picture)? <= self.limits.outline)
+        Ok((difference.steps, self.outline(view, unit, &picture)? <= self.limits.outline))
     }
 
     /// The distance of a unit's outline from that of the reference, both alone.
@@ -276,18 +304,35 @@ impl<'a> Trials<'a> {
     /// The largest difference of a whole plan with its view, and the largest distance of outlines; `None` if it is not within the limits.
     pub fn check(&self, models: &[ObjectModel], choice: &LightChoice) -> Result<Option<Worst>, PlanError> {
         let (mut worst, mut outline) = ((Difference::default(), 0), 0.0_f64);
+        let metric = self.limits.metric;
+        let log = |error, is_within| {
+            let models = models.iter().copied().enumerate().collect();
+            self.log.borrow_mut().push(Trial { models, lights: choice.clone(), error, is_within });
+        };
         for (number, view) in self.views.iter().enumerate() {
             let (difference, distance) = self.measure(view, models, choice)?;
             if !self.limits.accept(view, &difference, distance) {
+                log(difference.by(metric), false);
                 return Ok(None);
             }
-            let metric = self.limits.metric;
             if difference.by(metric) > worst.0.by(metric) {
                 worst = (difference, number);
             }
             outline = outline.max(distance);
         }
+        log(worst.0.by(metric), true);
         Ok(Some((worst, outline)))
+    }
+
+    /// The picture of a plan in a view.
+    pub fn picture(
+        &self,
+        view: &View,
+        models: &[ObjectModel],
+        choice: &LightChoice,
+    ) -> Result<Image, PlanError> {
+        let all: Vec<_> = models.iter().copied().enumerate().collect();
+        self.draw(&all, &self.lights_of(view, choice), view)
     }
 
     /// The difference of a plan in a view, and the distance of outlines of units.
@@ -298,8 +343,7 @@ impl<'a> Trials<'a> {
         choice: &LightChoice,
     ) -> Result<(Difference, f64), PlanError> {
         let lights = self.lights_of(view, choice);
-        let all: Vec<_> = models.iter().copied().enumerate().collect();
-        let picture = self.draw(&all, &lights, view)?;
+        let picture = self.picture(view, models, choice)?;
         let shown = picture.objects.as_deref().unwrap_or_default();
         let is_compared = |pixel: usize| self.shows_the_same(view, shown, pixel);
         let mut difference = view.truth.difference(&picture, self.limits.tolerance, u64::MAX, is_compared);

@@ -36,6 +36,8 @@ mod artefact;
 mod trade;
 // Pages and heat maps of a diagnosis.
 mod diagnosis;
+// The page of a plan.
+mod plan;
 
 pub use animation::{Animation, ColourCount, Palette};
 pub use artefact::{
@@ -48,6 +50,7 @@ pub use html::{Drawing, Page, escape_html, svg_file};
 pub use overlay::{Overlay, overlay};
 pub use panel::{Panel, draw_text, panels, panels_size, text_width};
 pub use picture::{Picture, encode_png};
+pub use plan::{PlanPage, plan_page};
 pub use plot::{Axis, Mark, Plot, Scale, Series};
 pub use probe::{PixelReport, SampleReport, probe_pixel};
 pub use table::Table;

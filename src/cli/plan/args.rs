@@ -4,6 +4,7 @@ use crate::cli::common::choice::{choices, one_of};
 use crate::cli::common::options::{RunArgs, not_negative};
 use crate::cli::render::values::size;
 use clap::Args;
+use crease::artefact::Language;
 use crease::num::Degrees;
 use crease::plan::{Axis, Metric, Minimise, PlanOptions};
 use std::path::{Path, PathBuf};
@@ -40,6 +41,10 @@ pub struct PlanArgs {
     pub budget: u64,
     #[arg(long, value_name = "S", value_parser = not_negative, allow_negative_numbers = true)]
     pub seconds: Option<f64>,
+    #[arg(long, value_name = "FILE")]
+    pub html: Option<PathBuf>,
+    #[arg(long, value_name = "LANG", default_value = "en", value_parser = one_of::<Language>())]
+    pub lang: Language,
     #[arg(long)]
     pub explain: bool,
 

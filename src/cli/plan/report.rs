@@ -24,6 +24,8 @@ pub struct Report {
     pub plan: Option<Plan>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub output: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub page: Option<String>,
     /// The budget of seconds, with which a plan depends on the machine.
     #[serde(skip_serializing_if = "Option::is_none")]
     most_seconds: Option<f64>,
@@ -50,6 +52,7 @@ impl Report {
             minimise: args.minimise,
             plan: None,
             output: None,
+            page: None,
             most_seconds: args.seconds,
             draw_seconds: None,
             seconds: 0.0,
@@ -123,6 +126,9 @@ pub fn text(report: &Report, style: Style) -> String {
         time += &format!("; a picture takes {:.1} ms, before {:.1} ms", 1e3 * planned, 1e3 * declared);
     }
     row(&mut out, "time", &time);
+    if let Some(page) = &report.page {
+        row(&mut out, "page", &escaped(page));
+    }
     out
 }
 

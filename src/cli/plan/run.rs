@@ -8,18 +8,21 @@ use crate::cli::common::options::Color;
 use crate::cli::common::output::{Target, is_same_file};
 use crate::cli::common::progress::Progress;
 use crate::cli::help::usage_error;
-use crease::plan::{PlanError, plan, scene_text};
+use crease::plan::{PlanError, plan, plan_with_evidence, scene_text};
 use crease::raster::{LoadOptions, SceneFile, render};
+use crease::report::{PlanPage, plan_page};
 use std::path::Path;
 use std::time::Instant;
 
 pub fn main(args: &PlanArgs, color: Color) -> Exit {
-    let console = Console::new(&args.run, color, args.output.as_deref());
+    let to_stdout =
+        [&args.output, &args.html].into_iter().flatten().find(|path| Target::of(path) == Target::Standard);
+    let console = Console::new(&args.run, color, to_stdout.map(|path| path.as_path()));
     if args.explain {
         console.report(EXPLANATION);
         return exit_code(Ok(Exit::Done), &console);
     }
-    if args.output.as_deref().is_some_and(|output| is_same_file(args.scene(), output)) {
+    if [&args.output, &args.html].into_iter().flatten().any(|output| is_same_file(args.scene(), output)) {
         usage_error(
             "plan",
             format!("this would overwrite the input {}\nhelp: name another output", args.scene().display()),
@@ -48,9 +51,14 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
         None => text,
     };
     let progress = Progress::of_share(console, "planning");
-    let planned = plan(&text, base, &loading, &options, &|share| progress.share(share));
+    let advance = |share| progress.share(share);
+    let planned = match args.html {
+        None => plan(&text, base, &loading, &options, &advance).map(|plan| (plan, None)),
+        Some(_) => plan_with_evidence(&text, base, &loading, &options, &advance)
+            .map(|(plan, evidence)| (plan, Some(evidence))),
+    };
     drop(progress);
-    let planned = planned.map_err(|error| match error {
+    let (planned, evidence) = planned.map_err(|error| match error {
         PlanError::Read(error) => error.into(),
         error => Failure::advised(error),
     })?;
@@ -63,8 +71,29 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
         report.output = Some(target.name());
         target.store(planned.text.clone().into_bytes())?;
     }
+    if let (Some(path), Some(evidence)) = (&args.html, evidence) {
+        let about = PlanPage {
+            scene: &args.scene().file_name().unwrap_or_default().to_string_lossy(),
+            command: &command(),
+            minimise: args.minimise,
+            metric: args.metric,
+            tolerance: options.tolerance,
+            language: args.lang,
+        };
+        let page = plan_page(&planned, &evidence, &about).map_err(Failure::input)?;
+        Target::of(path).store(page.into_bytes())?;
+        report.page = Some(Target::of(path).name());
+    }
     report.plan = Some(planned);
     Ok(Exit::Done)
+}
+
+/// The command line, as a shell takes it.
+fn command() -> String {
+    let words: Vec<String> =
+        std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
+    let words = shlex::try_join(words.iter().map(String::as_str)).unwrap_or_else(|_| words.join(" "));
+    format!("crease {words}")
 }
 
 /// The shortest of three times to draw a scene from its own camera.

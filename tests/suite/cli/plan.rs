@@ -167,3 +167,32 @@ fn axes_and_size_are_options() {
     let explained = plan(&[&input, "--explain"]);
     assert!(text(&explained.stdout).contains("The reference is the scene as declared"));
 }
+
+/// A page in both languages: pictures of the plan and of each refused step, the reasons, and no text without a value.
+#[test]
+fn the_page_shows_the_plan_and_what_was_refused() {
+    let folder = folder(&[("scene <1>.toml", SCENE)]);
+    let (input, page) = (path(folder.path().join("scene <1>.toml")), path(folder.path().join("page.html")));
+    for (language, title, reason) in [
+        ("en", "needs", "block is lit by flat shading in place of Phong shading"),
+        ("pt", "precisa de", "block recebe tonalização constante em vez de tonalização de Phong"),
+    ] {
+        let done = plan(&[&input, "--html", &page, "--lang", language]);
+        assert_eq!(code(&done), 0, "{}", text(&done.stderr));
+        assert!(text(&done.stdout).contains(&format!("  page     {page}")), "{}", text(&done.stdout));
+        let html = fs::read_to_string(&page).unwrap();
+        assert!(html.contains(&format!("<html lang=\"{language}\">")));
+        assert!(html.contains(&format!("<h1>scene &lt;1&gt;.toml {title} ")), "{html}");
+        assert!(html.contains(reason), "{language}");
+        let refused = html.matches("<h3").count();
+        assert!(refused >= 2, "{refused} refused steps");
+        assert_eq!(html.matches("<img ").count(), 3 + 3 * refused);
+        assert_eq!(html.matches("<svg role=\"img\"").count(), 1);
+        let words = html.split("<style>").nth(1).unwrap().split("</style>").nth(1).unwrap();
+        assert!(!words.contains('{') && !words.contains("∞") && !words.contains("NaN"), "{language}");
+    }
+    // A plan without changes has a page as well.
+    let done = plan(&[&input, "--tolerance", "0", "--only", "reflection", "--html", &page, "-q"]);
+    assert_eq!(code(&done), 0, "{}", text(&done.stderr));
+    assert!(fs::read_to_string(&page).unwrap().contains("needs everything that it declares"));
+}

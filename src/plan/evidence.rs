@@ -1,0 +1,181 @@
+//! Evidence for a plan: its pictures, those of the cheaper steps that are refused, and everything that was tried.
+
+use super::axes::{Axis, LightModel, ObjectModel};
+use super::compare::Difference;
+use super::decisions::{Described, Plan};
+use super::search::{Found, Search};
+use super::stage::PlanError;
+use crate::raster::{Image, Pixels};
+
+/// The reference next to another picture of the same view.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// The view.
+    pub view: usize,
+    /// The picture of the reference.
+    pub reference: Image,
+    /// The other picture.
+    pub other: Image,
+    /// Their difference in each channel, amplified.
+    pub difference: Image,
+    /// The factor.
+    pub amplification: f64,
+    /// The largest difference.
+    pub worst: Difference,
+    /// The largest distance of outlines, in pixels.
+    pub outline: f64,
+}
+
+/// A cheaper step from the plan that is beyond the limits.
+#[derive(Clone, Debug)]
+pub struct Refusal {
+    /// The object or light, by name.
+    pub what: String,
+    /// What would be changed.
+    pub axis: Axis,
+    /// As planned.
+    pub from: String,
+    /// The cheaper value.
+    pub to: String,
+    /// What it would save of the cost that is minimised.
+    pub saved: u64,
+    /// The whole plan with this step.
+    pub comparison: Comparison,
+}
+
+/// Something that was drawn and compared: a model of an object with the rest as planned, or a whole plan.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tried {
+    /// The cost that is minimised.
+    pub cost: u64,
+    /// The largest difference that was found; for a refused model there may be larger ones.
+    pub error: f64,
+    /// Whether it is within the limits.
+    pub is_within: bool,
+}
+
+/// What a page shows of a plan.
+#[derive(Clone, Debug)]
+pub struct Evidence {
+    /// The plan in the view of its largest difference.
+    pub planned: Comparison,
+    /// The next cheaper value of each axis.
+    pub refused: Vec<Refusal>,
+    /// All that was tried.
+    pub tried: Vec<Tried>,
+}
+
+/// Most refusals with pictures.
+const MOST_REFUSALS: usize = 24;
+
+impl Described<'_> {
+    /// The evidence for a plan.
+    ///
+    /// # Errors
+    /// What makes a picture impossible.
+    pub fn evidence(&self, search: &Search, found: &Found, plan: &Plan) -> Result<Evidence, PlanError> {
+        let planned = compare(search, &found.models, &found.lights, Some(plan.worst_view))?;
+        Ok(Evidence { planned, refused: self.refused(search, found)?, tried: tried(search, found)? })
+    }
+
+    /// The next cheaper value of each axis of each object and light, where it is beyond the limits.
+    fn refused(&self, search: &Search, found: &Found) -> Result<Vec<Refusal>, PlanError> {
+        let cost = |models: &[ObjectModel], lights: &Vec<usize>| -> Result<u64, PlanError> {
+            Ok(search.cost(models, lights)?.of(search.minimise))
+        };
+        let planned = cost(&found.models, &found.lights)?;
+        let mut steps = Vec::new();
+        for (unit, model) in found.models.iter().enumerate() {
+            for axis in Axis::ALL {
+                let mut next: Option<(u64, Vec<ObjectModel>)> = None;
+                for other in search.models[unit].iter().filter(|other| other.differs(model) == [axis]) {
+                    let mut models = found.models.clone();
+                    models[unit] = *other;
+                    let cost = cost(&models, &found.lights)?;
+                    if cost < planned && next.as_ref().is_none_or(|(most, _)| cost > *most) {
+                        next = Some((cost, models));
+                    }
+                }
+                if let Some((cost, models)) = next {
+                    let what = self.stage.units[unit].name.clone();
+                    let (from, to) = (model.value(axis), models[unit].value(axis));
+                    steps.push((what, axis, from, to, planned - cost, models, found.lights.clone()));
+                }
+            }
+        }
+        for (light, &number) in found.lights.iter().enumerate() {
+            let name = |model: &LightModel| model.to_string();
+            let mut next: Option<(u64, Vec<usize>)> = None;
+            for other in 0..search.trials.lights[light].len() {
+                let mut lights = found.lights.clone();
+                lights[light] = other;
+                let cost = cost(&found.models, &lights)?;
+                if cost < planned && next.as_ref().is_none_or(|(most, _)| cost > *most) {
+                    next = Some((cost, lights));
+                }
+            }
+            if let Some((cost, lights)) = next {
+                let models = &search.trials.lights[light];
+                let (from, to) = (name(&models[number]), name(&models[lights[light]]));
+                let what = format!("light {light}");
+                steps.push((what, Axis::Lights, from, to, planned - cost, found.models.clone(), lights));
+            }
+        }
+        let mut refused = Vec::new();
+        for (what, axis, from, to, saved, models, lights) in steps.into_iter().take(MOST_REFUSALS) {
+            let comparison = compare(search, &models, &lights, None)?;
+            let view = &search.trials.views[comparison.view];
+            // With a spent budget a cheaper step may be within the limits.
+            if !search.trials.limits.accept(view, &comparison.worst, comparison.outline) {
+                refused.push(Refusal { what, axis, from, to, saved, comparison });
+            }
+        }
+        Ok(refused)
+    }
+}
+
+/// The picture of models next to the reference, in a view or in that of the largest difference.
+fn compare(
+    search: &Search,
+    models: &[ObjectModel],
+    lights: &Vec<usize>,
+    view: Option<usize>,
+) -> Result<Comparison, PlanError> {
+    let trials = &search.trials;
+    let metric = trials.limits.metric;
+    let mut found: Option<(usize, Difference, f64)> = None;
+    for number in view.map_or(0..trials.views.len(), |view| view..view + 1) {
+        let (worst, outline) = trials.measure(&trials.views[number], models, lights)?;
+        let is_beyond = outline > trials.limits.outline;
+        if found.is_none_or(|(_, other, _)| is_beyond || worst.by(metric) > other.by(metric)) {
+            found = Some((number, worst, outline));
+        }
+    }
+    let (view, worst, outline) = found.unwrap_or_default();
+    let truth = &trials.views[view].truth;
+    let other = trials.picture(&trials.views[view], models, lights)?;
+    let (differences, largest) = truth.code_differences(&other);
+    let amplification = amplification(largest);
+    let code = |steps: f64| (amplification * steps).round().min(255.0) as u8;
+    let pixels = differences.into_iter().map(|steps| steps.map(code)).collect();
+    let difference = Image { pixels: Pixels::Eight(pixels), ..truth.image.clone() };
+    let reference = truth.image.clone();
+    Ok(Comparison { view, reference, other, difference, amplification, worst, outline })
+}
+
+/// The largest of 1, 2, 5, 10, … up to 1000 by which a difference stays a code.
+fn amplification(largest: f64) -> f64 {
+    let factors = [1000.0, 500.0, 200.0, 100.0, 50.0, 20.0, 10.0, 5.0, 2.0];
+    factors.into_iter().find(|factor| factor * largest <= 255.0).unwrap_or(1.0)
+}
+
+/// Everything that was tried, with its cost.
+fn tried(search: &Search, found: &Found) -> Result<Vec<Tried>, PlanError> {
+    let cost = |trial: &super::trials::Trial| {
+        let mut models = found.models.clone();
+        trial.models.iter().for_each(|(unit, model)| models[*unit] = *model);
+        let cost = search.cost(&models, &trial.lights)?.of(search.minimise);
+        Ok(Tried { cost, error: trial.error, is_within: trial.is_within })
+    };
+    search.trials.log().iter().map(cost).collect()
+}
