@@ -50,7 +50,7 @@ pub use html::{Drawing, Page, escape_html, svg_file};
 pub use overlay::{Overlay, overlay};
 pub use panel::{Panel, draw_text, panels, panels_size, text_width};
 pub use picture::{Picture, encode_png};
-pub use plan::{PlanPage, plan_page};
+pub use plan::{PlanPage, plan_page, plan_sheet};
 pub use plot::{Axis, Mark, Plot, Scale, Series};
 pub use probe::{PixelReport, SampleReport, probe_pixel};
 pub use table::Table;

@@ -43,6 +43,8 @@ pub struct PlanArgs {
     pub seconds: Option<f64>,
     #[arg(long, value_name = "FILE")]
     pub html: Option<PathBuf>,
+    #[arg(long, value_name = "FILE")]
+    pub picture: Option<PathBuf>,
     #[arg(long, value_name = "LANG", default_value = "en", value_parser = one_of::<Language>())]
     pub lang: Language,
     #[arg(long)]
@@ -66,6 +68,11 @@ impl PlanArgs {
     /// The scene; empty if an explanation is asked for.
     pub fn scene(&self) -> &Path {
         self.input.as_deref().unwrap_or(Path::new(""))
+    }
+
+    /// The files to write.
+    pub fn files(&self) -> impl Iterator<Item = &PathBuf> {
+        [&self.output, &self.html, &self.picture].into_iter().flatten()
     }
 
     /// The tolerance of the metric: 2 steps or a mean ꟻLIP of 0.01, if none is given.

@@ -25,7 +25,8 @@ allow = Also choose the number of samples of a pixel: 16, 4 or 1
 seconds = Maximum time; then the search ends with the best plan so far, which depends on the machine
 budget = Maximum number of pixels to draw; then the search ends with the best plan so far
 html = Page with the pictures, the reason for each decision, and the steps that were refused
-lang = Language of the page
+picture = PNG with the reference, the plan and their difference next to each other
+lang = Language of page and picture
 explain = Print how costs and bounds are computed
 
 ## What `-h` shows.

@@ -26,6 +26,8 @@ pub struct Report {
     pub output: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub page: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub picture: Option<String>,
     /// The budget of seconds, with which a plan depends on the machine.
     #[serde(skip_serializing_if = "Option::is_none")]
     most_seconds: Option<f64>,
@@ -53,6 +55,7 @@ impl Report {
             plan: None,
             output: None,
             page: None,
+            picture: None,
             most_seconds: args.seconds,
             draw_seconds: None,
             seconds: 0.0,
@@ -126,8 +129,10 @@ pub fn text(report: &Report, style: Style) -> String {
         time += &format!("; a picture takes {:.1} ms, before {:.1} ms", 1e3 * planned, 1e3 * declared);
     }
     row(&mut out, "time", &time);
-    if let Some(page) = &report.page {
-        row(&mut out, "page", &escaped(page));
+    for (label, file) in [("page", &report.page), ("picture", &report.picture)] {
+        if let Some(file) = file {
+            row(&mut out, label, &escaped(file));
+        }
     }
     out
 }

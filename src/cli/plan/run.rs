@@ -8,21 +8,21 @@ use crate::cli::common::options::Color;
 use crate::cli::common::output::{Target, is_same_file};
 use crate::cli::common::progress::Progress;
 use crate::cli::help::usage_error;
+use crease::num::Transfer;
 use crease::plan::{PlanError, plan, plan_with_evidence, scene_text};
 use crease::raster::{LoadOptions, SceneFile, render};
-use crease::report::{PlanPage, plan_page};
+use crease::report::{PlanPage, encode_png, plan_page, plan_sheet};
 use std::path::Path;
 use std::time::Instant;
 
 pub fn main(args: &PlanArgs, color: Color) -> Exit {
-    let to_stdout =
-        [&args.output, &args.html].into_iter().flatten().find(|path| Target::of(path) == Target::Standard);
+    let to_stdout = args.files().find(|path| Target::of(path) == Target::Standard);
     let console = Console::new(&args.run, color, to_stdout.map(|path| path.as_path()));
     if args.explain {
         console.report(EXPLANATION);
         return exit_code(Ok(Exit::Done), &console);
     }
-    if [&args.output, &args.html].into_iter().flatten().any(|output| is_same_file(args.scene(), output)) {
+    if args.files().any(|output| is_same_file(args.scene(), output)) {
         usage_error(
             "plan",
             format!("this would overwrite the input {}\nhelp: name another output", args.scene().display()),
@@ -52,7 +52,7 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
     };
     let progress = Progress::of_share(console, "planning");
     let advance = |share| progress.share(share);
-    let planned = match args.html {
+    let planned = match args.html.as_ref().or(args.picture.as_ref()) {
         None => plan(&text, base, &loading, &options, &advance).map(|plan| (plan, None)),
         Some(_) => plan_with_evidence(&text, base, &loading, &options, &advance)
             .map(|(plan, evidence)| (plan, Some(evidence))),
@@ -71,7 +71,7 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
         report.output = Some(target.name());
         target.store(planned.text.clone().into_bytes())?;
     }
-    if let (Some(path), Some(evidence)) = (&args.html, evidence) {
+    if let Some(evidence) = evidence {
         let about = PlanPage {
             scene: &args.scene().file_name().unwrap_or_default().to_string_lossy(),
             command: &command(),
@@ -80,9 +80,16 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
             tolerance: options.tolerance,
             language: args.lang,
         };
-        let page = plan_page(&planned, &evidence, &about).map_err(Failure::input)?;
-        Target::of(path).store(page.into_bytes())?;
-        report.page = Some(Target::of(path).name());
+        if let Some(path) = &args.html {
+            let page = plan_page(&planned, &evidence, &about).map_err(Failure::input)?;
+            Target::of(path).store(page.into_bytes())?;
+            report.page = Some(Target::of(path).name());
+        }
+        if let Some(path) = &args.picture {
+            let sheet = plan_sheet(&planned, &evidence, &about).map_err(Failure::input)?;
+            Target::of(path).store(encode_png(&sheet, Transfer::Srgb).map_err(Failure::input)?)?;
+            report.picture = Some(Target::of(path).name());
+        }
     }
     report.plan = Some(planned);
     Ok(Exit::Done)

@@ -4,7 +4,10 @@
 mod decisions;
 // The page.
 mod page;
+// The pictures in one.
+mod sheet;
 // Error against cost of all that was tried.
 mod tried;
 
 pub use page::{PlanPage, plan_page};
+pub use sheet::plan_sheet;

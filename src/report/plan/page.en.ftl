@@ -45,6 +45,10 @@ column-planned = planned
 column-share = planned of declared
 reproduce = Reproduce
 
+sheet-reference = reference: { $cost }
+sheet-plan = plan: { $cost }
+sheet-difference = { $difference }, shown × { $factor }
+
 plot-title = Error against cost
 plot-description =
     { $tried ->

@@ -45,6 +45,10 @@ column-planned = planejado
 column-share = planejado em relação ao declarado
 reproduce = Reproduzir
 
+sheet-reference = referência: { $cost }
+sheet-plan = plano: { $cost }
+sheet-difference = { $difference }, ampliada × { $factor }
+
 plot-title = Erro em função do custo
 plot-description =
     { $tried ->

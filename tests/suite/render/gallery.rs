@@ -1,7 +1,6 @@
-//! The pictures of docs/render.md are what its commands make.
+//! The pictures of docs/render.md and docs/plan.md are what their commands make.
 
-use super::render;
-use crate::cli::{code, text};
+use crate::cli::{code, crease, text};
 use std::fs;
 use std::path::Path;
 
@@ -11,18 +10,20 @@ const LARGEST: u64 = 60_000;
 #[test]
 fn commands_of_the_documentation_make_its_pictures() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let page = fs::read_to_string(root.join("docs/render.md")).unwrap();
-    let commands = page.lines().filter_map(|line| line.strip_prefix("    crease render data/"));
+    let pages =
+        ["render", "plan"].map(|name| fs::read_to_string(root.join(format!("docs/{name}.md"))).unwrap());
+    let commands =
+        pages.iter().flat_map(|page| page.lines()).filter_map(|line| line.strip_prefix("    crease "));
     let mut seen = 0;
     for command in commands.filter(|command| command.contains("tests/gallery/")) {
-        let mut args: Vec<String> = words(&format!("data/{command}"));
+        let mut args: Vec<String> = words(command);
         let place = args.iter().position(|arg| arg.starts_with("tests/gallery/")).unwrap();
         let kept = root.join(&args[place]);
         let folder = tempfile::tempdir().unwrap();
         let made = folder.path().join(kept.file_name().unwrap());
         args[place] = made.to_str().unwrap().to_owned();
-        args[0] = root.join(&args[0]).to_str().unwrap().to_owned();
-        let output = render(&args);
+        args[1] = root.join(&args[1]).to_str().unwrap().to_owned();
+        let output = crease().args(&args).output().unwrap();
         assert_eq!(code(&output), 0, "{command}: {}", text(&output.stderr));
         if std::env::var_os("CREASE_BLESS").is_some_and(|value| value == "1") {
             fs::create_dir_all(kept.parent().unwrap()).unwrap();
@@ -32,7 +33,7 @@ fn commands_of_the_documentation_make_its_pictures() {
         assert!(kept.metadata().unwrap().len() < LARGEST, "{} is too large", kept.display());
         seen += 1;
     }
-    assert!(seen >= 3, "{seen} pictures");
+    assert!(seen >= 4, "{seen} pictures");
 }
 
 /// The words of a command line with plain single quotes.
