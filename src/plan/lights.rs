@@ -6,6 +6,9 @@ use crate::shade::{AreaShape, Attenuation, Cone, Light};
 use glam::DVec3;
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI};
 
+/// The lights of a plan: one of the replacements of each declared light, by number.
+pub type LightChoice = Vec<usize>;
+
 /// The declared light and what may replace it, from expensive to cheap; the last one is no light.
 ///
 /// `middle` is the centre of what is lit. There every replacement brings the same light as the declared one.

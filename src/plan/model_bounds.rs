@@ -3,9 +3,9 @@
 use super::axes::{LightModel, Normals, ObjectModel, Terms};
 use super::bounds::{Setting, Shift};
 use super::document::with_terms;
+use super::lights::LightChoice;
 use super::spread::{Spread, angle_between_normals, depth_share};
 use super::stage::Stage;
-use super::trials::LightChoice;
 use super::views::View;
 use crate::num::Radians;
 use crate::raster::{FlatSample, Interpolation, Shading, StoredFormat};
@@ -14,14 +14,16 @@ use glam::DVec3;
 use std::cell::{OnceCell, RefCell};
 use std::collections::HashMap;
 
+/// The variation within the faces of a unit, and the share of weights that affine interpolation moves.
+type Variation = (Spread, Option<f64>);
+
 /// The bounds of a scene's models in all views.
 pub struct ModelBounds<'a> {
     stage: &'a Stage<'a>,
     views: &'a [View],
     lights: &'a [Vec<LightModel>],
     setting: Setting<'a>,
-    /// The variation within faces of each unit, and the share of weights that affine interpolation moves.
-    spreads: Vec<OnceCell<Option<(Spread, Option<f64>)>>>,
+    spreads: Vec<OnceCell<Option<Variation>>>,
     /// Angles between normals of a unit as declared and others, before these are stored.
     angles: RefCell<HashMap<(usize, Normals), Option<f64>>>,
 }
@@ -91,7 +93,7 @@ impl<'a> ModelBounds<'a> {
             return Some(0.0);
         }
         let shifted = |normal, position| self.setting.shifted(material, lights, Shift { normal, position });
-        let (spread, share) = *self.spread(unit).as_ref()?;
+        let (spread, share) = self.spread(unit)?;
         let share = match (reference.interpolation, model.interpolation) {
             (old, new) if old == new => 0.0,
             (Interpolation::Perspective, Interpolation::Affine) => share?,
@@ -118,8 +120,8 @@ impl<'a> ModelBounds<'a> {
         }
     }
 
-    fn spread(&self, unit: usize) -> &Option<(Spread, Option<f64>)> {
-        self.spreads[unit].get_or_init(|| {
+    fn spread(&self, unit: usize) -> Option<Variation> {
+        *self.spreads[unit].get_or_init(|| {
             let declared = &self.stage.units[unit].declared;
             let cameras: Vec<_> = self.views.iter().map(|view| view.camera).collect();
             Some((Spread::of(declared)?, depth_share(declared, &cameras)))

@@ -8,8 +8,9 @@
 use super::axes::ObjectModel;
 use super::compare::Difference;
 use super::cost::{Cost, Minimise, Sizes, object_cost};
+use super::lights::LightChoice;
 use super::stage::PlanError;
-use super::trials::{LightChoice, Trials};
+use super::trials::Trials;
 use crate::raster::Projection;
 use crate::shade::Light;
 use std::cell::RefCell;

@@ -2,6 +2,7 @@
 
 use super::axes::{LightModel, ObjectModel};
 use super::compare::{Difference, Metric, outline_distance};
+use super::lights::LightChoice;
 use super::model_bounds::ModelBounds;
 use super::stage::{PlanError, Stage};
 use super::views::View;
@@ -43,9 +44,6 @@ impl Limits {
         (self.share * view.covered as f64) as u64
     }
 }
-
-/// The lights of a plan: one of the replacements of each declared light, by number.
-pub type LightChoice = Vec<usize>;
 
 /// Models that were drawn and compared.
 #[derive(Clone, Debug)]

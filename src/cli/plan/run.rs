@@ -8,6 +8,7 @@ use crate::cli::common::options::Color;
 use crate::cli::common::output::{Target, is_same_file};
 use crate::cli::common::progress::Progress;
 use crate::cli::help::usage_error;
+use crease::io::shell_word;
 use crease::num::Transfer;
 use crease::plan::{PlanError, plan, plan_with_evidence, scene_text};
 use crease::raster::{LoadOptions, SceneFile, render};
@@ -97,10 +98,13 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
 
 /// The command line, as a shell takes it.
 fn command() -> String {
-    let words: Vec<String> =
-        std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
-    let words = shlex::try_join(words.iter().map(String::as_str)).unwrap_or_else(|_| words.join(" "));
-    format!("crease {words}")
+    let mut line = "crease".to_owned();
+    for word in std::env::args_os().skip(1) {
+        let word = word.to_string_lossy();
+        line.push(' ');
+        line += &if word.starts_with('-') { word } else { shell_word(&word).into_owned().into() };
+    }
+    line
 }
 
 /// The shortest of three times to draw a scene from its own camera.

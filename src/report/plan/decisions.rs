@@ -30,6 +30,15 @@ pub(super) fn cost(value: u64, minimise: Minimise) -> Text {
     TEXTS.with(key, &[("value", (value as f64).into())])
 }
 
+/// The key of a cost's name.
+pub(super) fn name_of(minimise: Minimise) -> &'static str {
+    match minimise {
+        Minimise::Work => "plot-work",
+        Minimise::Bytes => "plot-bytes",
+        Minimise::Vertices => "plot-vertices",
+    }
+}
+
 /// The name of an axis.
 pub(super) fn axis(axis: Axis, language: Language) -> String {
     text(&format!("axis-{}", axis.name()), &[], language)

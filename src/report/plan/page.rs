@@ -1,6 +1,6 @@
 //! The page of a plan. Its texts are in page.en.ftl and page.pt.ftl.
 
-use super::decisions::{axis, cost, difference, sentence, text, value, what};
+use super::decisions::{axis, cost, difference, name_of, sentence, text, value, what};
 use super::tried::tried_plot;
 use crate::plan::{Comparison, Evidence, Metric, Minimise, Plan, Refusal};
 use crate::raster::{Image, Pixels};
@@ -189,13 +189,4 @@ fn costs(plan: &Plan, language: Language) -> Table {
         table = table.row([say(name_of(minimise)), before.to_string(), after.to_string(), share]);
     }
     table
-}
-
-/// The key of a cost's name.
-pub(super) fn name_of(minimise: Minimise) -> &'static str {
-    match minimise {
-        Minimise::Work => "plot-work",
-        Minimise::Bytes => "plot-bytes",
-        Minimise::Vertices => "plot-vertices",
-    }
 }

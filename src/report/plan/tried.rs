@@ -1,7 +1,6 @@
 //! Error against cost of all that was tried.
 
-use super::decisions::{TEXTS, cost, text};
-use super::page::name_of;
+use super::decisions::{TEXTS, cost, name_of, text};
 use crate::plan::{Evidence, Metric, Minimise, Plan, Tried};
 use crate::report::plot::{Axis, Mark, Plot, Series};
 use crate::text::Language;
