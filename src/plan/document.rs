@@ -1,19 +1,17 @@
 //! The text of a scene file, and the changes of a plan to it. Everything else of the text stays as it is.
 
 use super::axes::{LightModel, ObjectModel, Source, Terms};
-use crate::io::ReadError;
 use crate::normals::Precision;
 use crate::num::{Degrees, LinearRgb};
-use crate::raster::{Camera, Interpolation, LoadOptions, Projection, Shading, is_scene, load, read_text};
+use crate::raster::{Camera, Interpolation, Projection, Shading};
 use crate::shade::{AreaShape, Attenuation, Light, Material, Reflection, blinn_exponent};
 use crate::surface::Tessellation;
 use glam::DVec3;
-use std::path::Path;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, TomlError, Value, value};
 
 /// A scene file that can be changed.
 #[derive(Clone, Debug)]
-pub struct Document(DocumentMut);
+pub struct Document(pub(super) DocumentMut);
 
 /// The kinds of lights, as their tables are called.
 const KINDS: [&str; 6] = ["ambient", "directional", "point", "spot", "rectangle", "disc"];
@@ -215,40 +213,6 @@ impl Document {
         let old = decor.prefix().and_then(|prefix| prefix.as_str()).unwrap_or_default().to_owned();
         decor.set_prefix(format!("{lines}{old}"));
     }
-}
-
-/// The text of a scene file; of a mesh file, that of a scene that shows it with the camera and the lights that it has.
-///
-/// # Errors
-/// What makes the file unreadable.
-pub fn scene_text(path: &Path, options: &LoadOptions) -> Result<String, ReadError> {
-    if is_scene(path) {
-        return read_text(path, options);
-    }
-    let file = load(path, None, options)?;
-    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    let mut document = Document(DocumentMut::new());
-    let mut table = Table::new();
-    table.insert("mesh", value(name));
-    document.0.insert("object", Item::ArrayOfTables([table].into_iter().collect()));
-    if let Some(camera) = &file.camera {
-        document.set_camera(camera);
-    }
-    if let Some(lights) = &file.lights {
-        let lights: Vec<_> = lights.iter().map(|light| (LightModel(Some(*light)), String::new())).collect();
-        document.set_lights(&lights, &[]);
-    }
-    Ok(document.to_string())
-}
-
-/// The text of a scene file with another size of its picture.
-///
-/// # Errors
-/// What is no TOML.
-pub fn with_size(text: &str, size: [u32; 2]) -> Result<String, TomlError> {
-    let mut document = Document(text.parse()?);
-    document.set_setting("size", size.map(i64::from).into_iter().collect::<Array>(), "");
-    Ok(document.to_string())
 }
 
 /// A value with a comment at the end of its line.

@@ -12,6 +12,8 @@ mod lights;
 pub mod cost;
 // The text of a scene file, and changes to it.
 mod document;
+// Texts of scenes to plan.
+mod source;
 // An object table of the scene file.
 mod unit;
 // The objects of the scene with any model, drawn from every view.
@@ -45,8 +47,8 @@ pub use axes::{Axis, LightModel, Normals, ObjectModel, Source, Terms};
 pub use compare::{Difference, Metric};
 pub use cost::{Cost, Minimise};
 pub use decisions::{Decision, Plan};
-pub use document::{scene_text, with_size};
 pub use evidence::{Comparison, Evidence, Refusal, Tried};
 pub use options::PlanOptions;
 pub use planned::{plan, plan_with_evidence};
+pub use source::{most_accurate, scene_text, with_size};
 pub use stage::PlanError;

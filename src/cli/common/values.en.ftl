@@ -172,3 +172,6 @@ axis-lights = kind, attenuation and presence of lights
 
 truth-estimated = normals of a fit, with an estimate of their error
 truth-stored = the normals that the file stores
+
+reference-declared = the scene as declared
+reference-accurate = the scene with Phong shading, perspective interpolation, faithful `best` normals and no rounding of them

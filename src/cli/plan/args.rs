@@ -19,6 +19,8 @@ pub struct PlanArgs {
     pub tolerance: Option<f64>,
     #[arg(long, value_name = "METRIC", default_value = "steps", value_parser = one_of::<Metric>())]
     pub metric: Metric,
+    #[arg(long, value_name = "MODEL", default_value = "declared", value_parser = one_of::<Reference>())]
+    pub reference: Reference,
     #[arg(long, value_name = "SHARE", value_parser = share)]
     pub share: Option<f64>,
     #[arg(long, value_name = "PIXELS", value_parser = not_negative, allow_negative_numbers = true)]
@@ -55,6 +57,16 @@ pub struct PlanArgs {
 }
 
 choices! { Minimise: "work" => Work, "bytes" => Bytes, "vertices" => Vertices }
+
+/// What pictures are compared with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Reference {
+    Declared,
+    Accurate,
+}
+
+choices! { Reference: "declared" => Declared, "accurate" => Accurate }
 
 choices! { Metric: "steps" => Steps, "flip" => Flip }
 

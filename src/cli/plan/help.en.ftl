@@ -13,6 +13,7 @@ input = Scene file, or a mesh or glTF file
 output = Planned scene file, or `-` for standard output
 tolerance = Largest difference by the metric [default: 2 steps of 1/255 before rounding, or a mean ꟻLIP of 0.01]
 metric = Comparison of pictures: the largest difference of a pixel, or the mean of ꟻLIP, which models what eyes see
+reference = Scene that the pictures are compared with
 share = Share of the covered pixels that may be beyond the tolerance [default: 0]
 outline = Largest distance of outlines, in pixels [default: 0.5]
 minimise = Quantity to minimise

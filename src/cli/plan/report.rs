@@ -1,6 +1,6 @@
 //! The report of `crease plan` as JSON and as text.
 
-use super::args::PlanArgs;
+use super::args::{PlanArgs, Reference};
 use crate::cli::common::console::{Style, escaped};
 use crate::cli::common::numbers::{count, row, size};
 use crate::cli::common::report::Head;
@@ -18,6 +18,7 @@ pub struct Report {
     pub input: String,
     metric: Metric,
     tolerance: f64,
+    reference: Reference,
     light_cone: f64,
     minimise: Minimise,
     #[serde(flatten)]
@@ -50,6 +51,7 @@ impl Report {
             input: args.scene().display().to_string(),
             metric: args.metric,
             tolerance: args.tolerance(),
+            reference: args.reference,
             light_cone: args.light_cone.unwrap_or(0.0),
             minimise: args.minimise,
             plan: None,

@@ -1,6 +1,6 @@
 //! Runs `crease plan`.
 
-use super::args::PlanArgs;
+use super::args::{PlanArgs, Reference};
 use super::report::{DrawSeconds, EXPLANATION, Report, text};
 use crate::cli::common::console::{Console, escaped};
 use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
@@ -10,7 +10,7 @@ use crate::cli::common::progress::Progress;
 use crate::cli::help::usage_error;
 use crease::io::shell_word;
 use crease::num::Transfer;
-use crease::plan::{PlanError, plan, plan_with_evidence, scene_text};
+use crease::plan::{PlanError, most_accurate, plan, plan_with_evidence, scene_text};
 use crease::raster::{LoadOptions, SceneFile, render};
 use crease::report::{PlanPage, encode_png, plan_page, plan_sheet};
 use std::path::Path;
@@ -50,6 +50,10 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
     let text = match args.size {
         Some(size) => crease::plan::with_size(&text, size).map_err(Failure::input)?,
         None => text,
+    };
+    let text = match args.reference {
+        Reference::Declared => text,
+        Reference::Accurate => most_accurate(&text).map_err(Failure::input)?,
     };
     let progress = Progress::of_share(console, "planning");
     let advance = |share| progress.share(share);

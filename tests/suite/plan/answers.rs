@@ -274,3 +274,22 @@ fn larger_exponents_need_finer_normals() {
         assert_eq!(format(1.01 * switch), next);
     }
 }
+
+/// A scene that declares cheap models is planned from the accurate ones: a plan from the declared scene leaves flat shading, one from the
+/// accurate scene goes back to Phong shading.
+#[test]
+fn the_most_accurate_scene_is_a_reference_as_well() {
+    let declared = "# Rough.\n[settings]\nsize = [32, 32]\nshading = \"flat\"\nprecision = \"fast\"\n\
+        [camera]\neye = [0, 0, 10]\ntarget = [0, 0, 0]\nheight = 3\n[[light.directional]]\ntowards = [1, 1, 1]\n\
+        [[object]]\nsurface = { sphere = { radius = 1 } }\ntessellation = { segments = [12, 8] }\nnormal-format = \"i8\"\n";
+    let accurate = crease::plan::most_accurate(declared).unwrap();
+    assert!(accurate.starts_with("# Rough.\n") && !accurate.contains("i8") && !accurate.contains("fast"));
+    let shading = |text: &str| {
+        let plan = planned(text, &only(&[Axis::Shading], 2.0));
+        let file = scene(&plan.text);
+        let own = file.objects[0].settings.shading;
+        own.unwrap_or(file.settings.shading)
+    };
+    assert_eq!(shading(declared), crease::raster::Shading::Flat);
+    assert_eq!(shading(&accurate), crease::raster::Shading::Phong);
+}
