@@ -42,35 +42,36 @@ pub fn with_size(text: &str, size: [u32; 2]) -> Result<String, TomlError> {
 }
 
 /// The text of a scene file with the most accurate value of each axis that has one: Phong shading in place of Gouraud and flat shading,
-/// perspective interpolation, the weight `best` for normals that are computed, `faithful` precision, and normals that are not rounded.
+/// perspective interpolation, the normals of analytic surfaces, the weight `best` for computed ones, and normals that are not rounded.
 ///
 /// # Errors
 /// What is no TOML.
 pub fn most_accurate(text: &str) -> Result<String, TomlError> {
     let mut document = Document::parse(text)?.with_tables();
-    document.set_setting("weight", "best", "");
+    if let Some(settings) = document.0.get_mut("settings").and_then(Item::as_table_mut) {
+        make_accurate(settings);
+    }
     let tables = document.0.get_mut("object").and_then(Item::as_array_of_tables_mut);
     for table in tables.into_iter().flat_map(ArrayOfTables::iter_mut) {
         make_accurate(table);
-    }
-    if let Some(settings) = document.0.get_mut("settings").and_then(Item::as_table_mut) {
-        make_accurate(settings);
+        let is_given = table.get("normals").and_then(Item::as_str) == Some("given");
+        if !table.contains_key("surface") && !is_given {
+            table["weight"] = value("best");
+        }
     }
     Ok(document.to_string())
 }
 
+/// Removes what makes a table's models cheaper. The defaults of these keys are the accurate values, except that of the weight.
 fn make_accurate(table: &mut Table) {
-    for key in ["precision", "normal-format"] {
+    for key in ["precision", "normal-format", "weight", "interpolation"] {
         table.remove(key);
     }
-    let is_cheap = |shading: &str| matches!(shading, "gouraud" | "flat");
-    let values = [("interpolation", "perspective"), ("weight", "best")];
-    for (key, best) in values {
-        if table.contains_key(key) {
-            table[key] = value(best);
-        }
-    }
-    if table.get("shading").and_then(Item::as_str).is_some_and(is_cheap) {
+    if table
+        .get("shading")
+        .and_then(Item::as_str)
+        .is_some_and(|shading| matches!(shading, "gouraud" | "flat"))
+    {
         table["shading"] = value("phong");
     }
 }

@@ -284,6 +284,13 @@ fn the_most_accurate_scene_is_a_reference_as_well() {
         [[object]]\nsurface = { sphere = { radius = 1 } }\ntessellation = { segments = [12, 8] }\nnormal-format = \"i8\"\n";
     let accurate = crease::plan::most_accurate(declared).unwrap();
     assert!(accurate.starts_with("# Rough.\n") && !accurate.contains("i8") && !accurate.contains("fast"));
+    // Analytic surfaces have better normals than any weight computes.
+    assert!(!accurate.contains("weight"));
+    let mesh = declared.replace(
+        "surface = { sphere = { radius = 1 } }\ntessellation = { segments = [12, 8] }",
+        "mesh = \"gear.obj\"",
+    );
+    assert!(crease::plan::most_accurate(&mesh).unwrap().contains("weight = \"best\""));
     let shading = |text: &str| {
         let plan = planned(text, &only(&[Axis::Shading], 2.0));
         let file = scene(&plan.text);
