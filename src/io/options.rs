@@ -11,6 +11,8 @@ pub struct ReadOptions {
     pub root: Option<PathBuf>,
     /// What to do with positions that are infinite or not a number.
     pub non_finite: NonFinite,
+    /// glTF extensions that a file may require although crease does not know them: they hold no vertices, indices or their order.
+    pub allowed_extensions: Vec<String>,
     /// Bounds on the resources that a file may use.
     pub limits: Limits,
 }

@@ -263,8 +263,19 @@ fn required_extensions_are_known_harmless_or_refused() {
     let with = |name: &str| {
         read(square("", &format!(",\"extensionsRequired\":[\"{name}\"]")), None, &ReadOptions::default())
     };
-    for harmless in ["KHR_texture_basisu", "KHR_materials_unlit", "KHR_mesh_quantization", "EXT_texture_webp"]
-    {
+    for harmless in [
+        "KHR_texture_basisu",
+        "KHR_materials_unlit",
+        "KHR_mesh_quantization",
+        "KHR_node_visibility",
+        "KHR_physics_rigid_bodies",
+        "KHR_animation_pointer",
+        "EXT_texture_webp",
+        "MSFT_lod",
+        // Refused only where a split would move what they number.
+        "CESIUM_primitive_outline",
+        "EXT_mesh_manifold",
+    ] {
         assert!(with(harmless).is_ok(), "{harmless}");
     }
     for unknown in
@@ -272,7 +283,11 @@ fn required_extensions_are_known_harmless_or_refused() {
     {
         let error = with(unknown).unwrap_err();
         assert!(error.found.contains(unknown), "{error}");
+        let allowed = ReadOptions { allowed_extensions: vec![unknown.to_owned()], ..ReadOptions::default() };
+        let again = read(square("", &format!(",\"extensionsRequired\":[\"{unknown}\"]")), None, &allowed);
+        assert!(again.is_ok(), "{unknown}");
     }
+    assert!(with("X_new").unwrap_err().to_string().contains("--allow-extension X_new"));
 }
 
 #[test]

@@ -22,6 +22,8 @@ pub struct InspectArgs {
     pub format: Option<Format>,
     #[arg(long, value_name = "DIR")]
     pub root: Option<PathBuf>,
+    #[arg(long, value_name = "NAME")]
+    pub allow_extension: Vec<String>,
     #[arg(long, value_name = "FILE")]
     pub against: Option<PathBuf>,
 

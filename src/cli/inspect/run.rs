@@ -63,7 +63,8 @@ fn explained(words: &str, style: Style) -> String {
 
 fn run(sources: &[Source], args: &InspectArgs, console: &Console) -> Exit {
     let progress = Progress::of_inputs(console, sources);
-    let read = ReadOptions { root: args.root.clone(), ..ReadOptions::default() };
+    let allowed_extensions = args.allow_extension.clone();
+    let read = ReadOptions { root: args.root.clone(), allowed_extensions, ..ReadOptions::default() };
     let thresholds = args.thresholds.resolve(args.findings.places);
     let (mut batch, mut exit) = (Batch::new(sources.len()), Exit::Done);
     let mut outputs = HashSet::new();

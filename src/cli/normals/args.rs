@@ -46,6 +46,8 @@ pub struct OutputArgs {
     pub recursive: bool,
     #[arg(long, value_name = "DIR")]
     pub root: Option<PathBuf>,
+    #[arg(long, value_name = "NAME")]
+    pub allow_extension: Vec<String>,
     #[arg(long)]
     pub dry_run: bool,
     #[arg(long)]

@@ -107,6 +107,7 @@ fn task(args: &NormalsArgs) -> Task {
 fn read_options(args: &NormalsArgs) -> ReadOptions {
     ReadOptions {
         root: args.output.root.clone(),
+        allowed_extensions: args.output.allow_extension.clone(),
         non_finite: if args.mesh.force { NonFinite::DropFaces } else { NonFinite::Refuse },
         ..ReadOptions::default()
     }

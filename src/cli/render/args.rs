@@ -43,6 +43,8 @@ pub struct PictureArgs {
     pub format: Option<Format>,
     #[arg(long, value_name = "DIR")]
     pub root: Option<PathBuf>,
+    #[arg(long, value_name = "NAME")]
+    pub allow_extension: Vec<String>,
     #[arg(long)]
     pub force: bool,
     #[arg(long, value_name = "WxH", value_parser = values::size)]

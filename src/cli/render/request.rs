@@ -78,6 +78,7 @@ impl<'a> Request<'a> {
                 from_elsewhere: args.scene.camera.is_some(),
                 read: ReadOptions {
                     root: args.output.root.clone(),
+                    allowed_extensions: args.output.allow_extension.clone(),
                     non_finite: if args.output.force { NonFinite::DropFaces } else { NonFinite::Refuse },
                     ..ReadOptions::default()
                 },

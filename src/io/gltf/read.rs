@@ -40,7 +40,7 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
     let input = file.len().max(json.text().len()) as u64;
     let records = Records::new(json, &mut notes)?;
     let json = &records.json;
-    extensions::check(&Fields::root(json), &mut notes)?;
+    extensions::check(&Fields::root(json), &options.allowed_extensions, &mut notes)?;
     let bin = glb.as_ref().and_then(Glb::bin);
     let buffers = load(json, &records.buffers, file, bin, base, options)?;
     let images = check_images(json, base, options, &mut notes)?;

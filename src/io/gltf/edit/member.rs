@@ -3,7 +3,7 @@
 use super::store::{NewData, Remark, Store};
 use crate::io::gltf::data::Target;
 use crate::io::gltf::document::{Block, GltfDocument, Piece};
-use crate::io::gltf::extensions::{DRACO, ORDERED, has_implicit_features};
+use crate::io::gltf::extensions::{DRACO, has_implicit_features, ordered};
 use crate::io::gltf::records::{Component, Format, Primitive};
 use crate::io::{Loaded, PartEdit, WriteError};
 use crate::mesh::{Column, Mesh};
@@ -95,7 +95,7 @@ impl<'a> Member<'a> {
             );
             Err(WriteError::Unsupported(text))
         };
-        for (name, has_triangles) in ORDERED {
+        for (name, has_triangles) in ordered() {
             if primitive.extension(name).is_none() && mesh.extension(name).is_none() {
                 continue;
             }
