@@ -15,7 +15,7 @@ format = Format of the input [default: by content, else by name]
 recursive = Include all mesh files in folders and below, except hidden ones
 root = Further folder from which companion files (MTL, glTF buffers) may be read; the only one for standard input [default:
     the input's folder]
-allow_extension = glTF extension that a file may require although crease does not know it; use it for extensions without vertices,
+allow-extension = glTF extension that a file may require although crease does not know it; use it for extensions without vertices,
     indices or their order
 
 ## What `-h` shows of every verb.

@@ -175,3 +175,8 @@ truth-stored = the normals that the file stores
 
 reference-declared = the scene as declared
 reference-accurate = the scene with Phong shading, perspective interpolation, faithful `best` normals and no rounding of them
+
+metric-steps = the largest difference of a pixel, in steps of 1/255
+metric-flip = the mean of ꟻLIP over the picture
+
+permission-antialiasing = fewer samples of a pixel: 4 or 1

@@ -37,8 +37,8 @@ pub struct PlanArgs {
     pub only: Vec<Axis>,
     #[arg(long, value_name = "DEG", value_parser = not_negative, allow_negative_numbers = true)]
     pub light_cone: Option<f64>,
-    #[arg(long, value_name = "WHAT", value_parser = ["antialiasing"])]
-    pub allow: Option<String>,
+    #[arg(long, value_name = "WHAT", value_parser = one_of::<Permission>())]
+    pub allow: Option<Permission>,
     #[arg(long, value_name = "PIXELS", default_value = "10000000000")]
     pub budget: u64,
     #[arg(long, value_name = "S", value_parser = not_negative, allow_negative_numbers = true)]
@@ -65,6 +65,14 @@ pub enum Reference {
     Declared,
     Accurate,
 }
+
+/// What changes whole pictures, and must be allowed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Permission {
+    Antialiasing,
+}
+
+choices! { Permission: "antialiasing" => Antialiasing }
 
 choices! { Reference: "declared" => Declared, "accurate" => Accurate }
 
@@ -118,7 +126,7 @@ impl PlanArgs {
             views: self.views,
             light_cone: Degrees(self.light_cone.unwrap_or(0.0)),
             keep: self.kept(),
-            allow_antialiasing: self.allow.is_some(),
+            allow_antialiasing: self.allow == Some(Permission::Antialiasing),
             budget: self.budget,
             seconds: self.seconds,
         })
