@@ -49,7 +49,7 @@ pub use error::ReportError;
 pub use html::{Drawing, Page, escape_html, svg_file};
 pub use overlay::{Overlay, overlay};
 pub use panel::{Panel, draw_text, panels, panels_size, text_width};
-pub use picture::{Picture, encode_png};
+pub use picture::{Picture, encode_jpeg, encode_png, encode_webp};
 pub use plan::{PlanPage, plan_page, plan_sheet};
 pub use plot::{Axis, Mark, Plot, Scale, Series};
 pub use probe::{PixelReport, SampleReport, probe_pixel};

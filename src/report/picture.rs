@@ -1,8 +1,11 @@
-//! Pictures to combine and to draw on, and their PNG files.
+//! Pictures to combine and to draw on, and their PNG, JPEG and WebP files.
 
 use super::error::{ReportError, Result};
 use crate::num::Transfer;
 use crate::raster::{Image, Pixels};
+use image::codecs::jpeg::JpegEncoder;
+use image::codecs::webp::WebPEncoder;
+use image::{ExtendedColorType, ImageEncoder};
 use png::{BitDepth, ColorType, Encoder, SrgbRenderingIntent};
 use std::io::Write;
 
@@ -120,6 +123,45 @@ pub fn encode_png(picture: &Picture, transfer: Transfer) -> Result<Vec<u8>> {
     let mut file = Vec::new();
     write(picture, transfer, &mut file).map_err(|error| ReportError::Encoder(error.to_string()))?;
     Ok(file)
+}
+
+/// The largest sides of JPEG and WebP pictures.
+const LARGEST_JPEG: u32 = 65_535;
+const LARGEST_WEBP: u32 = 16_384;
+/// Errors of some steps of 255, mostly at edges.
+const JPEG_QUALITY: u8 = 92;
+
+/// A picture as a JPEG file of quality 92, which loses detail. Of 16-bit components the upper half is taken. Viewers take the codes
+/// as sRGB.
+///
+/// # Errors
+/// Sizes that do not fit the pixels or the format.
+pub fn encode_jpeg(picture: &Picture) -> Result<Vec<u8>> {
+    picture.check("JPEG", LARGEST_JPEG)?;
+    let mut file = Vec::new();
+    encoded_by(JpegEncoder::new_with_quality(&mut file, JPEG_QUALITY), picture)?;
+    Ok(file)
+}
+
+/// A picture as a WebP file without loss. Of 16-bit components the upper half is taken. Viewers take the codes as sRGB.
+///
+/// # Errors
+/// Sizes that do not fit the pixels or the format.
+pub fn encode_webp(picture: &Picture) -> Result<Vec<u8>> {
+    picture.check("WebP", LARGEST_WEBP)?;
+    let mut file = Vec::new();
+    encoded_by(WebPEncoder::new_lossless(&mut file), picture)?;
+    Ok(file)
+}
+
+fn encoded_by(encoder: impl ImageEncoder, picture: &Picture) -> Result<()> {
+    let [width, height] = picture.size;
+    let bytes: Vec<u8> = match &picture.pixels {
+        Pixels::Eight(list) => list.as_flattened().to_vec(),
+        Pixels::Sixteen(list) => list.as_flattened().iter().map(|component| (component >> 8) as u8).collect(),
+    };
+    let written = encoder.write_image(&bytes, width, height, ExtendedColorType::Rgb8);
+    written.map_err(|error| ReportError::Encoder(error.to_string()))
 }
 
 fn write(picture: &Picture, transfer: Transfer, file: &mut Vec<u8>) -> Result<(), png::EncodingError> {

@@ -180,3 +180,8 @@ metric-steps = the largest difference of a pixel, in steps of 1/255
 metric-flip = the mean of ꟻLIP over the picture
 
 permission-antialiasing = fewer samples of a pixel: 4 or 1
+
+filekind-png = without loss, 8 or 16 bits
+filekind-jpeg = with loss, small
+filekind-webp = without loss, smaller than PNG
+filekind-gif = at most 256 colours; animations

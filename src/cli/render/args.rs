@@ -1,7 +1,7 @@
 //! The options of `crease render`.
 
 use super::fields::{self, CameraChange};
-use super::values::{self, GuardSwitch, HiddenLines, ReflectionChoice, Variant};
+use super::values::{self, FileKind, GuardSwitch, HiddenLines, ReflectionChoice, Variant};
 use crate::cli::common::choice::one_of;
 use crate::cli::common::options::{RunArgs, crease_angle};
 use crate::cli::common::options::{colour, not_negative, vector};
@@ -41,6 +41,8 @@ pub struct PictureArgs {
     pub output: Option<PathBuf>,
     #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>())]
     pub format: Option<Format>,
+    #[arg(long, value_name = "FORMAT", value_parser = one_of::<FileKind>())]
+    pub to: Option<FileKind>,
     #[arg(long, value_name = "DIR")]
     pub root: Option<PathBuf>,
     #[arg(long, value_name = "NAME")]

@@ -1,8 +1,8 @@
 //! A scene changed by options.
 
 use super::args::RenderArgs;
-use super::request::{FileKind, Request, Subject};
-use super::values::{ReflectionChoice, Variant};
+use super::request::{Request, Subject};
+use super::values::{FileKind, ReflectionChoice, Variant};
 use super::warnings::contrast;
 use crate::cli::common::failure::Failure;
 use crease::num::{Degrees, LinearRgb, Transfer, UnitVec3};

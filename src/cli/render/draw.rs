@@ -1,14 +1,17 @@
 //! A picture, panels side by side, or an animation.
 
 use super::changes::{about, blame, pivot, turn};
-use super::request::{FileKind, Request, Subject};
+use super::request::{Request, Subject};
+use super::values::FileKind;
 use crate::cli::common::choice::Choose;
 use crate::cli::common::failure::Failure;
 use crate::cli::common::output::Store;
 use crate::cli::common::progress::Progress;
 use crease::num::Degrees;
 use crease::raster::{Image, RenderError, RenderSettings, SceneFile, Statistics, render};
-use crease::report::{Animation, Panel, Picture, ReportError, encode_png, overlay, panels};
+use crease::report::{
+    Animation, Panel, Picture, ReportError, encode_jpeg, encode_png, encode_webp, overlay, panels,
+};
 
 /// A picture as a file, and what was drawn for it.
 pub struct Drawn {
@@ -85,6 +88,8 @@ fn image(file: &SceneFile, settings: &RenderSettings, request: &Request) -> Resu
 fn as_file(picture: &Picture, settings: &RenderSettings, kind: FileKind) -> Result<Vec<u8>, ReportError> {
     match kind {
         FileKind::Png => encode_png(picture, settings.transfer),
+        FileKind::Jpeg => encode_jpeg(picture),
+        FileKind::WebP => encode_webp(picture),
         FileKind::Gif => {
             let mut bytes = Vec::new();
             Animation::STILL.write_gif(&mut bytes, |_| Ok::<_, ReportError>(picture.clone()))?;

@@ -9,7 +9,8 @@ example-2 = crease render ball.glb --compare flat,gouraud,phong -o panels.png
 example-3 = crease render scene.toml --camera 'eye=3,2,5 target=0,0,0 angle=40' -o scene.png
 
 input = Mesh, glTF file, scene in TOML, or `-` for a mesh from standard input
-output = Output picture, PNG or GIF by its name, or `-` for standard output
+output = Output picture: PNG, JPEG, WebP or GIF by its name, or `-` for standard output
+to = Format of the picture [default: by its name, else png]
 root = Further folder from which companion files (meshes of a scene, MTL, glTF buffers) may be read; the only one for standard
     input [default: the input's folder]
 force = Omit faces with positions that are infinite or not a number, instead of refusing the file
@@ -55,7 +56,7 @@ transfer = Transfer from linear light to codes [default: srgb; for --show normal
 
 ## What `-h` shows.
 
-output-short = Output picture, PNG or GIF by its name, or `-` for standard output
+output-short = Output picture: PNG, JPEG, WebP or GIF by its name, or `-` for standard output
 size-short = Width and height in pixels, each up to 16384 [default: 640x480]
 samples-short = Samples per pixel, each shaded separately [default: 4]
 compare-short = Draw panels side by side that differ in shading or interpolation

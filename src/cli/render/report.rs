@@ -1,7 +1,8 @@
 //! The report of `crease render` as JSON and as text. Members are described in `docs/json.md`.
 
 use super::draw::Drawing;
-use super::request::{FileKind, Request};
+use super::request::Request;
+use super::values::FileKind;
 use crate::cli::common::choice::Choose;
 use crate::cli::common::console::{Style, escaped};
 use crate::cli::common::numbers::{count, count_of, row, seconds, size};
@@ -154,10 +155,7 @@ pub fn block(report: &Report, style: Style) -> String {
         drawings => row(&mut out, "drawn", &count(drawings.len(), "frame")),
     }
     if let (Some(output), Some(settings)) = (&report.output, settings) {
-        let format = match output.format {
-            FileKind::Png => "png",
-            FileKind::Gif => "gif",
-        };
+        let format = output.format.choice();
         let (bits, transfer, bytes) = (settings.bits.count(), settings.transfer.choice(), size(output.bytes));
         let (width, height) = (output.width, output.height);
         row(&mut out, "output", &format!("{format}, {width}x{height}, {bits} bits, {transfer}, {bytes}"));

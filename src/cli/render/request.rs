@@ -1,7 +1,8 @@
 //! Options of `crease render` made into what is drawn.
 
 use super::args::RenderArgs;
-use super::values::{HiddenLines, Variant};
+use super::values::{FileKind, HiddenLines, Variant};
+use crate::cli::common::choice::Choose;
 use crate::cli::common::input::Source;
 use crate::cli::common::output::{Target, is_same_file};
 use crease::io::{Format, NonFinite, ReadOptions};
@@ -20,13 +21,6 @@ pub struct Request<'a> {
     pub target: Option<Target>,
     pub file: FileKind,
     pub subject: Subject<'a>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum FileKind {
-    Png,
-    Gif,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,10 +88,11 @@ impl<'a> Request<'a> {
 
     fn check_combinations(&self) -> Result<(), String> {
         let args = self.args;
-        if args.output.bits == Some(Bits::Sixteen) && self.file == FileKind::Gif {
-            return usage(
-                "--bits 16 needs a PNG output: GIF has 8 bits per component\nhelp: name a .png file",
-            );
+        if args.output.bits == Some(Bits::Sixteen) && self.file != FileKind::Png {
+            return usage(format!(
+                "--bits 16 needs a PNG output: {} has 8 bits per component\nhelp: name a .png file",
+                self.file.choice()
+            ));
         }
         let compares = |wanted: fn(&Variant) -> bool| args.output.compare.iter().any(wanted);
         if args.shading.shading.is_some() && compares(|it| matches!(it, Variant::Shading(_))) {
@@ -175,25 +170,29 @@ impl<'a> Request<'a> {
 
 fn target(args: &RenderArgs) -> Result<(Option<Target>, FileKind), String> {
     let wants_gif = args.output.turntable.is_some();
-    let by_subject = if wants_gif { FileKind::Gif } else { FileKind::Png };
-    let Some(path) = &args.output.output else { return Ok((None, by_subject)) };
-    let target = Target::of(path);
-    if target == Target::Standard {
-        return Ok((Some(target), by_subject));
-    }
-    if path.is_dir() {
-        return usage(format!("{} is a folder\nhelp: name a file", path.display()));
-    }
-    let extension = path.extension().and_then(|name| name.to_str()).map(str::to_ascii_lowercase);
-    let file = match extension.as_deref() {
-        Some("png") if wants_gif => {
-            return usage("--turntable makes a GIF\nhelp: name an output that ends in .gif");
+    let chosen = args.output.to;
+    let by_subject = chosen.unwrap_or(if wants_gif { FileKind::Gif } else { FileKind::Png });
+    let path = args.output.output.as_deref();
+    let target = path.map(Target::of);
+    let file = match (&target, path) {
+        (Some(Target::File(_)), Some(path)) => {
+            if path.is_dir() {
+                return usage(format!("{} is a folder\nhelp: name a file", path.display()));
+            }
+            let extension = path.extension().and_then(|name| name.to_str()).map(str::to_ascii_lowercase);
+            let by_name = extension.and_then(|extension| FileKind::of_extension(&extension));
+            let Some(file) = chosen.or(by_name) else {
+                let found = format!("unknown picture format ({})", path.display());
+                return usage(format!("{found}\nhelp: use .png, .jpg, .webp or .gif, or choose with --to"));
+            };
+            file
         }
-        Some("png") => FileKind::Png,
-        Some("gif") => FileKind::Gif,
-        _ => return usage(format!("unknown picture format ({})\nhelp: use .png or .gif", path.display())),
+        _ => by_subject,
     };
-    Ok((Some(target), file))
+    if wants_gif && file != FileKind::Gif {
+        return usage("--turntable makes a GIF\nhelp: name an output that ends in .gif");
+    }
+    Ok((target, file))
 }
 
 fn usage<T>(message: impl Into<String>) -> Result<T, String> {

@@ -138,6 +138,31 @@ choices! { ToneRule: "clamp" => Clamp, "max" => DivideByMax }
 
 choices! { Transfer: "srgb" => Srgb, "direct" => Direct }
 
+/// The format of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum FileKind {
+    Png,
+    Gif,
+    Jpeg,
+    WebP,
+}
+
+choices! { FileKind: "png" => Png, "jpeg" => Jpeg, "webp" => WebP, "gif" => Gif }
+
+impl FileKind {
+    /// By the end of a file's name.
+    pub fn of_extension(extension: &str) -> Option<Self> {
+        match extension {
+            "png" => Some(Self::Png),
+            "gif" => Some(Self::Gif),
+            "jpg" | "jpeg" => Some(Self::Jpeg),
+            "webp" => Some(Self::WebP),
+            _ => None,
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -119,6 +119,28 @@ fn a_turntable_turns_once() {
     assert!(difference <= Some(8), "{difference:?}");
 }
 
+/// WebP has the pixels of the PNG, JPEG is close to them; both by the name of the file, or by `--to` for a stream.
+#[test]
+fn pictures_may_be_jpeg_or_webp() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = path(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("data/scenes/sphere.toml"));
+    let draw = |name: &str| {
+        let out = path(folder.path().join(name));
+        let done = render(&[&scene, "--size", "64x48", "-o", &out, "-q"]);
+        assert_eq!(code(&done), 0, "{}", text(&done.stderr));
+        fs::read(out).unwrap()
+    };
+    let pixels = |bytes: &[u8]| image::load_from_memory(bytes).unwrap().into_rgb8();
+    let png = pixels(&draw("a.png"));
+    assert_eq!(pixels(&draw("a.webp")), png);
+    let jpeg = draw("a.JPG");
+    let off = pixels(&jpeg).iter().zip(png.iter()).map(|(a, b)| u64::from(a.abs_diff(*b))).sum::<u64>();
+    let mean = off as f64 / png.len() as f64;
+    assert!(mean > 0.0 && mean < 2.0, "{mean}");
+    let streamed = render(&[&scene, "--size", "64x48", "--to", "jpeg", "-o", "-"]);
+    assert_eq!(streamed.stdout, jpeg);
+}
+
 #[test]
 fn a_still_picture_may_be_a_gif() {
     let (folder, square) = square();
