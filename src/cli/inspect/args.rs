@@ -1,13 +1,15 @@
 //! The options of `crease inspect`.
 
 use crate::cli::common::choice::{choices, one_of};
+use crate::cli::common::console::HELP;
+use crate::cli::common::nearest::did_you_mean;
 use crate::cli::common::options::{RunArgs, confidence};
 use clap::Args;
 use crease::io::Format;
 use crease::mesh::Confidence;
 use crease::num::Degrees;
-use crease::quality::catalogue::Kind;
-use crease::quality::{Severity, Thresholds};
+use crease::quality::catalogue::{Kind, entries};
+use crease::quality::{Finding, Severity, Thresholds};
 use crease::report::Sight;
 use glam::DVec3;
 use std::path::PathBuf;
@@ -116,7 +118,7 @@ thresholds! {
 fn angle(text: &str) -> Result<Degrees, String> {
     match text.parse() {
         Ok(angle) if (0.0..=180.0).contains(&angle) => Ok(Degrees(angle)),
-        _ => Err(format!("expected an angle from 0 to 180 degrees, not {text}")),
+        _ => Err("expected an angle from 0 to 180 degrees".into()),
     }
 }
 
@@ -130,7 +132,7 @@ fn from_1(text: &str) -> Result<f64, String> {
 
 fn number(text: &str, least: f64) -> Result<f64, String> {
     let number = text.parse().ok().filter(|&number: &f64| number.is_finite() && number >= least);
-    number.ok_or_else(|| format!("expected a number of {least} or more, not {text}"))
+    number.ok_or_else(|| format!("expected a number of {least} or more"))
 }
 
 choices! { Sight:
@@ -141,5 +143,8 @@ choices! { Sight:
 choices! { Severity: "error" => Error, "warning" => Warning, "note" => Note }
 
 fn kind(id: &str) -> Result<Kind, String> {
-    Kind::of_id(id).ok_or_else(|| "no finding has this name; `crease inspect --explain all` lists all".into())
+    Kind::of_id(id).ok_or_else(|| {
+        let similar = did_you_mean(id, entries().map(|entry| entry.id));
+        format!("no finding has this id{HELP}{similar}`crease inspect --explain all` lists all")
+    })
 }

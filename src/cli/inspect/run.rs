@@ -10,7 +10,7 @@ use crate::cli::common::input::{Source, check_root, expand};
 use crate::cli::common::options::Color;
 use crate::cli::common::output::{Target, is_same_file, resolve_parent, stem};
 use crate::cli::common::progress::{FileProgress, Progress, Stage};
-use crate::cli::help::{refused, usage_error};
+use crate::cli::usage::{refused, usage_error};
 use crease::io::{Loaded, ReadOptions};
 use crease::num::Transfer;
 use crease::quality::catalogue::{Kind, entries};
@@ -51,7 +51,8 @@ fn explained(words: &str, style: Style) -> String {
         [] => usage_error(
             "inspect",
             format!(
-                "no finding fits {words:?}{HELP}name what is visible ({}), or `all` for every finding",
+                "no finding fits {words:?}{HELP}{}name what is visible ({}), or `all` for every finding",
+                symptoms::similar(words),
                 symptoms::examples()
             ),
         ),
