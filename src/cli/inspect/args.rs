@@ -65,6 +65,20 @@ pub struct FindingArgs {
     pub explain: Vec<String>,
 }
 
+impl FindingArgs {
+    /// Whether a finding is reported.
+    pub fn takes(&self, finding: &Finding) -> bool {
+        finding.severity >= self.severity.unwrap_or(Severity::Note)
+            && !self.ignore.contains(&finding.kind)
+            && (self.only.is_empty() || self.only.contains(&finding.kind))
+    }
+
+    /// Whether notes are asked for: the text lists them, and the fix is made for them too.
+    pub fn names_notes(&self) -> bool {
+        self.severity == Some(Severity::Note) || !self.only.is_empty()
+    }
+}
+
 /// Makes the options of the thresholds: `option => field of Thresholds: type, parser, name of the value`.
 macro_rules! thresholds {
     ($($(#[$help:meta])* $option:ident => $field:ident: $type:ty, $parser:expr, $value:literal;)*) => {

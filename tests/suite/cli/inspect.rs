@@ -18,6 +18,7 @@ struct Report {
     hidden: Counts,
     parts: Vec<Part>,
     findings: Vec<Finding>,
+    fix: Option<Fix>,
     against: Option<Against>,
     seconds: Seconds,
 }
@@ -146,6 +147,13 @@ struct Against {
 struct Change {
     degrees: f64,
     steps: f64,
+}
+
+#[derive(Debug, Deserialize, PartialEq)]
+#[serde(deny_unknown_fields)]
+struct Fix {
+    command: String,
+    findings: Vec<String>,
 }
 
 #[derive(Debug, Deserialize, PartialEq)]
