@@ -194,12 +194,15 @@ fn colour(severity: Severity) -> &'static str {
 
 /// `38 of 1260 corners`.
 fn elements(finding: &Finding) -> String {
-    let plural = match finding.kind.entry().element {
+    format!("{} of {} {}", finding.count, finding.of, plural(finding.kind.entry().element))
+}
+
+fn plural(element: Element) -> String {
+    match element {
         Element::Vertex => "vertices".to_owned(),
         Element::Mesh => "meshes".to_owned(),
         element => format!("{}s", element.name()),
-    };
-    format!("{} of {} {plural}", finding.count, finding.of)
+    }
 }
 
 /// The command that fixes findings of which one is shown, and which it fixes.
@@ -260,11 +263,11 @@ pub fn explanation(entry: &Entry, style: Style) -> String {
         None => "no command; see above".to_owned(),
     };
     format!(
-        "{} ({} at most; {}; counts {})\n  {}.\n  {}\n  What to do: {}\n  Fix: {fix}\n",
+        "{} (severity: at most {}; group: {}; counts {})\n  {}.\n  {}\n  What to do: {}\n  Fix: {fix}\n",
         style.paint(Style::BOLD, entry.id),
         entry.severity.name(),
         entry.family.name(),
-        entry.element.name(),
+        plural(entry.element),
         capital(&entry.title()),
         entry.meaning(),
         entry.advice()
