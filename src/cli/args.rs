@@ -14,6 +14,7 @@ use clap::{Parser, Subcommand};
 
 #[derive(Parser)]
 #[command(name = "crease", version, max_term_width = 110)]
+#[command(subcommand_value_name = "VERB", subcommand_help_heading = "Verbs")]
 pub struct Cli {
     #[arg(long, global = true, value_name = "WHEN", default_value = "auto", value_parser = one_of::<Color>())]
     pub color: Color,

@@ -1,8 +1,11 @@
 //! Completion scripts and manual pages, made from the same description as `--help`.
 
+use super::common::console::HELP;
 use super::common::failure::Exit;
+use super::common::nearest::did_you_mean;
 use super::common::output::to_stdout;
-use super::help::{self, usage_error};
+use super::help;
+use super::usage::usage_error;
 use clap::Command;
 use clap_complete::Shell;
 use clap_mangen::Man;
@@ -22,7 +25,12 @@ pub fn manual(verb: Option<&str>) -> Exit {
         Some(verb) => match command.find_subcommand(verb) {
             Some(found) => found.clone(),
             None => {
-                usage_error("man", format!("unknown verb {verb:?}\nhelp: `crease --help` lists the verbs"))
+                let names = command.get_subcommands().map(Command::get_name);
+                let similar = did_you_mean(verb, names);
+                usage_error(
+                    "man",
+                    format!("unknown verb {verb:?}{HELP}{similar}`crease --help` lists the verbs"),
+                )
             }
         },
     };

@@ -1,11 +1,8 @@
-//! The help of the program, and the message of wrong usage. Texts are in Fluent files next to the options, and are read only when
+//! The help of the program. Texts are in Fluent files next to the options, and are read only when
 //! help is printed. The help of `-h` fits on a screen: the options that have a short text, one line each.
 
 use super::args::Cli;
 use super::common::choice::english;
-use super::common::console::Console;
-use super::common::failure::{Exit, Failure, FailureKind};
-use clap::error::ErrorKind;
 use clap::{Arg, Command, CommandFactory};
 use crease::text::{Catalogue, Language};
 use std::ffi::OsString;
@@ -94,23 +91,6 @@ fn brief(arg: Arg, texts: &Catalogue) -> Arg {
     };
     let is_short = text.chars().count() + default + values <= WIDTH;
     arg.help(text).hide_possible_values(values > 0 && !is_short)
-}
-
-/// Prints a message and the verb's usage as clap does for its own errors, and ends the program.
-pub fn usage_error(verb: &str, message: impl ToString) -> ! {
-    let mut command = command();
-    command.build();
-    let verb = command.find_subcommand_mut(verb).expect("a verb of this program");
-    verb.error(ErrorKind::ArgumentConflict, message.to_string()).exit()
-}
-
-/// Ends a verb whose command line cannot be carried out; wrong usage ends the program.
-pub fn refused(verb: &str, failure: &Failure, console: &Console) -> Exit {
-    if failure.kind == FailureKind::Usage {
-        usage_error(verb, &failure.message);
-    }
-    console.error(&failure.message);
-    failure.exit()
 }
 
 #[cfg(test)]

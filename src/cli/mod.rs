@@ -8,7 +8,7 @@ mod artefact;
 mod common;
 /// Completion scripts and manual pages.
 mod docs;
-/// The help of the command line, and the message of wrong usage.
+/// The help of the command line.
 mod help;
 /// Find what is wrong with normals.
 mod inspect;
@@ -26,3 +26,5 @@ mod stress;
 mod surface;
 /// Measure accuracy against speed.
 mod trade;
+/// The message of wrong usage.
+mod usage;

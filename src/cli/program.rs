@@ -3,8 +3,10 @@
 use super::args::{Cli, Verb};
 use super::common::failure::Exit;
 use super::common::output::forgive_broken_pipe;
-use super::{artefact, docs, help, inspect, normals, plan, render, stress, surface, trade};
-use clap::Parser;
+use super::{artefact, docs, help, inspect, normals, plan, render, stress, surface, trade, usage};
+use clap::error::ErrorKind;
+use clap::{Command, Parser};
+use std::ffi::OsString;
 use std::io::Write as _;
 use std::process::ExitCode;
 
@@ -14,8 +16,8 @@ pub fn main() -> ExitCode {
         Ok(cli) => cli,
         Err(error) => {
             let mut command = help::for_line(help::command(), &line);
-            let error = command.try_get_matches_from_mut(line).err().unwrap_or(error);
-            return reported(&error.format(&mut command));
+            let error = command.try_get_matches_from_mut(&line).err().unwrap_or(error);
+            return reported(&error.format(&mut command), &command, &line);
         }
     };
     let exit = match cli.verb {
@@ -34,7 +36,13 @@ pub fn main() -> ExitCode {
 }
 
 /// Prints wrong usage, or the help or version that was asked for; the latter can fail as any output can.
-fn reported(error: &clap::Error) -> ExitCode {
+fn reported(error: &clap::Error, command: &Command, line: &[OsString]) -> ExitCode {
+    if error.use_stderr() && error.kind() != ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        let mut words = line.iter().skip(1).filter_map(|word| word.to_str());
+        let verb = words.find(|word| command.find_subcommand(word).is_some());
+        usage::explain(verb.unwrap_or_default(), error);
+        return ExitCode::from(Exit::Usage as u8);
+    }
     let printed = forgive_broken_pipe(error.print().and_then(|()| std::io::stdout().flush()));
     match printed {
         Err(_) if !error.use_stderr() => ExitCode::from(Exit::OutputFailed as u8),

@@ -13,7 +13,7 @@ pub(super) fn check_size(bytes: u64, limits: &Limits) -> Result<(), ReadError> {
         return Ok(());
     }
     let found = format!("the file has {bytes} bytes (limit {})", limits.bytes);
-    Err(ReadError::new(Problem::Limit, Place::File, found, "raise the limit"))
+    Err(ReadError::new(Problem::Limit, Place::File, found, "split the file"))
 }
 
 /// The warning about positions that are not finite in a file that is accepted with them.

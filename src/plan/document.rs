@@ -319,6 +319,7 @@ fn attenuation_value(attenuation: Attenuation) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::plan::with_size;
 
     #[test]
     fn a_size_goes_into_the_settings() {

@@ -82,6 +82,8 @@ mod effect;
 mod findings;
 // A finding in a file.
 mod finding;
+// One command for several findings.
+mod fix;
 // Where an occurrence is in its file.
 mod sites;
 // From a file to its findings.
@@ -98,5 +100,6 @@ pub use element::{Element, Severity};
 pub use estimate::recipe::{Estimate, SAMPLE};
 pub use finding::{Finding, Site, fix_command};
 pub use findings::storage::quantisation::Precision;
+pub use fix::Fix;
 pub use survey::{Survey, survey};
 pub use thresholds::Thresholds;

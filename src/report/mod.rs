@@ -44,7 +44,7 @@ pub use artefact::{
     chart_plot, experiment_page, experiment_sheet, index_page, list_table, mathml, measure_table, misses,
     page_name, picture_name, spoken, verdict_text,
 };
-pub use diagnosis::{After, Sight, deviation_picture, diagnosis_page};
+pub use diagnosis::{After, DiagnosisPage, Sight, deviation_picture};
 pub use error::ReportError;
 pub use html::{Drawing, Page, escape_html, svg_file};
 pub use overlay::{Overlay, overlay};

@@ -60,11 +60,11 @@ pub struct NotFinite {
 
 fn cause(normal: &[f64; 3], light: &Option<usize>) -> String {
     match light {
-        _ if normal.iter().any(|x| !x.is_finite()) => "; the normal is to blame".to_owned(),
+        _ if normal.iter().any(|x| !x.is_finite()) => "; the normal is not finite".to_owned(),
         Some(number) => format!(
-            "; light {number} is at the point itself, or its distance, attenuation or colour leaves the range of numbers"
+            "; light {number} is at the point itself, or its distance, attenuation or colour exceeds the range of numbers"
         ),
-        None => "; so much light leaves the range of numbers".to_owned(),
+        None => "; the sum of all light exceeds the range of numbers".to_owned(),
     }
 }
 
@@ -95,7 +95,7 @@ impl Place {
     }
 
     pub(super) fn positive(self, field: &'static str, value: f64) -> Result<()> {
-        self.hold(value > 0.0 && value.is_finite(), field, value, "finite and over 0")
+        self.hold(value > 0.0 && value.is_finite(), field, value, "finite and above 0")
     }
 
     pub(super) fn colour(self, field: &'static str, colour: LinearRgb) -> Result<()> {

@@ -249,7 +249,7 @@ impl Cone {
             return Err(place.angle_error(
                 "cut-off",
                 cut_off,
-                "over 0° and up to 90°, or 180° for no cut-off",
+                "above 0° and up to 90°, or 180° for no cut-off",
             ));
         }
         let Radians(soft) = self.soft_edge;

@@ -89,6 +89,7 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     ("serde_json", &["io", "report", "cli"]),
     ("shlex", &["io"]),
     ("spade", &["mesh", "surface"]),
+    ("strsim", &["cli"]),
     ("tempfile", &["cli"]),
     (
         "thiserror",

@@ -141,6 +141,24 @@ fn commands_print_what_the_pages_show() {
     assert!(count >= 20, "only {count} commands were found");
 }
 
+/// The scenes that the page of scene files shows can be drawn.
+#[test]
+fn scenes_on_pages_are_drawn() {
+    let page = fs::read_to_string(root().join("docs/scenes.md")).unwrap();
+    let blocks = page.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next());
+    let folder = tempfile::tempdir().unwrap();
+    let mut count = 0;
+    for scene in blocks {
+        fs::write(folder.path().join("scene.toml"), scene).unwrap();
+        let mut program = Command::new(env!("CARGO_BIN_EXE_crease"));
+        program.args(["render", "scene.toml", "--size", "32x24", "-o", "scene.png"]);
+        let output = program.current_dir(folder.path()).output().unwrap();
+        assert!(output.status.success() && output.stderr.is_empty(), "{scene}{output:?}");
+        count += 1;
+    }
+    assert!(count >= 2, "only {count} scenes were found");
+}
+
 #[test]
 fn patterns_match_what_they_should() {
     let page = "$ not here\n```console\n$ a | b\nx 1\ny …\n…\n$ c\n? 3\n```\n```\n$ nor here\n```\n";
@@ -154,7 +172,7 @@ fn patterns_match_what_they_should() {
     assert!(matches(&found[1].output, &[]) && !matches(&found[1].output, &["x"]));
 }
 
-/// What a page names with `cargo`: benches, tests and packages.
+/// What a page names with `cargo`, in indented lines and between backquotes: benches, tests, modules and packages.
 #[test]
 fn cargo_commands_name_what_exists() {
     let manifest = fs::read_to_string(root().join("Cargo.toml")).unwrap();
@@ -165,14 +183,30 @@ fn cargo_commands_name_what_exists() {
         words.windows(2).all(|pair| match pair[0] {
             "--bench" => manifest.contains(&format!("[[bench]]\nname = \"{}\"\n", pair[1])),
             "--manifest-path" => root().join(pair[1]).exists(),
-            "suite" => pair[1].starts_with('-') || tests.contains(&format!("fn {}", pair[1])),
+            "suite" => {
+                let group = pair[1].split("::").next().unwrap();
+                pair[1].starts_with('-')
+                    || tests.contains(&format!("fn {}", pair[1]))
+                    || root().join(format!("tests/suite/{group}.rs")).exists()
+            }
+            "unit" => {
+                let module = root().join("src").join(pair[1].trim_end_matches(':').replace("::", "/"));
+                module.is_dir() || module.with_extension("rs").exists()
+            }
             _ => true,
         })
     };
-    let commands: Vec<String> = pages().iter().flat_map(|(_, text)| indented(text, "cargo")).collect();
+    let of_page = |text: &str| {
+        let prose: String = text.split("```").step_by(2).collect();
+        let quoted =
+            prose.split('`').skip(1).step_by(2).filter(|code| code.contains("cargo ")).map(str::to_owned);
+        quoted.chain(indented(text, "cargo")).collect::<Vec<_>>()
+    };
+    let commands: Vec<String> = pages().iter().flat_map(|(_, text)| of_page(text)).collect();
     let missing: Vec<&String> = commands.iter().filter(|command| !exists(command)).collect();
-    assert!(missing.is_empty() && commands.len() >= 8, "{missing:?} of {commands:?}");
+    assert!(missing.is_empty() && commands.len() >= 30, "{missing:?} of {commands:?}");
     assert!(!exists("cargo bench --bench no_such_bench") && !exists("cargo test --test suite no_such_test"));
+    assert!(!exists("cargo suite no_such_group::test") && !exists("cargo unit no::such_module"));
 }
 
 /// A command in running text has options of its verb.
@@ -362,6 +396,11 @@ fn messages_and_texts_are_in_plain_words() {
             literals_and_comments(&code(&source))[0].iter().for_each(|text| check(&name, text));
         }
     }
+    for name in ["Cargo.toml", ".ci/run", ".ci/compare"] {
+        let source = fs::read_to_string(root().join(name)).unwrap();
+        let comments = source.lines().filter(|line| line.trim_start().starts_with('#'));
+        check(name, &comments.collect::<Vec<_>>().join(" "));
+    }
     for (name, text) in sources(&root().join("src"), ".txt") {
         text.lines().for_each(|line| check(&name, line));
     }
@@ -405,21 +444,31 @@ fn help_is_short_and_in_plain_words() {
 }
 
 #[test]
-fn the_readme_is_short_and_its_library_example_runs() {
+fn the_readme_is_short_and_its_library_examples_work() {
     let readme = fs::read_to_string(root().join("README.md")).unwrap();
     assert!(readme.lines().count() <= 250, "{} lines", readme.lines().count());
-    let source = include_str!("docs.rs");
-    let example = source
-        .split("// README example: begin\n")
-        .nth(1)
-        .unwrap()
-        .split("// README example: end")
-        .next()
-        .unwrap();
-    for line in example.lines().map(str::trim).filter(|line| !line.is_empty()) {
+    let marked = include_str!("docs.rs").split("// README example: begin\n").skip(1);
+    let examples: Vec<&str> = marked.filter_map(|rest| rest.split("// README example: end").next()).collect();
+    assert_eq!(examples.len(), 2);
+    for line in examples.concat().lines().map(str::trim).filter(|line| !line.is_empty()) {
         assert!(readme.contains(line), "not in the README: {line}");
     }
     slices().unwrap();
+    // The example reads from the working folder, which other tests use too: there is no such file in it.
+    assert!(files().is_err());
+}
+
+#[rustfmt::skip]
+fn files() -> Result<(), Box<dyn std::error::Error>> {
+    // README example: begin
+    use crease::{io, pipeline};
+
+    let loaded = io::read("gear.obj".as_ref(), None, &io::ReadOptions::default())?;
+    let revision = pipeline::revise(&loaded, &pipeline::Task::default(), Some(io::Format::Glb), &|_| {});
+    let written = io::write(&loaded, revision.edits, io::Format::Glb, &io::WriteOptions::default())?;
+    std::fs::write("gear.glb", written.bytes)?;
+    // README example: end
+    Ok(())
 }
 
 #[rustfmt::skip]

@@ -2,10 +2,10 @@
 
 about = Show the classic artefacts of shading, with numbers
 
-    Each experiment states what textbooks claim, draws it, and measures it next to a closed form. It reports whether the claim
-    holds and under what conditions it fails. With -o it writes a page with all pictures; `all` adds an index. With `all`, an
-    option changes the experiments that take it, and a note names these. A measure that is off its closed form is an error and
-    gives exit code 1.
+    Each experiment states what textbooks claim, draws it, measures it, and compares the numbers with a formula or an
+    independent check. It reports whether the claim holds and under what conditions it fails. With -o it writes a page with all
+    pictures; `all` adds an index. With `all`, an option changes the experiments that take it, and a note names these. If a
+    measure differs from its expected value, the exit code is 1.
 example-1 = crease artefact list
 example-2 = crease artefact mach-bands --segments 24 --light 60 -o out
 example-3 = crease artefact all -o gallery

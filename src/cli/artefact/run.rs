@@ -10,7 +10,7 @@ use crate::cli::common::input::Source;
 use crate::cli::common::options::Color;
 use crate::cli::common::output::make_folder;
 use crate::cli::common::progress::Progress;
-use crate::cli::help::usage_error;
+use crate::cli::usage::usage_error;
 use crease::artefact::{ArtefactError, EXPERIMENTS, Experiment, Language, ParameterName, Setup, UserMesh};
 use crease::io::{Loaded, ReadOptions, shell_word};
 use crease::mesh::{Faces, Mesh, MeshBuilder};

@@ -175,7 +175,7 @@ pub fn guarded<T>(work: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failur
     let message = MESSAGE.lock().ok().and_then(|mut message| message.take());
     result.unwrap_or_else(|_| {
         let message = message.unwrap_or_else(|| "panicked".into());
-        let message = format!("a fault of crease itself: {message}{HELP}please report it");
+        let message = format!("internal error: {message}{HELP}please report it");
         Err(Failure::new(FailureKind::Internal, message))
     })
 }

@@ -8,6 +8,8 @@ pub mod console;
 pub mod failure;
 /// Files and standard input.
 pub mod input;
+/// The known name that is most similar to an unknown one.
+pub mod nearest;
 /// Numbers with the words that belong to them.
 pub mod numbers;
 /// Options that several verbs have.

@@ -8,7 +8,7 @@ use crease::normals::{Crease, Weight, When};
 use crease::num::{Degrees, LinearRgb, Srgb8};
 use glam::DVec3;
 
-#[derive(Args)]
+#[derive(Args, Default)]
 #[command(next_help_heading = "Running and reporting")]
 pub struct RunArgs {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
@@ -52,7 +52,7 @@ choices! { When: "always" => Always, "missing" => Missing, "broken" => Broken }
 pub fn confidence(text: &str) -> Result<Confidence, String> {
     match text.parse() {
         Ok(share) if (0.5..=1.0).contains(&share) => Ok(Confidence(share)),
-        _ => Err("a number from 0.5 to 1 was expected".into()),
+        _ => Err("expected a number from 0.5 to 1".into()),
     }
 }
 
@@ -63,7 +63,7 @@ pub fn crease_angle(text: &str) -> Result<Degrees, String> {
     }
     match text.parse() {
         Ok(angle) if (0.0..=180.0).contains(&angle) => Ok(Degrees(angle)),
-        _ => Err("an angle from 0 to 180 degrees, or `off`, was expected".into()),
+        _ => Err("expected an angle from 0 to 180 degrees, or `off`".into()),
     }
 }
 

@@ -8,7 +8,7 @@ creaserule-fan = sharp edges cut the fan of faces at a vertex into smooth groups
 creaserule-cone = each corner averages the faces within the angle of its own face
 
 groups-honour = edges between different groups, or without one, are sharp
-groups-ignore = none
+groups-ignore = smoothing groups have no effect
 
 hardedge-uv = edges with different texture coordinates on both sides
 hardedge-material = edges between two materials
@@ -29,7 +29,7 @@ orient-consistent = neighbours agree; in each component the minority is reversed
 orient-outward = closed components face outward, cavities inward, rooms as their stored normals; open components face their
     outer side, if it is certain
 
-tangentpolicy-drop = omitted, with a note; readers then generate them
+tangentpolicy-drop = omitted, with a note; viewers then generate them
 tangentpolicy-keep = kept unchanged
 tangentpolicy-regenerate = computed by MikkTSpace where texture coordinates allow
 
@@ -47,7 +47,7 @@ sight-top = from +y
 sight-bottom = from −y
 
 severity-error = wrong in any picture
-severity-warning = shows in some light or some viewer
+severity-warning = visible in some light or in some viewers
 severity-note = for information, may be intended
 
 language-en = English
@@ -68,7 +68,7 @@ kind-teapot = Newell's, of 32 patches
 
 pattern-triangles = a grid of the parameters, its cells cut in two
 pattern-stretched = the same, with cells stretched by --ratio in one direction
-pattern-slivers = every other row --ratio times as close to the next
+pattern-slivers = every second row of vertices is --ratio times closer to the next row
 pattern-quads = the cells themselves
 pattern-polygons = the dual of the triangles: mostly hexagons; the tip of a cone is cut off
 pattern-icosphere = a subdivided icosahedron (sphere, ellipsoid, superquadric)
@@ -110,8 +110,8 @@ hiddenlines-remove = they are omitted
 hiddenlines-show = they are drawn like all others
 
 cull-none = none
-cull-back = those seen from behind
-cull-front = those seen from the front
+cull-back = faces seen from behind
+cull-front = faces seen from the front
 
 samples-1 = the centre
 samples-4 = a rotated square
@@ -136,8 +136,8 @@ color-always = always
 color-never = never
 
 format-obj = Wavefront OBJ
-format-ply = PLY, ascii or binary
-format-stl = STL, ascii or binary
+format-ply = PLY, ASCII or binary
+format-stl = STL, ASCII or binary
 format-gltf = glTF 2.0, JSON
 format-glb = glTF 2.0, binary
 
@@ -147,13 +147,13 @@ weight-angle = angle of the face at the corner (Thürmer & Wüthrich 1998)
 weight-angle-area = angle times area
 weight-max = sin of the angle over the product of the edge lengths; exact on a sphere (Max 1999)
 weight-edge = 1 over the product of the edge lengths
-weight-quadric = least-squares quadric through the two-ring: second order; for noise
+weight-quadric = least-squares quadric through the two-ring: second order; for noisy points
 weight-jet = osculating jet of degree 3 (Cazals & Pouget 2005): third order; for smooth surfaces without noise
 weight-best = jet, quadric or angle, whichever has the smallest estimated error on the mesh
 
 when-always = all
-when-missing = only those of corners without a normal
-when-broken = also normals that are not finite, zero, or against their own face; other lengths are normalised
+when-missing = none; only corners without a normal are filled
+when-broken = also those that are not finite, zero, or against their own face; other lengths are normalised
 
 minimise-work = operations for the pictures
 minimise-bytes = bytes of vertex and index buffers

@@ -1,13 +1,15 @@
 //! The options of `crease inspect`.
 
 use crate::cli::common::choice::{choices, one_of};
+use crate::cli::common::console::HELP;
+use crate::cli::common::nearest::did_you_mean;
 use crate::cli::common::options::{RunArgs, confidence};
 use clap::Args;
 use crease::io::Format;
 use crease::mesh::Confidence;
 use crease::num::Degrees;
-use crease::quality::catalogue::Kind;
-use crease::quality::{Severity, Thresholds};
+use crease::quality::catalogue::{Kind, entries};
+use crease::quality::{Finding, Severity, Thresholds};
 use crease::report::Sight;
 use glam::DVec3;
 use std::path::PathBuf;
@@ -65,6 +67,20 @@ pub struct FindingArgs {
     pub explain: Vec<String>,
 }
 
+impl FindingArgs {
+    /// Whether a finding is reported.
+    pub fn takes(&self, finding: &Finding) -> bool {
+        finding.severity >= self.severity.unwrap_or(Severity::Note)
+            && !self.ignore.contains(&finding.kind)
+            && (self.only.is_empty() || self.only.contains(&finding.kind))
+    }
+
+    /// Whether notes are asked for: the text lists them, and the fix is made for them too.
+    pub fn names_notes(&self) -> bool {
+        self.severity == Some(Severity::Note) || !self.only.is_empty()
+    }
+}
+
 /// Makes the options of the thresholds: `option => field of Thresholds: type, parser, name of the value`.
 macro_rules! thresholds {
     ($($(#[$help:meta])* $option:ident => $field:ident: $type:ty, $parser:expr, $value:literal;)*) => {
@@ -118,7 +134,7 @@ thresholds! {
 fn angle(text: &str) -> Result<Degrees, String> {
     match text.parse() {
         Ok(angle) if (0.0..=180.0).contains(&angle) => Ok(Degrees(angle)),
-        _ => Err(format!("expected an angle from 0 to 180 degrees, not {text}")),
+        _ => Err("expected an angle from 0 to 180 degrees".into()),
     }
 }
 
@@ -132,7 +148,7 @@ fn from_1(text: &str) -> Result<f64, String> {
 
 fn number(text: &str, least: f64) -> Result<f64, String> {
     let number = text.parse().ok().filter(|&number: &f64| number.is_finite() && number >= least);
-    number.ok_or_else(|| format!("expected a number of {least} or more, not {text}"))
+    number.ok_or_else(|| format!("expected a number of {least} or more"))
 }
 
 choices! { Sight:
@@ -143,5 +159,8 @@ choices! { Sight:
 choices! { Severity: "error" => Error, "warning" => Warning, "note" => Note }
 
 fn kind(id: &str) -> Result<Kind, String> {
-    Kind::of_id(id).ok_or_else(|| "no finding has this name; `crease inspect --explain all` lists all".into())
+    Kind::of_id(id).ok_or_else(|| {
+        let similar = did_you_mean(id, entries().map(|entry| entry.id));
+        format!("no finding has this id{HELP}{similar}`crease inspect --explain all` lists all")
+    })
 }

@@ -1,21 +1,22 @@
 # The help of `crease inspect`.
 
-about = Report what is wrong with a mesh's normals, why, where, and how much it shows
+about = Report what is wrong with a mesh's normals, why, where, and how visible it is
 
     crease searches for the weight and the crease angle that reproduce the stored normals best, and compares the normals with
-    these. Each finding has a stable id, a severity (error: wrong in any picture; warning: shows in some; note: may be intended),
-    a cause, its worst positions, and the command that fixes it, if there is one.
+    these. Each finding has a stable id, a severity, a cause and its worst positions. An error is wrong in any picture, a warning
+    is visible in some pictures, and a note may be intended. One command fixes the errors and warnings that can be fixed
+    together, and the report lists which these are.
 example-1 = crease inspect part.glb --html report.html
 example-2 = crease inspect models --recursive --json --fail-on error
 example-3 = crease inspect --explain faceted
 
-against = Compare with this file of the same shape: by how many degrees the normals changed, how much that shows, and which
+against = Compare with this file of the same shape: by how many degrees the normals changed, how visible that is, and which
     findings were added or removed. Faces are matched by the positions of their corners, so order, splits and triangulation do not
     matter. `-` is standard input (one input only). --fail-on judges the input, not this file
 html = File for a page with pictures, histograms and explanations; `-` is standard output, and the report then goes to
     standard error
-heatmap = PNG file for the mesh coloured by the deviation of its stored normals, with a legend and a ring around the worst
-    position of each error and warning; `-` is standard output
+heatmap = PNG file for the mesh coloured by the deviation of its stored normals, or `-` for standard output. The picture has a
+    legend, and a ring around the worst position of each error and warning
 view = View direction of the pictures
 fail-on = Exit with code 1 if a reported finding has at least this severity. If a file of a batch cannot be read, the exit
     code is 5
@@ -37,14 +38,14 @@ length = Maximum deviation of the length of a normal from 1 [default: 0.00674]
 strict-length = Tolerance of the length below which no note is given [default: 0.001]
 planarity = Maximum angle between a polygon and the planes at its corners, in degrees [default: 10]
 weld = Distance below which two open edges count as one, as a fraction of the bounding box's diagonal [default: 1e-6]
-needle = Ratio of width to length below which a face counts as long and thin; of a triangle, height over longest
+needle = Ratio of width to length below which a face counts as long and thin; for a triangle, height over longest
     edge [default: 0.001]
 fold = Edges with a larger dihedral angle count as folded, in degrees [default: 170]
 rounding = Maximum error of face normals from rounding positions to 32 bits, in degrees [default: 0.5]
 confidence = Minimum confidence needed to decide which side of an open surface is outside, from 0.5 to 1 [default: 0.9]
 valence = Maximum number of faces at a vertex [default: 48]
-exponent = Specular exponent (Blinn) at which a face counts as too large [default: its material's, or 32]
-band = Change of slope at an edge that shows as a Mach band, in 8-bit steps a pixel [default: 0.1]
+exponent = Specular exponent (Blinn) of the highlight that each face must show [default: its material's, or 32]
+band = Change of slope at an edge that is visible as a Mach band, in 8-bit steps a pixel [default: 0.1]
 terminator = Maximum angle between a normal and its face before shadows break up, in degrees [default: 20]
 outline = Maximum deviation of an outline from its curve, in pixels [default: 1]
 size = Width of the mesh on the screen for outlines and bands, in pixels [default: 512]

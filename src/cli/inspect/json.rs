@@ -3,7 +3,7 @@
 use crate::cli::common::input::Source;
 use crate::cli::common::report::{Head, InputReport};
 use crease::num::Degrees;
-use crease::quality::{Comparison, Diagnosis, Finding, PartDiagnosis, Severity, key_light_steps};
+use crease::quality::{Comparison, Diagnosis, Finding, Fix, PartDiagnosis, Severity, key_light_steps};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -17,6 +17,7 @@ pub struct InspectReport {
     pub hidden: Counts,
     pub parts: Vec<PartDiagnosis>,
     pub findings: Vec<FindingReport>,
+    pub fix: Option<Fix>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub against: Option<Against>,
     pub seconds: Seconds,
@@ -39,6 +40,10 @@ impl Counts {
     pub fn of(diagnosis: &Diagnosis) -> Self {
         let [note, warning, error] = Severity::ALL.map(|severity| diagnosis.count(severity));
         Self { error, warning, note }
+    }
+
+    pub fn total(self) -> usize {
+        self.error + self.warning + self.note
     }
 
     pub fn without(self, others: Self) -> Self {

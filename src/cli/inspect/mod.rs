@@ -2,8 +2,6 @@
 
 /// Options.
 pub mod args;
-/// One command for all remedies.
-mod fix;
 /// The report as JSON.
 mod json;
 /// Reading, diagnosing and drawing.

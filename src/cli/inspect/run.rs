@@ -2,20 +2,20 @@
 
 use super::args::{FindingArgs, InspectArgs, PictureArgs};
 use super::json::{Against, Counts, InspectReport};
+use super::symptoms;
 use super::text::{self, Layout};
-use super::{fix, symptoms};
 use crate::cli::common::console::{Console, HELP, Style, Verbosity, escaped};
 use crate::cli::common::failure::{Batch, Exit, Failure, exit_code, guarded};
 use crate::cli::common::input::{Source, check_root, expand};
 use crate::cli::common::options::Color;
 use crate::cli::common::output::{Target, is_same_file, resolve_parent, stem};
 use crate::cli::common::progress::{FileProgress, Progress, Stage};
-use crate::cli::help::{refused, usage_error};
+use crate::cli::usage::{refused, usage_error};
 use crease::io::{Loaded, ReadOptions};
 use crease::num::Transfer;
 use crease::quality::catalogue::{Kind, entries};
-use crease::quality::{Diagnosis, Finding, Severity, Thresholds, compare, diagnose};
-use crease::report::{After, deviation_picture, diagnosis_page, encode_png};
+use crease::quality::{Diagnosis, Thresholds, compare, diagnose};
+use crease::report::{After, DiagnosisPage, deviation_picture, encode_png};
 use std::collections::HashSet;
 use std::path::Path;
 use std::time::Instant;
@@ -51,7 +51,8 @@ fn explained(words: &str, style: Style) -> String {
         [] => usage_error(
             "inspect",
             format!(
-                "no finding fits {words:?}{HELP}name what is visible ({}), or `all` for every finding",
+                "no finding fits {words:?}{HELP}{}name what is visible ({}), or `all` for every finding",
+                symptoms::similar(words),
                 symptoms::examples()
             ),
         ),
@@ -131,12 +132,14 @@ fn inspect(
         after = Some(other);
     }
     report.seconds.inspect = start.elapsed().as_secs_f64();
-    report.hidden = keep_wanted(&mut diagnosis, &args.findings);
     let stem = source.path().map_or("stdin".into(), |path| stem(path).unwrap_or_default());
     let output = |number: String| format!("{stem}-fixed{number}.{}", loaded.format.extension());
     let numbers = (1..).map(|number| if number == 1 { String::new() } else { format!("-{number}") });
     report.fix_as =
         numbers.map(output).find(|name| outputs.insert(name.clone())).expect("numbers do not end");
+    let (wanted, names) = (&args.findings, [&*report.input.path, &*report.fix_as]);
+    report.fix = diagnosis.fix(|finding| wanted.takes(finding), wanted.names_notes(), names);
+    report.hidden = keep_wanted(&mut diagnosis, wanted);
     report.fill(&diagnosis);
     draw(&loaded, &diagnosis, after.as_ref(), report, args)?;
     let is_grave = args.findings.fail_on.is_some_and(|least| diagnosis.worst() >= Some(least));
@@ -173,13 +176,15 @@ fn draw(
         let after = after.zip(report.against.as_ref());
         let after =
             after.map(|(loaded, Against { path, comparison })| After { name: path, loaded, comparison });
-        let is_serious = diagnosis.worst() > Some(Severity::Note);
-        let fixable = diagnosis.findings.iter();
-        let fixable: Vec<&Finding> =
-            fixable.filter(|it| !is_serious || it.severity > Severity::Note).collect();
-        let fix = fix::command(&fixable, &report.input.path, &report.fix_as);
-        let page = diagnosis_page(loaded, diagnosis, after, &report.input.path, fix.as_deref(), *view);
-        Target::of(path).store(page.map_err(Failure::input)?.into_bytes())?;
+        let page = DiagnosisPage {
+            name: &report.input.path,
+            fix: report.fix.as_ref(),
+            omitted: report.hidden.total(),
+            after,
+            sight: *view,
+        };
+        let page = page.html(loaded, diagnosis).map_err(Failure::input)?;
+        Target::of(path).store(page.into_bytes())?;
         report.written.push(("page", Target::of(path).name()));
     }
     if let Some(path) = heatmap {
@@ -193,11 +198,7 @@ fn draw(
 /// Keeps the findings that were asked for and returns the counts of the others.
 fn keep_wanted(diagnosis: &mut Diagnosis, args: &FindingArgs) -> Counts {
     let all = Counts::of(diagnosis);
-    diagnosis.findings.retain(|finding| {
-        finding.severity >= args.severity.unwrap_or(Severity::Note)
-            && !args.ignore.contains(&finding.kind)
-            && (args.only.is_empty() || args.only.contains(&finding.kind))
-    });
+    diagnosis.findings.retain(|finding| args.takes(finding));
     all.without(Counts::of(diagnosis))
 }
 

@@ -1,5 +1,6 @@
 //! From what one sees in a picture to findings, for `--explain`.
 
+use crate::cli::common::nearest::did_you_mean;
 use crease::quality::catalogue::{Entry, entries};
 
 /// What one sees, in the words of users, and the ids of the findings that cause it.
@@ -15,6 +16,14 @@ const FILLERS: [&str; 14] =
 pub fn examples() -> String {
     let first = |(seen, _): (&'static str, &str)| seen.split(',').next().unwrap_or_default();
     symptoms().map(first).collect::<Vec<_>>().join(", ")
+}
+
+/// A suggestion of an id or a symptom that is similar to words.
+pub fn similar(words: &str) -> String {
+    let words = words.trim().to_lowercase();
+    let ids = entries().map(|entry| entry.id);
+    let seen = symptoms().flat_map(|(seen, _)| seen.split(", "));
+    did_you_mean(&words.replace(' ', "-"), ids.chain(seen))
 }
 
 /// The findings that a word or a symptom means: those with these words in their id, and the causes of the symptoms that
@@ -60,5 +69,12 @@ mod tests {
             assert!(ids(words).contains(&id), "{words}: {:?}", ids(words));
         }
         assert!(ids("gibberish").is_empty() && ids(" ").is_empty());
+        for (words, suggestion) in
+            [("invertd normals", "inverted-normals"), ("facetted", "faceted"), ("blokcy", "blocky")]
+        {
+            assert!(ids(words).is_empty(), "{words}: {:?}", ids(words));
+            assert_eq!(similar(words), format!("did you mean {suggestion}? "));
+        }
+        assert_eq!(similar("gibberish"), "");
     }
 }

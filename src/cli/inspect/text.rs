@@ -1,12 +1,11 @@
 //! The report of `crease inspect` on one input file, and explanations of findings, as text.
 
-use super::fix;
 use super::json::{Against, Counts, InspectReport};
 use crate::cli::common::console::{Style, escaped};
 use crate::cli::common::numbers::{count, count_of};
 use crease::num::{Degrees, three_digits};
-use crease::quality::catalogue::Entry;
-use crease::quality::{Element, Finding, PartDiagnosis, Severity, Site};
+use crease::quality::catalogue::{Entry, Kind};
+use crease::quality::{Element, Finding, Fix, PartDiagnosis, Severity, Site};
 use std::fmt::Write;
 
 pub struct Layout {
@@ -72,9 +71,7 @@ impl Layout {
         for finding in &shown {
             out.push_str(&self.finding(finding, report));
         }
-        if let Some(command) = fix::command(&shown, &report.input.path, &report.fix_as) {
-            let _ = writeln!(out, "  fix: {}", escaped(&command));
-        }
+        out.push_str(&fix(&shown, report));
         let has_recipe =
             |it: &&PartDiagnosis| self.verbose || report.parts.len() == 1 && it.estimate.is_some();
         for part in report.parts.iter().filter(has_recipe) {
@@ -148,12 +145,13 @@ impl Layout {
                 angle(Degrees(comparison.angles.mean), mean_steps)
             ),
         };
+        let [here, there] = [&report.input.path, path].map(|path| format!("only in {}", escaped(path)));
         let counts = [
-            (comparison.gained, ["corner has", "corners have"], "a normal only in that file"),
-            (comparison.lost, ["corner has", "corners have"], "a normal only in this file"),
+            (comparison.gained, ["corner has", "corners have"], &*format!("a normal {there}")),
+            (comparison.lost, ["corner has", "corners have"], &*format!("a normal {here}")),
             (comparison.turned, ["face has", "faces have"], "reversed winding"),
-            (comparison.unmatched[0], ["face is", "faces are"], "only in this file"),
-            (comparison.unmatched[1], ["face is", "faces are"], "only in that file"),
+            (comparison.unmatched[0], ["face is", "faces are"], &*here),
+            (comparison.unmatched[1], ["face is", "faces are"], &*there),
         ];
         let counts = counts.into_iter().filter(|(number, ..)| *number > 0);
         let mut lines: Vec<String> = counts
@@ -196,12 +194,31 @@ fn colour(severity: Severity) -> &'static str {
 
 /// `38 of 1260 corners`.
 fn elements(finding: &Finding) -> String {
-    let plural = match finding.kind.entry().element {
+    format!("{} of {} {}", finding.count, finding.of, plural(finding.kind.entry().element))
+}
+
+fn plural(element: Element) -> String {
+    match element {
         Element::Vertex => "vertices".to_owned(),
         Element::Mesh => "meshes".to_owned(),
         element => format!("{}s", element.name()),
+    }
+}
+
+/// The command that fixes findings of which one is shown, and which it fixes.
+fn fix(shown: &[&Finding], report: &InspectReport) -> String {
+    let ids = |is_fixed: bool, kinds: &[Kind]| {
+        let ids = shown.iter().map(|finding| finding.kind).filter(|kind| kinds.contains(kind) == is_fixed);
+        ids.map(Kind::id).collect::<Vec<_>>().join(", ")
     };
-    format!("{} of {} {plural}", finding.count, finding.of)
+    let Some(Fix { command, kinds }) = &report.fix else { return String::new() };
+    match (ids(true, kinds), ids(false, kinds)) {
+        (fixed, _) if fixed.is_empty() => String::new(),
+        (fixed, others) => {
+            let others = if others.is_empty() { others } else { format!("; not fixed: {others}") };
+            format!("  fix: {}\n    fixed: {fixed}{others}\n", escaped(command))
+        }
+    }
 }
 
 /// The size of a part, the recipe that reproduces its normals best, and their precision.
@@ -246,11 +263,11 @@ pub fn explanation(entry: &Entry, style: Style) -> String {
         None => "no command; see above".to_owned(),
     };
     format!(
-        "{} ({} at most; {}; counts {})\n  {}.\n  {}\n  What to do: {}\n  Fix: {fix}\n",
+        "{} (severity: at most {}; group: {}; counts {})\n  {}.\n  {}\n  What to do: {}\n  Fix: {fix}\n",
         style.paint(Style::BOLD, entry.id),
         entry.severity.name(),
         entry.family.name(),
-        entry.element.name(),
+        plural(entry.element),
         capital(&entry.title()),
         entry.meaning(),
         entry.advice()

@@ -145,7 +145,7 @@ fn weld(text: &str) -> Result<Weld, String> {
         ("exact", _) => Ok(Weld::Exact),
         ("off", _) => Ok(Weld::Off),
         (_, Ok(fraction)) if fraction > 0.0 && fraction < 1.0 => Ok(Weld::Relative(fraction)),
-        _ => Err("`exact`, `off` or a fraction above 0 and below 1 (such as 1e-6) was expected".into()),
+        _ => Err("expected `exact`, `off` or a fraction above 0 and below 1 (such as 1e-6)".into()),
     }
 }
 

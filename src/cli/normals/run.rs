@@ -10,7 +10,7 @@ use crate::cli::common::options::Color;
 use crate::cli::common::output::{Store, folder_of, stem};
 use crate::cli::common::progress::{FileProgress, Progress, Stage};
 use crate::cli::common::report::MeshOutput;
-use crate::cli::help::refused;
+use crate::cli::usage::refused;
 use crease::io::{self, Format, Loaded, Written};
 use crease::pipeline;
 use std::path::Path;

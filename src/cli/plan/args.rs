@@ -144,6 +144,6 @@ impl PlanArgs {
 fn share(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(share) if (0.0..=1.0).contains(&share) => Ok(share),
-        _ => Err("a share from 0 to 1 was expected".into()),
+        _ => Err("expected a share from 0 to 1".into()),
     }
 }

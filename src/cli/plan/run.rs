@@ -7,7 +7,7 @@ use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
 use crate::cli::common::options::Color;
 use crate::cli::common::output::{Target, is_same_file};
 use crate::cli::common::progress::Progress;
-use crate::cli::help::usage_error;
+use crate::cli::usage::usage_error;
 use crease::io::shell_word;
 use crease::num::Transfer;
 use crease::plan::{PlanError, most_accurate, plan, plan_with_evidence, scene_text};

@@ -29,7 +29,7 @@ impl<'a> Fields<'a> {
     /// The fields of a text that has some; an empty one is an error.
     fn some(text: &'a str, such_as: &str) -> Result<Self, String> {
         match text.trim() {
-            "" => Err(format!("words KEY=VALUE were expected, such as {such_as}")),
+            "" => Err(format!("expected words KEY=VALUE, such as {such_as}")),
             words => Self::new(words),
         }
     }
@@ -127,7 +127,7 @@ pub fn camera(text: &str) -> Result<CameraChange, String> {
     };
     let height = |text: &str| match number(text)? {
         height if height > 0.0 => Ok(Projection::Orthographic(height)),
-        _ => Err(format!("{text:?} is not over 0")),
+        _ => Err(format!("{text:?} is not above 0")),
     };
     let mut fields = Fields::some(text, "eye=3,2,5 target=0,0,0 angle=40")?;
     let (eye, target, up) =
@@ -211,9 +211,7 @@ fn attenuation(text: &str) -> Result<Attenuation, String> {
         Some(("offset", k)) => Ok(Attenuation::Offset(number(k)?)),
         _ => match vector(text) {
             Ok(coefficients) => Ok(Attenuation::Quadratic(coefficients.to_array())),
-            Err(_) => {
-                Err("none, inverse-square, inverse-square:RANGE, offset:K or KC,KL,KQ was expected".into())
-            }
+            Err(_) => Err("expected none, inverse-square, inverse-square:RANGE, offset:K or KC,KL,KQ".into()),
         },
     }
 }
@@ -300,7 +298,7 @@ mod tests {
         assert!(camera("angle=30 height=2").unwrap_err().contains("exclude"));
         let wrong = [
             ("angle=180", "angle: \"180\" is not between 0 and 180 degrees"),
-            ("height=0", "height: \"0\" is not over 0"),
+            ("height=0", "height: \"0\" is not above 0"),
             ("near=-1", "near: \"-1\""),
             ("eye=1,2,3 target=1,2,3", "same point"),
             ("up=0,0,0", "points nowhere"),

@@ -20,7 +20,7 @@ samples = Samples per pixel, each shaded separately; 4, 8 and 16 are the pattern
 bits = Bits of each component [default: 8]
 compare = Draw panels side by side that differ in shading or interpolation, as --compare flat,gouraud,phong,exact or --compare
     scanline,affine,perspective; with --shading only interpolations, with --interpolation only shadings
-turntable = Draw an animation of N frames: one turn about the upright axis; camera and lights stay. Needs a GIF output
+turntable = Draw an animation of N frames: one rotation about the upright axis; camera and lights stay. Needs a GIF output
 probe = Print the numbers behind a pixel, from 0 at the upper left: the visible face, N, L, V, R, H and every term. Objects,
     faces, vertices and lights count from 0
 shading = Where colours are computed [default: phong]
@@ -29,9 +29,9 @@ reflection = Highlight model, or the stored vertex colours without light [defaul
 exponent = Exponent of the highlight, 0 or more: a larger exponent gives a smaller highlight [default: the material's, or 32]
 flat-sample = Point at which flat faces are lit [default: centroid]
 show = Draw normals, facing, depth, face-id or deviation in place of light. `normals`: (n + 1)/2; `facing`: front light blue,
-    back dark red; `depth`: white near, black far; `face-id`: a colour for each face; `deviation[=DEG]`: the angle between the
-    interpolated normal and that of the analytic surface of the object, else of the face, from black over red and yellow to white
-    at 15° or the given angle
+    back dark red; `depth`: white near, black far; `face-id`: a colour for each face. `deviation[=DEG]`: the angle between the
+    interpolated normal and that of the analytic surface, or of the face if there is none. Its colours run from black over red and
+    yellow to white at 15° or the given angle
 overlay = Draw lines over the picture
 hidden-lines = Treatment of lines behind surfaces [default: remove]
 cull = Omit faces by their visible side; wireframes omit their edges, overlays keep all lines [default: none]
@@ -50,7 +50,8 @@ when = Stored normals to replace [default: always; normals of a scene file only 
 guard = Switch one guard on or off: highlight, diffuse, spot, renormalise, underflow; repeatable. A guard keeps the result of
     a formula in range; textbooks usually omit it
 literal = Switch all guards off, except those that --guard switches on
-terminator = Light on faces that point away from it under interpolated normals that do not, in Phong shading [default: smooth]
+terminator = Treatment, in Phong shading, of faces that point away from the light while their interpolated normals point towards
+    it [default: smooth]
 tone = Treatment of colours above 1 [default: clamp]
 transfer = Transfer from linear light to codes [default: srgb; for --show normals and depth, direct]
 

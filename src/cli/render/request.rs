@@ -91,7 +91,7 @@ impl<'a> Request<'a> {
         if args.output.bits == Some(Bits::Sixteen) && self.file != FileKind::Png {
             return usage(format!(
                 "--bits 16 needs a PNG output: {} has 8 bits per component\nhelp: name a .png file",
-                self.file.choice()
+                self.file.choice().to_uppercase()
             ));
         }
         let compares = |wanted: fn(&Variant) -> bool| args.output.compare.iter().any(wanted);

@@ -11,7 +11,7 @@ use crate::cli::common::failure::{Exit, Failure, FailureKind, exit_code, guarded
 use crate::cli::common::input::Source;
 use crate::cli::common::options::Color;
 use crate::cli::common::progress::Progress;
-use crate::cli::help::usage_error;
+use crate::cli::usage::usage_error;
 use crease::io::{Note, Place, ReadError};
 use crease::num::{Degrees, three_digits};
 use crease::raster::{Image, Object, Projection, SceneFile, Shading, Shape, Unseen, load};

@@ -15,7 +15,7 @@ pub fn size(text: &str) -> Result<[u32; 2], String> {
     let sides = text.split_once(['x', 'X', '×']).map(|(width, height)| (side(width), side(height)));
     match sides {
         Some((Some(width), Some(height))) => Ok([width, height]),
-        _ => Err("WIDTHxHEIGHT was expected, such as 640x480, each side from 1 to 16384".into()),
+        _ => Err("expected WIDTHxHEIGHT, such as 640x480, each side from 1 to 16384".into()),
     }
 }
 
@@ -23,7 +23,7 @@ pub fn size(text: &str) -> Result<[u32; 2], String> {
 pub fn pixel(text: &str) -> Result<[u32; 2], String> {
     match text.split_once(',').map(|(x, y)| (x.trim().parse(), y.trim().parse())) {
         Some((Ok(x), Ok(y))) => Ok([x, y]),
-        _ => Err("the column and row of a pixel were expected, such as 320,240".into()),
+        _ => Err("expected the column and row of a pixel, such as 320,240".into()),
     }
 }
 
@@ -38,9 +38,9 @@ pub fn show(text: &str) -> Result<Show, String> {
         ("deviation", None) => Ok(Show::DEVIATION),
         ("deviation", Some(range)) => match number(range) {
             Ok(degrees) if degrees > 0.0 && degrees <= 180.0 => Ok(Show::Deviation(Degrees(degrees))),
-            _ => Err("an angle over 0 and up to 180 degrees was expected after deviation=".into()),
+            _ => Err("expected an angle above 0 and up to 180 degrees after deviation=".into()),
         },
-        _ => Err("normals, facing, depth, face-id, deviation or deviation=DEG was expected".into()),
+        _ => Err("expected normals, facing, depth, face-id, deviation or deviation=DEG".into()),
     }
 }
 
@@ -61,7 +61,7 @@ pub fn guard(text: &str) -> Result<GuardSwitch, String> {
     };
     match on.filter(|&on| Guards::default().set(name, on)) {
         Some(on) => Ok(GuardSwitch { name: name.into(), on }),
-        None => Err(format!("NAME=on or NAME=off was expected, of {}", Guards::NAMES.join(", "))),
+        None => Err(format!("expected NAME=on or NAME=off, with NAME one of {}", Guards::NAMES.join(", "))),
     }
 }
 

@@ -107,7 +107,7 @@ fn one_or_two(text: &str) -> Result<[f64; 2], String> {
     match finite_numbers(text).as_deref() {
         Ok(&[one]) => Ok([one; 2]),
         Ok(&[one, two]) => Ok([one, two]),
-        _ => Err("one number, or two with a comma, was expected".into()),
+        _ => Err("expected one number, or two with a comma".into()),
     }
 }
 
@@ -115,7 +115,7 @@ fn factors(text: &str) -> Result<DVec3, String> {
     let factors = match finite_numbers(text).as_deref() {
         Ok(&[one]) => DVec3::splat(one),
         Ok(&[x, y, z]) => DVec3::new(x, y, z),
-        _ => return Err("one factor, or three with commas, was expected".into()),
+        _ => return Err("expected one factor, or three with commas".into()),
     };
     if factors.cmpne(DVec3::ZERO).all() { Ok(factors) } else { Err("a factor of 0 leaves no surface".into()) }
 }
@@ -124,6 +124,6 @@ fn segments(text: &str) -> Result<[u32; 2], String> {
     let (u, v) = text.split_once('x').unwrap_or((text, text));
     match (u.parse(), v.parse()) {
         (Ok(u), Ok(v)) if u > 0 && v > 0 => Ok([u, v]),
-        _ => Err("a number of cells, or two such as 64x32, was expected".into()),
+        _ => Err("expected a number of cells, or two such as 64x32".into()),
     }
 }

@@ -9,7 +9,7 @@ use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
 use crate::cli::common::options::Color;
 use crate::cli::common::output::{Store, stem};
 use crate::cli::common::report::MeshOutput;
-use crate::cli::help::usage_error;
+use crate::cli::usage::usage_error;
 use crease::io::{Format, Note, Part, Place, WriteOptions, write_new};
 use crease::mesh::{Column, Mesh, TransformFault};
 use crease::normals::{NormalRecipe, compute};

@@ -8,7 +8,7 @@ use crate::cli::common::input::Source;
 use crate::cli::common::options::Color;
 use crate::cli::common::output::{Target, make_folder};
 use crate::cli::common::progress::Progress;
-use crate::cli::help::usage_error;
+use crate::cli::usage::usage_error;
 use crease::io::ReadOptions;
 use crease::mesh::Mesh;
 use crease::normals::{Crease, NormalRecipe};

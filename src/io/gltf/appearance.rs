@@ -92,11 +92,11 @@ fn light(node: &Placed<'_>, extension: Value, lights: &[Value]) -> Result<FileLi
     let number = json.member(extension, "light").and_then(|light| json.integer(light));
     let Some(number) = number else {
         let place = Place::Json(format!("/nodes/{}/extensions", node.number));
-        return Err(out_of_range(place, "the node has no number of a light"));
+        return Err(out_of_range(place, "the node names no light: `light` is missing"));
     };
     let place = Place::Json(format!("/extensions/{LIGHTS}/lights/{number}"));
     let value = usize::try_from(number).ok().and_then(|number| lights.get(number));
-    let value = value.ok_or_else(|| out_of_range(place.clone(), "no such light"))?;
+    let value = value.ok_or_else(|| out_of_range(place.clone(), "no light has this index"))?;
     let light: Light = typed(json, *value, place.clone())?;
     let kind = match (&light.type_, &light.spot) {
         (Checked::Valid(LightType::Directional), _) => FileLightKind::Directional,
@@ -106,7 +106,7 @@ fn light(node: &Placed<'_>, extension: Value, lights: &[Value]) -> Result<FileLi
             outer: as_written(spot.outer_cone_angle),
         },
         _ => {
-            let found = "the type of the light is not directional, point, or spot with its angles";
+            let found = "the type of the light is not directional, point, or spot with a `spot` object";
             return Err(out_of_range(place, found));
         }
     };

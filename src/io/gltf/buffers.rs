@@ -99,7 +99,7 @@ pub fn load(
         };
         let available = storage.bytes(&file).map(|bytes| bytes.len() as u64);
         if let Some(available) = available.filter(|&available| length > available) {
-            let found = format!("the buffer length is {length} bytes, but only {available} are there");
+            let found = format!("the buffer length is {length} bytes, but only {available} bytes are stored");
             return Err(ReadError::new(Problem::Truncated, fields.member("byteLength"), found, TRUNCATED));
         }
         list.push(Buffer { storage, length: if available.is_some() { length } else { 0 } });

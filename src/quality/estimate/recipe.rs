@@ -95,7 +95,7 @@ impl Estimate {
         let best = self.weight.name();
         let weights = match others.split_last() {
             None => format!(", {best} weights"),
-            Some(_) if others.len() + 1 == MEANS.len() => ", any weights".to_owned(),
+            Some(_) if others.len() + 1 == MEANS.len() => ", any weight".to_owned(),
             Some((last, [])) => format!("; {best} and {last} fit equally well"),
             Some((last, rest)) => format!("; {best}, {} and {last} fit equally well", rest.join(", ")),
         };

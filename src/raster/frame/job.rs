@@ -68,7 +68,7 @@ impl<'a> Job<'a> {
             let Some(ready) = ready else { continue };
             first += ready.list.len();
             if first > i32::MAX as usize {
-                let found = format!("the scene has {first} triangles; 2147483647 is the most");
+                let found = format!("the scene has {first} triangles (limit 2147483647)");
                 return Err(RenderError::Invalid(found));
             }
             check_range(&ready)?;

@@ -121,7 +121,7 @@ pub(super) fn first_camera(
         match file.clone().and_then(|file| Ok((camera(&file, &distance)?, file))) {
             Ok(camera) => cameras.push(camera),
             Err(error) if cameras.is_empty() && !from_elsewhere => {
-                let advice = format!("{}, or take the camera out of the file", error.advice);
+                let advice = format!("{}, or remove the camera from the file", error.advice);
                 return Err(ReadError { advice, ..error });
             }
             Err(ReadError { place, found, .. }) => {
@@ -130,7 +130,7 @@ pub(super) fn first_camera(
         }
     }
     if cameras.len() > 1 {
-        notes.push(Note::remark(format!("the first of {} cameras is taken", cameras.len())));
+        notes.push(Note::remark(format!("the first of {} cameras is used", cameras.len())));
     }
     Ok(cameras.into_iter().next())
 }

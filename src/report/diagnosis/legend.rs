@@ -31,8 +31,8 @@ impl Marks {
     fn of_rings(self) -> &'static str {
         match (self.rings, self.hidden) {
             (_, false) => "worst position",
-            (true, true) => "worst position (others lie behind)",
-            (false, true) => "worst position: lies behind",
+            (true, true) => "worst position (others are hidden)",
+            (false, true) => "worst position: hidden by other faces",
         }
     }
 }
@@ -45,7 +45,7 @@ pub(super) fn with_legend(picture: &Picture, scale: HeatScale, marks: Marks) -> 
     let keys = [
         (Key::Absent, "no valid normal", scale.is_absent),
         (Key::Line, "edge with two normals", marks.lines),
-        (Key::Dot, "far off on a small face", marks.dots),
+        (Key::Dot, "large deviation on a small face", marks.dots),
         (Key::Ring, marks.of_rings(), marks.rings || marks.hidden),
     ];
     // As many in a row as fit.

@@ -61,8 +61,8 @@ impl HeatScale {
     pub(super) fn words(self) -> String {
         let scale = format!("from violet, 0°, to yellow, {}", self.labels()[0]);
         match (self.is_used, self.is_absent) {
-            (true, true) => format!("{scale}; pink where no normal is stored that has a direction"),
-            (false, true) => "pink all over: no normal is stored that has a direction".into(),
+            (true, true) => format!("{scale}; pink where no valid normal is stored"),
+            (false, true) => "pink everywhere: no valid normal is stored".into(),
             _ => scale,
         }
     }
@@ -317,10 +317,7 @@ mod tests {
             |deviations: Vec<Option<f64>>| HeatScale::of([Survey { deviations, ..Survey::default() }].iter());
         let scale = of(vec![Some(3.0), None]);
         assert_eq!(scale.colour(None), LinearRgb::from(ABSENT));
-        assert_eq!(
-            scale.words(),
-            "from violet, 0°, to yellow, 5°; pink where no normal is stored that has a direction"
-        );
-        assert_eq!(of(vec![None]).words(), "pink all over: no normal is stored that has a direction");
+        assert_eq!(scale.words(), "from violet, 0°, to yellow, 5°; pink where no valid normal is stored");
+        assert_eq!(of(vec![None]).words(), "pink everywhere: no valid normal is stored");
     }
 }

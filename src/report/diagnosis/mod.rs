@@ -21,5 +21,5 @@ mod page;
 
 pub use comparison::After;
 pub use deviation::deviation_picture;
-pub use page::diagnosis_page;
+pub use page::DiagnosisPage;
 pub use view_choice::Sight;

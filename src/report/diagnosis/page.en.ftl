@@ -21,4 +21,11 @@ close-up-alone = This is { -close-up }
 whole-alternative = the whole mesh, with a ring around that location
 node-caption = The whole mesh, with a ring around the centre of the geometry of the first of these nodes.
 node-alternative = the whole mesh, with a ring around a node
-fix = This command fixes all findings that can be fixed together:
+fix = The command below fixes { $fixed }.
+not-fixed = It does not fix { $others }.
+
+title-found = { $name }: { $counts }
+title-none = No problems found in { $name }
+title-omitted = No selected findings in { $name }
+checked = Faces checked: { $faces }.
+omitted = Findings omitted by options: { $count }.

@@ -11,7 +11,7 @@ use crate::io::Loaded;
 use crate::mesh::Obstacles;
 use crate::num::{powers_of_ten, three_digits};
 use crate::quality::catalogue::Kind;
-use crate::quality::{Diagnosis, Finding, Severity, Site, survey};
+use crate::quality::{Diagnosis, Finding, Fix, Severity, Site, survey};
 use crate::raster::Camera;
 use crate::report::error::Result;
 use crate::report::html::{Page, with_code};
@@ -31,64 +31,103 @@ fn text(key: &str, values: &[(&'static str, Value)]) -> String {
 
 const CLOSE_UPS: usize = 12;
 
-/// The diagnosis of a file as a page of HTML that opens from disk with nothing else: pictures of the worst positions, each
-/// finding with its explanation and its worst position close up, and histograms. `name` is the name of the file, `fix` the command
-/// that fixes all that can be fixed together. With a file `after` a change, both are shown side by side, with what changed.
-///
-/// # Errors
-/// Pictures that cannot be drawn or made into files.
-pub fn diagnosis_page(
-    loaded: &Loaded,
-    diagnosis: &Diagnosis,
-    after: Option<After<'_>>,
-    name: &str,
-    fix: Option<&str>,
-    sight: Sight,
-) -> Result<String> {
-    let surveys = survey(loaded);
-    // The same colours before and after.
-    let later = after.map(|after| survey(after.loaded)).unwrap_or_default();
-    let model = Model::new(loaded, &surveys, HeatScale::of(surveys.iter().chain(&later)))?;
-    let mut page = Page::new(&format!("Normals of {name}"), &verdict(diagnosis)).set_by(with_code);
-    let camera = camera(&model, diagnosis, after.map(|after| after.comparison), sight);
-    overview(&mut page, &model, diagnosis, camera)?;
-    if let Some(command) = fix {
-        page.paragraph(&text("fix", &[]));
-        page.push(html! { pre { code { (command) } } });
-    }
-    if let (Some(after), Some(camera)) = (after, camera) {
-        comparison::section(&mut page, &model, after, &later, camera)?;
-    }
-    weightings(&mut page, diagnosis);
-    let obstacles = model.obstacles();
-    let mut drawn = 0;
-    for finding in &diagnosis.findings {
-        describe(&mut page, finding);
-        let worst = finding.places.first().filter(|_| drawn < CLOSE_UPS);
-        if let Some(site) = worst {
-            let id = finding.kind.id();
-            drawn += usize::from(close_ups(&mut page, (&model, &obstacles, camera), site, id)?);
-        }
-        let table = places(finding);
-        if !table.is_empty() {
-            page.table(&table);
-        }
-    }
-    page.heading("Distributions");
-    for (name, caption, plot) in histograms(&surveys) {
-        page.drawing(&format!("histogram of {name}"), &caption, |id| plot.svg(id));
-    }
-    Ok(page.finish())
+/// The page of a diagnosis, and what is on it in addition to the findings.
+#[derive(Clone, Copy, Debug)]
+pub struct DiagnosisPage<'a> {
+    /// The name of the file.
+    pub name: &'a str,
+    /// The command that fixes what can be fixed together.
+    pub fix: Option<&'a Fix>,
+    /// How many findings are not in the diagnosis because they were not selected.
+    pub omitted: usize,
+    /// The file after a change: both are shown side by side, with what changed.
+    pub after: Option<After<'a>>,
+    /// The view of the pictures of the whole.
+    pub sight: Sight,
 }
 
-fn verdict(diagnosis: &Diagnosis) -> String {
-    let counted = |severity: Severity| match diagnosis.count(severity) {
-        1 => format!("1 {}", severity.name()),
-        count => format!("{count} {}s", severity.name()),
+impl DiagnosisPage<'_> {
+    /// The page in HTML. It opens from disk without other files: pictures of the worst positions, each finding with its
+    /// explanation and its worst position close up, and histograms.
+    ///
+    /// # Errors
+    /// Pictures that cannot be drawn or made into files.
+    pub fn html(&self, loaded: &Loaded, diagnosis: &Diagnosis) -> Result<String> {
+        let surveys = survey(loaded);
+        // The same colours before and after.
+        let later = self.after.map(|after| survey(after.loaded)).unwrap_or_default();
+        let model = Model::new(loaded, &surveys, HeatScale::of(surveys.iter().chain(&later)))?;
+        let mut page = Page::new(&self.title(diagnosis), &self.lead(diagnosis)).set_by(with_code);
+        let camera = camera(&model, diagnosis, self.after.map(|after| after.comparison), self.sight);
+        overview(&mut page, &model, diagnosis, camera)?;
+        if let Some(fix) = self.fix {
+            page.paragraph(&fix_text(fix, diagnosis));
+            page.push(html! { pre { code { (fix.command) } } });
+        }
+        if let (Some(after), Some(camera)) = (self.after, camera) {
+            comparison::section(&mut page, &model, after, &later, camera)?;
+        }
+        weightings(&mut page, diagnosis);
+        let obstacles = model.obstacles();
+        let mut drawn = 0;
+        for finding in &diagnosis.findings {
+            describe(&mut page, finding);
+            let worst = finding.places.first().filter(|_| drawn < CLOSE_UPS);
+            if let Some(site) = worst {
+                let id = finding.kind.id();
+                drawn += usize::from(close_ups(&mut page, (&model, &obstacles, camera), site, id)?);
+            }
+            let table = places(finding);
+            if !table.is_empty() {
+                page.table(&table);
+            }
+        }
+        page.heading("Distributions");
+        for (name, caption, plot) in histograms(&surveys) {
+            page.drawing(&format!("histogram of {name}"), &caption, |id| plot.svg(id));
+        }
+        Ok(page.finish())
+    }
+
+    /// The result in a few words.
+    fn title(&self, diagnosis: &Diagnosis) -> String {
+        let counts =
+            Severity::ALL.into_iter().rev().map(|severity| (diagnosis.count(severity), severity.name()));
+        let counts = counts.filter(|(count, _)| *count > 0);
+        let counts =
+            counts.map(|(count, name)| format!("{count} {name}{}", if count == 1 { "" } else { "s" }));
+        let counts = counts.collect::<Vec<_>>().join(", ");
+        let key = match (&*counts, self.omitted) {
+            ("", 0) => "title-none",
+            ("", _) => "title-omitted",
+            _ => "title-found",
+        };
+        text(key, &[("name", self.name.into()), ("counts", counts.into())])
+    }
+
+    /// How much was checked.
+    fn lead(&self, diagnosis: &Diagnosis) -> String {
+        let faces: usize = diagnosis.parts.iter().map(|part| part.faces).sum();
+        let checked = text("checked", &[("faces", faces.to_string().into())]);
+        match self.omitted {
+            0 => checked,
+            omitted => format!("{checked} {}", text("omitted", &[("count", omitted.to_string().into())])),
+        }
+    }
+}
+
+/// Which findings a command fixes, and which remain.
+fn fix_text(fix: &Fix, diagnosis: &Diagnosis) -> String {
+    let ids = |is_fixed: bool| {
+        let kinds = diagnosis.findings.iter().map(|finding| finding.kind);
+        let kinds = kinds.filter(|kind| fix.kinds.contains(kind) == is_fixed);
+        kinds.map(|kind| format!("`{}`", kind.id())).collect::<Vec<_>>().join(", ")
     };
-    let [notes, warnings, errors] = Severity::ALL.map(counted);
-    let faces: usize = diagnosis.parts.iter().map(|part| part.faces).sum();
-    format!("{errors}, {warnings}, {notes} in {faces} faces.")
+    let others = match ids(false) {
+        none if none.is_empty() => none,
+        others => format!(" {}", text("not-fixed", &[("others", others.into())])),
+    };
+    format!("{}{others}", text("fix", &[("fixed", ids(true).into())]))
 }
 
 fn overview(page: &mut Page, model: &Model, diagnosis: &Diagnosis, camera: Option<Camera>) -> Result<()> {

@@ -7,8 +7,9 @@ weights-title = Weights by class of mesh
 weights-lead =
     Each number is the root mean square (rms) error on a surface of about 64 × 32 cells, as the median over the
     surfaces that can be divided like this. Vertices on open boundaries are omitted, because half of their faces are missing. The
-    spread is the largest change of such a median over five seeds of the random numbers. The star marks the most accurate sum of face normals. quadric and jet are not sums of face normals: they
-    fit a surface to the neighbours of each vertex. best chooses between them and angle for each mesh.
+    spread is the largest change of such a median over five seeds of the random numbers. The star marks the most accurate
+    sum of face normals. The weights quadric and jet are not sums of face normals: they fit a surface to the neighbours of each
+    vertex. The weight best chooses between them and angle for each mesh.
 frontier-caption =
     Lower left is better. Hollow signs are dominated weightings: another one is both cheaper and more accurate.
 frontier-class = Medians over { $surfaces } surfaces, without boundary vertices. { $spread }
@@ -61,7 +62,7 @@ approximations-lead = Functions that this crate computes itself, so that the res
 advice-title = Advice
 
 own-title = Accuracy against speed: { $name }
-own-lead-stored = The normals that this mesh stores are taken for the true ones.
+own-lead-stored = The normals that this mesh stores are assumed to be the true ones.
 own-lead-jet =
     The exact surface of this mesh is unknown. The reference is the normals of jet: they are of third order, sums of face normals
     of first order.

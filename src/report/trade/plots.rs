@@ -138,10 +138,10 @@ pub(super) fn encoding_plot(rows: &[EncodingRow]) -> Plot {
     let octahedral = |row: &EncodingRow| row.name.starts_with("oct");
     let half_step = (1.0_f64 / 510.0).to_degrees();
     Plot {
-        title: "Stored normals: the worst angle".into(),
+        title: "Stored normals: largest error".into(),
         description:
-            "The worst angle falls by half with each bit of an octahedral component; those of 16 bits are \
-                      below four thousandths of a degree in four bytes."
+            "Each bit of an octahedral component halves the largest error. With 16 bits a component, which take four bytes, it \
+                      is below 0.004°."
                 .into(),
         x: Axis { range: Some([1.0, 13.0]), ..Axis::linear("bytes of a normal") },
         y: Axis::log("largest error, degrees"),
@@ -174,8 +174,8 @@ pub(super) fn shading_plot(rows: &[ShadingRow], surface: &str) -> Plot {
     Plot {
         title: format!("Shading: {surface}"),
         description:
-            "Flat shading is worst and Phong shading best at every number of faces; all come closer to the \
-                      picture of the surface as faces grow in number."
+            "At every number of faces, flat shading has the largest error and Phong shading the smallest. All errors fall as \
+                      the number of faces grows."
                 .into(),
         x: Axis::log("faces"),
         y: Axis::log("rms error, steps of 1/255"),

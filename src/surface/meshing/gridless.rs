@@ -105,7 +105,7 @@ pub(crate) fn delaunay(places: &[DVec2]) -> Result<Vec<[u32; 3]>> {
     let key = |k: u32| (sites[k as usize].x + 0.0, sites[k as usize].y + 0.0);
     order.sort_by(|&a, &b| key(a).partial_cmp(&key(b)).expect("finite numbers"));
     if let Some(pair) = order.windows(2).find(|pair| key(pair[0]) == key(pair[1])) {
-        let reason = "another one has the same x and y; leave one out";
+        let reason = "another point has the same x and y; omit one of them";
         return Err(invalid(pair[0].max(pair[1]) as usize, reason));
     }
     let none = SurfaceError::Invalid("no three points make a triangle".to_owned());

@@ -18,6 +18,7 @@ struct Report {
     hidden: Counts,
     parts: Vec<Part>,
     findings: Vec<Finding>,
+    fix: Option<Fix>,
     against: Option<Against>,
     seconds: Seconds,
 }
@@ -150,6 +151,13 @@ struct Change {
 
 #[derive(Debug, Deserialize, PartialEq)]
 #[serde(deny_unknown_fields)]
+struct Fix {
+    command: String,
+    findings: Vec<String>,
+}
+
+#[derive(Debug, Deserialize, PartialEq)]
+#[serde(deny_unknown_fields)]
 struct FindingChange {
     id: String,
     before: u64,
@@ -236,10 +244,10 @@ fn severity_hides_findings_from_the_gate() {
 #[test]
 fn negative_thresholds_are_answered_with_what_is_allowed() {
     for (option, allowed) in [
-        ("--deviation", "an angle from 0 to 180 degrees, not -1"),
-        ("--length", "a number of 0 or more, not -1"),
-        ("--size", "a number of 1 or more, not -1"),
-        ("--valence", "-1 is not in 0.."),
+        ("--deviation", "an angle from 0 to 180 degrees"),
+        ("--length", "a number of 0 or more"),
+        ("--size", "a number of 1 or more"),
+        ("--valence", "a whole number from 0 to 4294967295"),
         ("--confidence", "0.5 to 1"),
     ] {
         let output = inspect(&[option, "-1", "part.obj"]);

@@ -230,7 +230,7 @@ pub(super) fn planted() -> [Planted; 2] {
     far.iter().for_each(|&v| unmoved.turns[v as usize] = DVec3::ZERO);
     [
         leaning.planted("tangents along their normals", Kind::Tangents, &places),
-        unmoved.planted("morph targets that do not turn normals", Kind::MorphNormals, &far),
+        unmoved.planted("morph targets that do not rotate normals", Kind::MorphNormals, &far),
     ]
 }
 

@@ -5,7 +5,7 @@ use crease::mesh::{Faces, Mesh};
 use crease::normals::NormalRecipe;
 use crease::quality::catalogue::Kind;
 use crease::quality::{Thresholds, diagnose};
-use crease::report::{Picture, Sight, deviation_picture, diagnosis_page};
+use crease::report::{DiagnosisPage, Picture, Sight, deviation_picture};
 use crease::surface::{Sphere, Surface, Torus};
 use glam::DVec3;
 use std::collections::BTreeSet;
@@ -25,15 +25,15 @@ fn the_page_of_a_fault_is_whole() {
     normals.values[7] = -normals.values[7];
     let file = loaded(mesh.with_normals(Some(normals)));
     let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
-    let page = diagnosis_page(
-        &file,
-        &diagnosis,
-        None,
-        "a <torus>.obj",
-        Some("crease normals 'a <torus>.obj'"),
-        Sight::Auto,
-    )
-    .unwrap();
+    let fix = diagnosis.fix(|_| true, false, ["a <torus>.obj", "b.obj"]);
+    let page = DiagnosisPage {
+        name: "a <torus>.obj",
+        fix: fix.as_ref(),
+        omitted: 0,
+        after: None,
+        sight: Sight::Auto,
+    };
+    let page = page.html(&file, &diagnosis).unwrap();
 
     assert!(
         !page.contains("http://") && !page.contains("https://") && !page.contains("<script"),
@@ -216,7 +216,8 @@ fn names_in_pages_are_code() {
     normals.values.iter_mut().for_each(|normal| *normal = normal.any_orthonormal_vector());
     let file = loaded(bare.with_normals(Some(normals)));
     let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
-    let page = diagnosis_page(&file, &diagnosis, None, "a.obj", None, Sight::Auto).unwrap();
+    let page = DiagnosisPage { name: "a.obj", fix: None, omitted: 0, after: None, sight: Sight::Auto };
+    let page = page.html(&file, &diagnosis).unwrap();
     assert!(diagnosis.get(Kind::Custom).is_some());
     assert!(page.contains("<code>--when missing</code>") && !page.contains('`'));
 }

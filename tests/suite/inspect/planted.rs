@@ -232,7 +232,7 @@ fn in_world_space(clean: &Clean) -> Planted {
         DVec3::new(5.0, 0.0, -2.0),
     );
     let matrix = normal_matrix(DMat3::from_mat4(node)).unwrap();
-    let what = "all stored in the space of the world";
+    let what = "all stored in world space";
     let planted = everywhere(clean, what, Kind::Untransformed, |normal| matrix.apply(normal).unwrap());
     Planted { node: Some(node), ..planted }
 }
@@ -272,8 +272,8 @@ pub(super) fn faults(clean: &Clean) -> Vec<Planted> {
         everywhere(clean, "all negated", Kind::Inverted, |n| -n),
         everywhere(clean, "y and z exchanged", Kind::SwappedAxes, swap),
         everywhere(clean, "x mirrored", Kind::SwappedAxes, mirror),
-        everywhere(clean, "all turned by 30°", Kind::Rotated, |n| rotation * n),
-        everywhere(clean, "all the same", Kind::Constant, |_| DVec3::Y),
+        everywhere(clean, "all rotated by 30°", Kind::Rotated, |n| rotation * n),
+        everywhere(clean, "all equal", Kind::Constant, |_| DVec3::Y),
         in_world_space(clean),
         reversed_faces(clean),
         doubled_faces(clean),

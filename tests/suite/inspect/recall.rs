@@ -165,7 +165,7 @@ const SIZED: [Sized; 5] = [
     ("a little too long, of 0.1 %", Kind::LooseLength, |clean, size| {
         Some(at_corners(clean, "", Kind::LooseLength, |n| n * (1.0 + 0.001 * size)))
     }),
-    ("all turned, of 5°", Kind::Rotated, |clean, size| {
+    ("all rotated, of 5°", Kind::Rotated, |clean, size| {
         let axis = DVec3::new(1.0, 2.0, 3.0).normalize();
         let rotation = DMat3::from_axis_angle(axis, (5.0 * size).to_radians());
         Some(everywhere(clean, "", Kind::Rotated, |n| rotation * n))
@@ -208,7 +208,7 @@ fn recall_by_the_size_of_faults() {
     };
     shares.row("negated", Kind::Flipped, by_share(Kind::Flipped, |n, _| -n));
     let tilted = by_share(Kind::Outlier, |n, random| turned_any_way(n, 30.0, random));
-    shares.row("tilted by 30° any way", Kind::Outlier, tilted);
+    shares.row("tilted by 30° in any direction", Kind::Outlier, tilted);
 
     let mut bits = Curve::new("bits of a component", BITS.map(|bits| bits.to_string()));
     let rounded = BITS.map(|bits| {

@@ -15,12 +15,16 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+/// The report of the program on a file.
+fn report(file: &Path, options: &[&str]) -> Value {
+    let output = crease().args(["inspect", "--json", &path(file)]).args(options).output().unwrap();
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    serde_json::from_str(text(&output.stdout)).unwrap()
+}
+
 /// What the program finds in a file.
 fn findings(file: &Path) -> Vec<Value> {
-    let output = crease().args(["inspect", "--json", &path(file)]).output().unwrap();
-    assert!(output.status.success(), "{}", text(&output.stderr));
-    let report: Value = serde_json::from_str(text(&output.stdout)).unwrap();
-    report["findings"].as_array().unwrap().clone()
+    report(file, &[])["findings"].as_array().unwrap().clone()
 }
 
 fn named<'a>(findings: &'a [Value], id: &str) -> Option<&'a Value> {
@@ -139,16 +143,23 @@ fn copied(row: &Row, folder: &Path) -> PathBuf {
     folder.join(row.path.file_name().unwrap())
 }
 
-/// Findings that appear only after another fix and are fixed by their own command then. The stored normals of this box lie in the
-/// plane of their face and contradict those computed for its other faces.
-const UNCOVERED: [(&str, &str); 1] = [("obj/box-incomplete-normals.obj", "stray-normals")];
+/// Findings that appear only after another fix, and are fixed by their own command then, if they have one. The stored normals of
+/// the box lie in the plane of their face and contradict those computed for its other faces. Those of the pirate are authored, so
+/// they are kept; they are compared with a recipe when the faces agree.
+const UNCOVERED: [(&str, &str); 2] =
+    [("obj/box-incomplete-normals.obj", "stray-normals"), ("gltf/pirate_quantized.glb", "stray-normals")];
 
 /// Asserts that the commands suggested for a real file remove their findings and cause no error or warning of another kind.
 fn check_real(row: &Row) -> Vec<String> {
     let folder = tempfile::tempdir().unwrap();
     let file = copied(row, folder.path());
-    let before = findings(&file);
+    let report = report(&file, &[]);
+    let before = report["findings"].as_array().unwrap().clone();
     let mut by_command: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    if let Some(command) = report["fix"]["command"].as_str() {
+        let fixed = report["fix"]["findings"].as_array().unwrap();
+        by_command.insert(command, fixed.iter().map(|id| id.as_str().unwrap()).collect());
+    }
     for finding in &before {
         if let Some(command) = finding["command"].as_str() {
             by_command.entry(command).or_default().push(finding["id"].as_str().unwrap());
@@ -165,13 +176,16 @@ fn check_real(row: &Row) -> Vec<String> {
         let new = new.map(|it| it["id"].as_str().unwrap()).filter(|id| !was_grave(id));
         for id in new {
             let next = named(&after, id).and_then(|it| it["command"].as_str());
-            match next.filter(|_| UNCOVERED.contains(&(row.name(), id))) {
+            match next {
+                _ if !UNCOVERED.contains(&(row.name(), id)) => {
+                    failures.push(format!("{}: {command} brings {id}", row.name()));
+                }
                 Some(next) => {
                     let last = findings(&carried_out(next, folder.path()));
                     let graver = last.iter().filter(|it| it["severity"] != "note");
                     failures.extend(graver.map(|it| format!("{}: {next} leaves {}", row.name(), it["id"])));
                 }
-                None => failures.push(format!("{}: {command} brings {id}", row.name())),
+                None => {}
             }
         }
     }
@@ -197,4 +211,67 @@ fn suggested_commands_fix_real_meshes() {
     };
     let failures: Vec<String> = rows.par_iter().filter(is_wanted).flat_map(check_real).collect();
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
+}
+
+/// Text, JSON and page have one command, and name the findings that it fixes and those that remain.
+#[test]
+fn every_report_has_the_same_command_and_what_it_fixes() {
+    let corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 -1\n";
+    let faulty = format!("{corners}f 1//1 2//1 3//1\nf 1//1 3//2 4//1\nf 1//1 2//1 2//1\n");
+    let folder = tempfile::tempdir().unwrap();
+    let [file, page] = ["a.obj", "a.html"].map(|name| folder.path().join(name));
+    fs::write(&file, faulty).unwrap();
+    let ids = |list: &Value, key: &str| -> Vec<String> {
+        let list = list.as_array().unwrap().iter();
+        list.map(|it| if key.is_empty() { it } else { &it[key] }.as_str().unwrap().to_owned()).collect()
+    };
+    for (options, option, fixes_area) in
+        [(&[][..], "", false), (&["--severity", "note"], " --degenerate drop", true)]
+    {
+        let report = report(&file, &[options, &["--html", &path(&page)]].concat());
+        let (found, fix) = (ids(&report["findings"], "id"), &report["fix"]);
+        let (command, fixed) = (fix["command"].as_str().unwrap(), ids(&fix["findings"], ""));
+        assert!(command.contains(option) && found.contains(&"zero-area-faces".into()), "{command}");
+        assert_eq!(fixed.contains(&"zero-area-faces".into()), fixes_area, "{fixed:?}");
+        let left: Vec<String> = found.iter().filter(|id| !fixed.contains(id)).cloned().collect();
+
+        let said = crease().args(["inspect", "-v", &path(&file)]).args(options).output().unwrap();
+        let not_fixed =
+            if left.is_empty() { String::new() } else { format!("; not fixed: {}", left.join(", ")) };
+        let lines = format!("  fix: {command}\n    fixed: {}{not_fixed}\n", fixed.join(", "));
+        assert!(text(&said.stdout).contains(&lines), "{lines}{}", text(&said.stdout));
+
+        let html = fs::read_to_string(&page).unwrap();
+        let code =
+            |ids: &[String]| ids.iter().map(|id| format!("<code>{id}</code>")).collect::<Vec<_>>().join(", ");
+        assert!(html.contains(&format!("The command below fixes {}.", code(&fixed))), "{html}");
+        assert!(left.is_empty() || html.contains(&format!("It does not fix {}.", code(&left))));
+        assert!(html.contains(&format!("<pre><code>{}</code>", command.replace('\'', "&#39;"))));
+        let counts =
+            ["error", "warning", "note"].map(|name| (report["counts"][name].as_u64().unwrap(), name));
+        let counts = counts.iter().filter(|(count, _)| *count > 0);
+        let counts =
+            counts.map(|(count, name)| format!("{count} {name}{}", if *count == 1 { "" } else { "s" }));
+        let title = format!("{}: {}", path(&file), counts.collect::<Vec<_>>().join(", "));
+        assert!(
+            html.contains(&format!("<title>{title}</title>")) && html.contains(&format!("<h1>{title}</h1>"))
+        );
+
+        let after = ids(&findings(&carried_out(command, folder.path())).into(), "id");
+        assert!(!fixed.iter().any(|id| after.contains(id)), "{command} leaves {after:?}");
+        assert_eq!(after.contains(&"zero-area-faces".into()), !fixes_area, "{command}");
+    }
+
+    fs::write(&file, "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n").unwrap();
+    for (options, title) in
+        [(&[][..], "No problems found in "), (&["--only", "soft-normals"], "No problems found in ")]
+    {
+        let report = report(&file, &[options, &["--html", &path(&page)]].concat());
+        assert!(report["fix"].is_null());
+        assert!(fs::read_to_string(&page).unwrap().contains(&format!("<title>{title}")), "{options:?}");
+    }
+    let bare = folder.path().join("bare.obj");
+    fs::write(&bare, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    report(&bare, &["--severity", "warning", "--html", &path(&page)]);
+    assert!(fs::read_to_string(&page).unwrap().contains("<title>No selected findings in "));
 }

@@ -109,7 +109,7 @@ pub(super) fn cracked(clean: &Clean) -> Option<Planted> {
     let whole = rebuilt(clean.mesh.positions().to_vec(), clean.mesh.faces().clone());
     let whole = with_normals(whole, &clean.recipe);
     let places = split_by(&clean.mesh, &unshared(&whole), &unshared(&mesh), 2.0);
-    let what = "cut, with the two sides 1e-9 of the diagonal apart";
+    let what = "cut, with a gap of 1e-9 of the diagonal";
     // A cut along flat sides changes no normals.
     (places.len() > 2).then(|| Planted::new(what, Kind::CrackedSeam, mesh, places))
 }

@@ -96,7 +96,7 @@ fn wrong_command_lines_are_refused_with_a_reason() {
         (&[&a, "-o", &out, "--size", "0x10"], "16384"),
         (&[&a, "-o", &out, "--size", "wide"], "WIDTHxHEIGHT"),
         (&[&a, "-o", &out, "--samples", "5"], "16"),
-        (&[&a, "-o", &out, "--bits", "12"], "possible values"),
+        (&[&a, "-o", &out, "--bits", "12"], "use one of: 8, 16"),
         (&[&a, "-o", &at("a.gif"), "--bits", "16"], "GIF has 8 bits"),
         (&[&a, "-o", &out, "--shading", "toon"], "gouraud"),
         (&[&a, "-o", &out, "--exponent", "-1"], "0 or more"),
@@ -107,7 +107,7 @@ fn wrong_command_lines_are_refused_with_a_reason() {
         (&[&a, "-o", &out, "--compare", "flat", "--shading", "flat"], "cannot be used with"),
         (&[&a, "-o", &out, "--compare", "affine", "--interpolation", "affine"], "cannot be used with"),
         (&[&a, "-o", &out, "--turntable", "8"], ".gif"),
-        (&[&a, "-o", &at("a.gif"), "--turntable", "1"], "2..=720"),
+        (&[&a, "-o", &at("a.gif"), "--turntable", "1"], "from 2 to 720"),
         (&[&a, "--probe", "3,4", "--turntable", "8"], "cannot be used with"),
         (&[&a, "--probe", "3,4", "--show", "depth"], "cannot be used with"),
         (&[&a, "--probe", "3,4", "--compare", "flat,phong"], "cannot be used with"),
@@ -126,7 +126,7 @@ fn wrong_command_lines_are_refused_with_a_reason() {
         (&[&a, "-o", &out, "--background", "#12345"], "#rrggbb"),
         (&[&a, "-o", &out, "--guard", "honour=on"], "renormalise"),
         (&[&a, "-o", &out, "--crease", "200"], "0 to 180"),
-        (&[&a, "-o", &out, "--threads", "0"], "1..=1024"),
+        (&[&a, "-o", &out, "--threads", "0"], "from 1 to 1024"),
         (&[&a, &a, "-o", &out], "unexpected argument"),
     ];
     for (args, expected) in table {
@@ -134,6 +134,7 @@ fn wrong_command_lines_are_refused_with_a_reason() {
         let message = text(&output.stderr);
         assert_eq!(code(&output), 2, "{args:?}: {message}");
         assert!(message.contains(expected), "{args:?}: {message}");
+        assert!(message.starts_with("error: ") && message.contains("\nhelp: "), "{args:?}: {message}");
         assert!(output.stdout.is_empty(), "{args:?}");
     }
     assert_eq!(names(work.path()), before, "nothing is written");
@@ -206,7 +207,7 @@ fn values_that_a_scene_rejects_are_errors_of_usage() {
         (&["--camera", "eye=0,0,3 target=0,0,0 up=0,0,1"], &["--camera", "parallel to its axis"]),
         (&["--camera", "near=0"], &["--camera", "near distance is 0"]),
         (&["--camera", "angle=180"], &["--camera", "180", "between 0 and 180"]),
-        (&["--camera", "height=0"], &["--camera", "height", "over 0"]),
+        (&["--camera", "height=0"], &["--camera", "height", "above 0"]),
         (&["--camera", "near=-1"], &["--camera", "near", "-1"]),
         (&["--light", "directional towards=0,0,0"], &["--light", "direction", "not zero"]),
         (&["--light", "spot position=0,0,1 axis=0,0,-1 cut-off=200"], &["--light", "cut-off is 200"]),

@@ -231,7 +231,9 @@ fn cameras_that_are_none_are_refused_with_their_place() {
         let wrong = text.replace(lens, &faulty);
         let error = from_text(wrong.clone()).unwrap_err().to_string();
         assert!(
-            error.contains("/cameras/0") && error.contains(field) && error.contains("out of the file"),
+            error.contains("/cameras/0")
+                && error.contains(field)
+                && error.contains("remove the camera from the file"),
             "{error}"
         );
         let is_reported = |file: &SceneFile| {

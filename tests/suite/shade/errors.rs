@@ -54,11 +54,11 @@ fn lights() {
         "position is [inf, 0, 0]; it must be of finite coordinates",
     );
     light(point(Attenuation::Offset(-1.0)), &format!("k is -1; {not_negative}"));
-    light(point(Attenuation::InverseSquareWithin(0.0)), "range is 0; it must be finite and over 0");
+    light(point(Attenuation::InverseSquareWithin(0.0)), "range is 0; it must be finite and above 0");
     let quadratic =
         |constant, linear, quadratic| point(Attenuation::Quadratic([constant, linear, quadratic]));
     light(quadratic(0.0, -0.5, 1.0), &format!("kl is -0.5; {not_negative}"));
-    light(quadratic(0.0, 0.0, 0.0), "kc + kl + kq is 0; it must be finite and over 0");
+    light(quadratic(0.0, 0.0, 0.0), "kc + kl + kq is 0; it must be finite and above 0");
 }
 
 #[test]
@@ -73,7 +73,7 @@ fn cones() {
     }
     light(
         spot(Cone { cut_off: Degrees(120.0).into(), ..cone }),
-        "cut-off is 120°; it must be over 0° and up to 90°, or 180° for no cut-off",
+        "cut-off is 120°; it must be above 0° and up to 90°, or 180° for no cut-off",
     );
     let narrow = Cone { cut_off: Degrees(45.0).into(), ..cone };
     light(
@@ -99,7 +99,7 @@ fn area_lights() {
     );
     light(
         area(AreaShape::Disc { centre: DVec3::Z, normal: DVec3::Z, radius: -2.0 }),
-        "radius is -2; it must be finite and over 0",
+        "radius is -2; it must be finite and above 0",
     );
 }
 

@@ -62,12 +62,12 @@ fn report(facts: &Facts<'_>, precision: &Precision, exponent: f64, found: &mut F
         None => (precision.error.0, vec![Spot::mesh()], String::new()),
     };
     found.add_mesh(Kind::Quantised, facts.total_area, worst);
-    let serves = match precision.exponent {
-        Some(exponent) => format!("enough for exponents up to {exponent}"),
-        None => "which even a matte surface may show by more than half an 8-bit step".into(),
+    let visibility = match precision.exponent {
+        Some(exponent) => format!("not visible up to the exponent {exponent}"),
+        None => "which may be visible even on a matt surface".into(),
     };
     let text = format!(
-        "{}, {deviation}rounding to the nearest makes at most {}°, {serves}; the material's exponent of {} needs {} bits a component",
+        "{}, {deviation}the error of rounding is at most {}°, {visibility}; the exponent {} of the material needs {} bits a component",
         precision.grid,
         three_digits(precision.error.0),
         three_digits(exponent),
@@ -119,7 +119,7 @@ impl Measured {
             }
         };
         let [largest, rms] = [self.largest, self.rms].map(three_digits);
-        format!("off their recipe by up to {largest}°, {rms}° in the root mean square{which}; ")
+        format!("they differ from their recipe by up to {largest}° (rms {rms}°){which}; ")
     }
 }
 

@@ -157,7 +157,7 @@ impl SettingsTable {
         for (name, &on) in &self.guards {
             if !guards.set(name.get_ref(), on) {
                 let advice = format!("there are {}", Guards::NAMES.join(", "));
-                return Err(source.error(&name.span(), "no guard of that name", &advice));
+                return Err(source.error(&name.span(), "unknown guard", &advice));
             }
         }
         Ok(guards)

@@ -178,7 +178,7 @@ impl<'a> Builder<'a> {
         };
         if object.given && mesh.is_none_or(|mesh| mesh.colours.is_none()) {
             let found = "reflection is given, but the vertices have no colours";
-            let advice = "give polygons `colours`, take a mesh file that has them, or light the object";
+            let advice = "give polygons `colours`, use a mesh file that has them, or light the object";
             return Err(self.source.error(span, found, advice));
         }
         self.placed += mesh.map_or(0, |mesh| mesh.mesh.faces().corner_count() as u64);
