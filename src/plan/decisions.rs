@@ -8,7 +8,7 @@ use super::document::Document;
 use super::search::{Found, Outcome, Search};
 use super::stage::{PlanError, Stage};
 use super::unit::Unit;
-use crate::num::{Radians, three_digits};
+use crate::num::three_digits;
 use crate::raster::{SceneFile, StoredFormat};
 use glam::DVec3;
 
@@ -169,7 +169,7 @@ impl Described<'_> {
         let unit = &self.stage.units[unit];
         let declared = unit.reference.normals?.format;
         let format = model.normals.filter(|_| axis == Axis::Storage)?.format?;
-        let angle = |format: StoredFormat| Radians::from(format.encoding().worst_angle()).0;
+        let angle = |format: StoredFormat| format.worst_angle().0;
         let angle = angle(format) + declared.map_or(0.0, angle);
         // The lights of all views: default lights follow the camera.
         let lights = search.trials.views.iter().map(|view| view.lights.as_slice());
