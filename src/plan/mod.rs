@@ -32,7 +32,10 @@ pub mod search;
 mod decisions;
 // The plan of a scene file.
 mod planned;
+// Mesh files as planned.
+mod apply;
 
+pub use apply::{AXES_OF_FILES, Applied, AppliedFile, FileSize, Home, Reference, apply, with_stored_normals};
 pub use axes::{Axis, LightModel, Normals, ObjectModel, Source, Terms};
 pub use compare::Difference;
 pub use cost::{Cost, Minimise};

@@ -1,5 +1,6 @@
 //! The plan of a scene file: views, search and verification.
 
+use super::apply::{FileModels, name_storage};
 use super::axes::{Axis, LightModel, ObjectModel};
 use super::compare::Difference;
 use super::cost::Minimise;
@@ -31,6 +32,9 @@ pub struct PlanOptions {
     pub keep: Vec<Axis>,
     /// Most pixels to draw.
     pub budget: u64,
+    /// Change only what the mesh files of objects hold, as [`apply`](super::apply()) writes them: normals and their storage, which the
+    /// scene has to [state](super::with_stored_normals).
+    pub for_files: bool,
 }
 
 impl Default for PlanOptions {
@@ -44,6 +48,7 @@ impl Default for PlanOptions {
             views: None,
             keep: Vec::new(),
             budget: 10_000_000_000,
+            for_files: false,
         }
     }
 }
@@ -91,9 +96,16 @@ pub fn plan(
     let camera = whole.scene().camera;
     let (low, high) = whole.scene().bounds().unwrap_or_default();
     let (middle, radius) = (low.midpoint(high), 0.5 * low.distance(high));
-    let is_open = |axis: Axis| !options.keep.contains(&axis);
-    let models: Vec<Vec<ObjectModel>> =
-        (0..stage.units.len()).map(|unit| models_of(&stage, unit, &is_open)).collect();
+    let files = options.for_files.then(|| FileModels::new(&document, base, load)).transpose()?;
+    let is_open = |axis: Axis| {
+        !options.keep.contains(&axis) && files.as_ref().is_none_or(|files| files.may_change(axis))
+    };
+    let models: Vec<Vec<ObjectModel>> = (0..stage.units.len())
+        .map(|unit| match &files {
+            Some(files) => files.models_of(&stage, unit, &is_open),
+            None => models_of(&stage, unit, &is_open),
+        })
+        .collect();
     if models.iter().map(Vec::len).sum::<usize>() > MOST_MODELS {
         let found = format!("{} objects have too many models together; open fewer axes", models.len());
         return Err(PlanError::Invalid(found));
@@ -159,6 +171,9 @@ pub fn plan(
         let mut plan = scene.describe(&search, &outcome)?;
         plan.held_out = worst.map(|(difference, _)| difference);
         plan.repairs = repairs;
+        if files.is_some() {
+            name_storage(&mut plan.decisions, &stage.units);
+        }
         if is_bounded {
             (plan.proven, plan.is_cheapest) = (0, false);
         }

@@ -2,6 +2,7 @@
 //! that cannot be met.
 
 mod answers;
+mod applied;
 mod exhaustive;
 mod lights;
 mod pictures;

@@ -19,8 +19,10 @@ pub struct PlanArgs {
     pub share: f64,
     #[arg(long, value_name = "PIXELS", default_value = "0.5", value_parser = not_negative, allow_negative_numbers = true)]
     pub outline: f64,
-    #[arg(long, value_name = "WHAT", default_value = "work", value_parser = one_of::<Minimise>())]
-    pub minimise: Minimise,
+    #[arg(long, value_name = "FILE|DIR")]
+    pub apply: Option<PathBuf>,
+    #[arg(long, value_name = "WHAT", value_parser = one_of::<Minimise>())]
+    minimise: Option<Minimise>,
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub views: Option<u32>,
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
@@ -50,6 +52,12 @@ impl PlanArgs {
     /// The scene; empty if an explanation is asked for.
     pub fn scene(&self) -> &Path {
         self.input.as_deref().unwrap_or(Path::new(""))
+    }
+
+    /// The quantity to minimise: of files, their bytes.
+    pub fn minimise(&self) -> Minimise {
+        let default = if self.apply.is_some() { Minimise::Bytes } else { Minimise::Work };
+        self.minimise.unwrap_or(default)
     }
 
     /// The axes that stay as declared.

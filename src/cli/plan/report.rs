@@ -1,8 +1,9 @@
 //! The report of `crease plan` as JSON and as text.
 
 use super::args::PlanArgs;
+use super::file_report::FileReport;
 use crate::cli::common::console::{Style, escaped};
-use crate::cli::common::numbers::{count, row, size};
+use crate::cli::common::numbers::{change, count, row, size};
 use crate::cli::common::report::Head;
 use crease::num::three_digits;
 use crease::plan::{Decision, Minimise, Plan};
@@ -22,6 +23,8 @@ pub struct Report {
     pub plan: Option<Plan>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub output: Option<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub files: Vec<FileReport>,
     pub seconds: f64,
 }
 
@@ -31,9 +34,10 @@ impl Report {
             head: Head::new("crease-plan/1"),
             input: args.scene().display().to_string(),
             tolerance: args.tolerance,
-            minimise: args.minimise,
+            minimise: args.minimise(),
             plan: None,
             output: None,
+            files: Vec::new(),
             seconds: 0.0,
         }
     }
@@ -57,6 +61,7 @@ pub fn text(report: &Report, style: Style) -> String {
     row(&mut out, "work", &change(totals(|cost| cost.work), |work| format!("{work} operations")));
     row(&mut out, "bytes", &change(totals(|cost| cost.bytes), size));
     row(&mut out, "vertices", &change(totals(|cost| cost.vertices), |count| count.to_string()));
+    report.files.iter().for_each(|file| file.rows(&mut out));
     let [x, y] = plan.worst.pixel;
     let view = if plan.views > 1 { format!(" of view {}", plan.worst_view) } else { String::new() };
     let mut worst = format!(
@@ -107,12 +112,4 @@ fn line(decision: &Decision, report: &Report) -> String {
         three_digits(*measured),
         three_digits(report.tolerance - measured)
     )
-}
-
-fn change((before, after): (u64, u64), format: impl Fn(u64) -> String) -> String {
-    if before == after {
-        return format!("{}, unchanged", format(before));
-    }
-    let share = 100.0 * after as f64 / before.max(1) as f64;
-    format!("{} to {} ({} %)", format(before), format(after), three_digits(share))
 }

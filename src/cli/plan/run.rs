@@ -1,5 +1,6 @@
 //! Runs `crease plan`.
 
+use super::apply::{self, Source};
 use super::args::PlanArgs;
 use super::report::{EXPLANATION, Report, text};
 use crate::cli::common::console::{Console, escaped};
@@ -10,7 +11,6 @@ use crate::cli::common::progress::Progress;
 use crate::cli::help::usage_error;
 use crease::plan::{Plan, PlanError, PlanOptions, plan, scene_text};
 use crease::raster::LoadOptions;
-use std::path::Path;
 use std::time::Instant;
 
 pub fn main(args: &PlanArgs, color: Color) -> Exit {
@@ -25,6 +25,9 @@ pub fn main(args: &PlanArgs, color: Color) -> Exit {
             format!("this would overwrite the input {}\nhelp: name another output", args.scene().display()),
         );
     }
+    if let Some(message) = apply::refusal(args) {
+        usage_error("plan", message);
+    }
     args.run.use_threads();
     let start = Instant::now();
     let mut report = Report::new(args);
@@ -34,17 +37,22 @@ pub fn main(args: &PlanArgs, color: Color) -> Exit {
     if let Err(failure) = &result {
         console.error(&format!("{}: {}", escaped(&report.input), failure.message));
     }
-    console.print(&report, || text(&report, console.report_style));
+    console.print(&report, || {
+        report.files.iter().for_each(|file| console.notes(&file.output, &file.notes, false));
+        text(&report, console.report_style)
+    });
     exit_code(result, &console)
 }
 
 fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, Failure> {
+    let source = Source::new(args)?;
     let progress = Progress::of_share(console, "planning");
-    let planned = find(args, &|share| progress.share(share));
+    let planned = find(args, &source, &|share| progress.share(share));
     drop(progress);
-    let planned = planned?;
-    if let Some(path) = &args.output {
-        let target = Target::of(path);
+    let mut planned = planned?;
+    report.files = apply::store(args, &source, &mut planned)?;
+    if let Some(path) = apply::scene_output(args) {
+        let target = Target::of(&path);
         report.output = Some(target.name());
         target.store(planned.text.clone().into_bytes())?;
     }
@@ -52,19 +60,20 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
     Ok(Exit::Done)
 }
 
-fn find(args: &PlanArgs, progress: &dyn Fn(f64)) -> Result<Plan, Failure> {
+fn find(args: &PlanArgs, source: &Source, progress: &dyn Fn(f64)) -> Result<Plan, Failure> {
     let options = PlanOptions {
         tolerance: args.tolerance,
         share: args.share,
         outline: args.outline,
-        minimise: args.minimise,
+        minimise: args.minimise(),
         views: args.views,
         keep: args.kept(),
         budget: args.budget,
+        for_files: args.apply.is_some(),
     };
-    let base = args.scene().parent().unwrap_or(Path::new(""));
+    let base = source.base();
     let loading = LoadOptions::default();
-    let text = scene_text(args.scene(), &loading)?;
+    let text = apply::declared(args, source, scene_text(&source.path, &loading)?)?;
     let text = match args.size {
         Some(size) => crease::plan::with_size(&text, size).map_err(Failure::input)?,
         None => text,
