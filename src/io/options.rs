@@ -91,6 +91,11 @@ pub struct WriteOptions {
     pub tangents: TangentPolicy,
     /// Storage of normals (glTF).
     pub normal_format: NormalFormat,
+    /// Omit normals where neither tangents nor normals of morph targets need them: such faces are flat (glTF).
+    pub omit_normals: bool,
+    /// Merge vertices that agree in everything that is stored of them, where that saves bytes. In a GLB also remove accessors, views
+    /// and bytes that nothing uses.
+    pub compact: bool,
     /// File name without extension of the output, for naming companion files; `None` when writing to a stream,
     /// where everything must fit into one file.
     pub stem: Option<String>,

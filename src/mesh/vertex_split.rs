@@ -20,6 +20,12 @@ impl VertexSplit {
     pub fn added(&self, vertex_count: usize) -> usize {
         self.source.len() - vertex_count
     }
+
+    /// Whether the new vertices are the old ones, in order.
+    pub fn is_identity(&self, vertex_count: usize) -> bool {
+        self.source.len() == vertex_count
+            && self.source.iter().zip(0..).all(|(&source, vertex)| source == vertex)
+    }
 }
 
 /// Gives each corner a vertex such that corners share one only if they share the old vertex and every key.

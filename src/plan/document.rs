@@ -43,6 +43,17 @@ impl Document {
         numbers.try_into().ok()
     }
 
+    /// The name of the mesh file of an object.
+    pub fn mesh(&self, object: usize) -> Option<&str> {
+        self.table(object)?.get("mesh")?.as_str()
+    }
+
+    /// Removes a key of an object.
+    pub fn remove(&mut self, object: usize, key: &str) {
+        let tables = self.0.get_mut("object").and_then(Item::as_array_of_tables_mut);
+        tables.and_then(|tables| tables.get_mut(object)).and_then(|table| table.remove(key));
+    }
+
     fn table(&self, object: usize) -> Option<&Table> {
         self.0.get("object")?.as_array_of_tables()?.get(object)
     }

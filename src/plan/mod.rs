@@ -42,7 +42,10 @@ mod evidence;
 mod options;
 // The plan of a scene file.
 mod planned;
+// Mesh files as planned.
+mod apply;
 
+pub use apply::{AXES_OF_FILES, Applied, AppliedFile, FileSize, Home, Reference, apply, with_stored_normals};
 pub use axes::{Axis, LightModel, Normals, ObjectModel, Source, Terms};
 pub use compare::{Difference, Metric};
 pub use cost::{Cost, Minimise};

@@ -155,7 +155,7 @@ impl<'a> ModelBounds<'a> {
                 *self.angles.borrow_mut().entry((unit, unrounded)).or_insert(angle)
             }
         };
-        let worst = |format: StoredFormat| Radians::from(format.encoding().worst_angle()).0;
+        let worst = |format: StoredFormat| format.worst_angle().0;
         let stored = match normals.format == declared.format {
             true => 0.0,
             false => [normals.format, declared.format].into_iter().flatten().map(worst).sum(),

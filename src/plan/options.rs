@@ -29,6 +29,9 @@ pub struct PlanOptions {
     pub allow_antialiasing: bool,
     /// Most pixels to draw.
     pub budget: u64,
+    /// Change only what the mesh files of objects hold, as [`apply`](super::apply()) writes them: normals and their storage, which the
+    /// scene has to [state](super::with_stored_normals).
+    pub for_files: bool,
     /// Most seconds to search. A plan that ends so depends on the machine.
     pub seconds: Option<f64>,
 }
@@ -47,6 +50,7 @@ impl Default for PlanOptions {
             keep: Vec::new(),
             allow_antialiasing: false,
             budget: 10_000_000_000,
+            for_files: false,
             seconds: None,
         }
     }

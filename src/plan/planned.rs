@@ -1,5 +1,6 @@
 //! The plan of a scene file: views, search and verification.
 
+use super::apply::{FileModels, name_storage};
 use super::axes::{Axis, LightModel, ObjectModel};
 use super::compare::Difference;
 use super::decisions::{Described, Plan};
@@ -70,9 +71,16 @@ fn find(
     let stage = Stage::new(&document, &whole, base, load)?;
     let (low, high) = whole.scene().bounds().unwrap_or_default();
     let (middle, radius) = (low.midpoint(high), 0.5 * low.distance(high));
-    let is_open = |axis: Axis| !options.keep.contains(&axis);
-    let models: Vec<Vec<ObjectModel>> =
-        (0..stage.units.len()).map(|unit| models_of(&stage, unit, &is_open)).collect();
+    let files = options.for_files.then(|| FileModels::new(&document, base, load)).transpose()?;
+    let is_open = |axis: Axis| {
+        !options.keep.contains(&axis) && files.as_ref().is_none_or(|files| files.may_change(axis))
+    };
+    let models: Vec<Vec<ObjectModel>> = (0..stage.units.len())
+        .map(|unit| match &files {
+            Some(files) => files.models_of(&stage, unit, &is_open),
+            None => models_of(&stage, unit, &is_open),
+        })
+        .collect();
     if models.iter().map(Vec::len).sum::<usize>() > MOST_MODELS {
         let found = format!("{} objects have too many models together; open fewer axes", models.len());
         return Err(PlanError::Invalid(found));
@@ -122,6 +130,9 @@ fn find(
         let mut plan = described.describe(&searches[best], &outcome)?;
         plan.held_out = worst;
         plan.repairs = repairs;
+        if files.is_some() {
+            name_storage(&mut plan.decisions, &stage.units);
+        }
         if is_bounded {
             (plan.proven, plan.is_cheapest) = (0, false);
         }

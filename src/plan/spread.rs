@@ -39,9 +39,9 @@ impl Spread {
                 let face_normal = *normals.face_normals.get(face)?;
                 for (at, &normal) in corners.iter().enumerate() {
                     most.shortest = most.shortest.min(normal.dot(axis));
-                    most.from_face = most.from_face.max(angle_between(normal, face_normal).0);
+                    most.from_face = most.from_face.max(angle(normal, face_normal));
                     for (&other, point) in corners[..at].iter().zip(&points) {
-                        most.corners = most.corners.max(angle_between(normal, other).0);
+                        most.corners = most.corners.max(angle(normal, other));
                         most.extent = most.extent.max(scale * points[at].distance(*point));
                     }
                 }
@@ -61,6 +61,13 @@ fn uniform_scale(linear: DMat3) -> Option<f64> {
     gram.abs_diff_eq(DMat3::from_diagonal(DVec3::splat(square)), ROUNDING * square).then(|| square.sqrt())
 }
 
+/// The angle between unit vectors at the distance of two stored normals, whose lengths rounding may have changed, or their own
+/// angle if that is larger.
+fn angle(a: DVec3, b: DVec3) -> f64 {
+    let chord = 2.0 * libm::asin((0.5 * a.distance(b)).min(1.0));
+    chord.max(angle_between(a, b).0)
+}
+
 /// The largest angle between normals at the same corners of two versions of a unit; `None` if they have other corners.
 pub fn angle_between_normals(file: &SceneFile, other: &SceneFile) -> Option<f64> {
     let mut largest = 0.0_f64;
@@ -71,7 +78,7 @@ pub fn angle_between_normals(file: &SceneFile, other: &SceneFile) -> Option<f64>
         }
         for (corner, &vertex) in vertices.iter().enumerate() {
             let [a, b] = [one, two].map(|mesh| mesh.normals.normals.get(corner, vertex).copied());
-            largest = largest.max(angle_between(a?, b?).0);
+            largest = largest.max(angle(a?, b?));
         }
     }
     (file.meshes.len() == other.meshes.len()).then_some(largest)

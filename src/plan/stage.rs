@@ -4,7 +4,7 @@ use super::axes::{Normals, ObjectModel, Terms};
 use super::cost::Sizes;
 use super::document::{Document, with_terms};
 use super::unit::{Unit, count_vertices};
-use crate::io::ReadError;
+use crate::io::{ReadError, WriteError};
 use crate::num::LinearRgb;
 use crate::raster::{
     Camera, Image, LoadOptions, Object, Paint, RenderError, RenderSettings, Samples, Scene, SceneFile,
@@ -266,4 +266,12 @@ pub enum PlanError {
     /// What was asked for makes no sense for the scene.
     #[error("{0}")]
     Invalid(String),
+    /// A planned mesh file cannot be made.
+    #[error("{name}: {error}")]
+    Write {
+        /// The file that it is made from, as the scene names it.
+        name: String,
+        /// Why.
+        error: WriteError,
+    },
 }

@@ -1,5 +1,6 @@
 //! The program from outside: arguments, streams, files, exit codes.
 
+mod apply;
 mod inspect;
 mod options;
 mod outputs;

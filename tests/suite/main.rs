@@ -11,6 +11,7 @@ mod data;
 mod docs;
 mod flat;
 mod gltf;
+mod gltf_compact;
 mod gltf_edit;
 mod gltf_hostile;
 mod gltf_synthetic;

@@ -2,6 +2,7 @@
 //! that cannot be met.
 
 mod answers;
+mod applied;
 mod comparisons;
 mod exhaustive;
 mod lights;

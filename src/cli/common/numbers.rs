@@ -1,5 +1,6 @@
 //! Numbers with the words that belong to them.
 
+use crease::num::three_digits;
 use std::fmt::Write as _;
 
 pub fn count(number: usize, what: &str) -> String {
@@ -35,6 +36,15 @@ pub fn size(bytes: u64) -> String {
 pub fn seconds(total: f64, stages: &[(&str, f64)]) -> String {
     let stages: Vec<String> = stages.iter().map(|(name, seconds)| format!("{name} {seconds:.3}")).collect();
     format!("{total:.3} s ({})", stages.join(", "))
+}
+
+/// A quantity before and after, with the share that is left.
+pub fn change((before, after): (u64, u64), format: impl Fn(u64) -> String) -> String {
+    if before == after {
+        return format!("{}, unchanged", format(before));
+    }
+    let share = 100.0 * after as f64 / before.max(1) as f64;
+    format!("{} to {} ({} %)", format(before), format(after), three_digits(share))
 }
 
 pub fn row(out: &mut String, label: &str, text: &str) {

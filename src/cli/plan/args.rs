@@ -25,8 +25,10 @@ pub struct PlanArgs {
     pub share: Option<f64>,
     #[arg(long, value_name = "PIXELS", value_parser = not_negative, allow_negative_numbers = true)]
     pub outline: Option<f64>,
-    #[arg(long, value_name = "WHAT", default_value = "work", value_parser = one_of::<Minimise>())]
-    pub minimise: Minimise,
+    #[arg(long, value_name = "FILE|DIR")]
+    pub apply: Option<PathBuf>,
+    #[arg(long, value_name = "WHAT", value_parser = one_of::<Minimise>())]
+    minimise: Option<Minimise>,
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub views: Option<u32>,
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
@@ -122,14 +124,21 @@ impl PlanArgs {
             tolerance: self.tolerance(),
             share: self.share.unwrap_or(default.share),
             outline: self.outline.unwrap_or(default.outline),
-            minimise: self.minimise,
+            minimise: self.minimise(),
             views: self.views,
             light_cone: Degrees(self.light_cone.unwrap_or(0.0)),
             keep: self.kept(),
             allow_antialiasing: self.allow == Some(Permission::Antialiasing),
             budget: self.budget,
             seconds: self.seconds,
+            for_files: self.apply.is_some(),
         })
+    }
+
+    /// The quantity to minimise: of files, their bytes.
+    pub fn minimise(&self) -> Minimise {
+        let default = if self.apply.is_some() { Minimise::Bytes } else { Minimise::Work };
+        self.minimise.unwrap_or(default)
     }
 
     /// The axes that stay as declared.

@@ -7,7 +7,7 @@ about = Find the cheapest model that a scene requires
     is an ordinary scene file with the reason at each change.
 example-1 = crease plan scene.toml -o planned.toml
 example-2 = crease plan scene.toml --tolerance 1 --views 12 --json
-example-3 = crease plan statue.glb --minimise bytes --only storage,shading -o lean.toml
+example-3 = crease plan statue.glb --views 26 --tolerance 1 --apply statue-lean.glb
 
 input = Scene file, or a mesh or glTF file
 output = Planned scene file, or `-` for standard output
@@ -16,7 +16,10 @@ metric = Comparison of pictures
 reference = Scene that the pictures are compared with
 share = Share of the covered pixels that may be beyond the tolerance [default: 0]
 outline = Largest distance of outlines, in pixels [default: 0.5]
-minimise = Quantity to minimise
+apply = Planned glTF file, .glb or .gltf. Of a scene, a folder for its glTF files and the planned scene. Only axes that files hold may
+    change: weight, creases, precision and storage, in which `none` means flat faces. A file is compared with what its standard
+    says: stored normals, and flat faces without any
+minimise = Quantity to minimise [default: work; bytes with --apply]
 views = Number of views around the scene, in place of its camera; as many others verify the plan
 size = Size of the pictures [default: that of the scene]
 keep = Axes that stay as declared
@@ -35,7 +38,8 @@ explain = Print how costs and bounds are computed
 output-short = Planned scene file, or `-` for standard output
 tolerance-short = Largest difference of a pixel, in steps of 1/255
 metric-short = Comparison of pictures
-minimise-short = Quantity to minimise
+apply-short = Planned glTF file; of a scene, a folder
+minimise-short = Quantity to minimise [default: work; bytes with --apply]
 html-short = HTML page of the plan
 views-short = Number of views around the scene
 size-short = Size of the pictures

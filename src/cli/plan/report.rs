@@ -1,8 +1,9 @@
 //! The report of `crease plan` as JSON and as text.
 
 use super::args::{PlanArgs, Reference};
+use super::file_report::FileReport;
 use crate::cli::common::console::{Style, escaped};
-use crate::cli::common::numbers::{count, row, size};
+use crate::cli::common::numbers::{change, count, row, size};
 use crate::cli::common::report::Head;
 use crease::num::three_digits;
 use crease::plan::{Decision, Metric, Minimise, Plan};
@@ -34,6 +35,8 @@ pub struct Report {
     most_seconds: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub draw_seconds: Option<DrawSeconds>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub files: Vec<FileReport>,
     pub seconds: f64,
 }
 
@@ -53,13 +56,14 @@ impl Report {
             tolerance: args.tolerance(),
             reference: args.reference,
             light_cone: args.light_cone.unwrap_or(0.0),
-            minimise: args.minimise,
+            minimise: args.minimise(),
             plan: None,
             output: None,
             page: None,
             picture: None,
             most_seconds: args.seconds,
             draw_seconds: None,
+            files: Vec::new(),
             seconds: 0.0,
         }
     }
@@ -83,6 +87,7 @@ pub fn text(report: &Report, style: Style) -> String {
     row(&mut out, "work", &change(totals(|cost| cost.work), |work| format!("{work} operations")));
     row(&mut out, "bytes", &change(totals(|cost| cost.bytes), size));
     row(&mut out, "vertices", &change(totals(|cost| cost.vertices), |count| count.to_string()));
+    report.files.iter().for_each(|file| file.rows(&mut out));
     let [x, y] = plan.worst.pixel;
     let view = if plan.views > 1 { format!(" of view {}", plan.worst_view) } else { String::new() };
     let steps = format!("{} steps of 255 at pixel {x},{y}{view}", three_digits(plan.worst.steps));
@@ -158,12 +163,4 @@ fn line(decision: &Decision, report: &Report) -> String {
         report.metric.text(*measured),
         three_digits(report.tolerance - measured)
     )
-}
-
-fn change((before, after): (u64, u64), format: impl Fn(u64) -> String) -> String {
-    if before == after {
-        return format!("{}, unchanged", format(before));
-    }
-    let share = 100.0 * after as f64 / before.max(1) as f64;
-    format!("{} to {} ({} %)", format(before), format(after), three_digits(share))
 }

@@ -1,5 +1,6 @@
 //! Runs `crease plan`.
 
+use super::apply::{self, Source};
 use super::args::{PlanArgs, Reference};
 use super::report::{DrawSeconds, EXPLANATION, Report, text};
 use crate::cli::common::console::{Console, escaped};
@@ -29,6 +30,9 @@ pub fn main(args: &PlanArgs, color: Color) -> Exit {
             format!("this would overwrite the input {}\nhelp: name another output", args.scene().display()),
         );
     }
+    if let Some(message) = apply::refusal(args) {
+        usage_error("plan", message);
+    }
     args.run.use_threads();
     let start = Instant::now();
     let mut report = Report::new(args);
@@ -38,15 +42,19 @@ pub fn main(args: &PlanArgs, color: Color) -> Exit {
     if let Err(failure) = &result {
         console.error(&format!("{}: {}", escaped(&report.input), failure.message));
     }
-    console.print(&report, || text(&report, console.report_style));
+    console.print(&report, || {
+        report.files.iter().for_each(|file| console.notes(&file.output, &file.notes, false));
+        text(&report, console.report_style)
+    });
     exit_code(result, &console)
 }
 
 fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, Failure> {
+    let source = Source::new(args)?;
     let options = args.options().unwrap_or_else(|message| usage_error("plan", message));
     let loading = LoadOptions::default();
-    let base = args.scene().parent().unwrap_or(Path::new(""));
-    let text = scene_text(args.scene(), &loading)?;
+    let base = source.base();
+    let text = apply::declared(args, &source, scene_text(&source.path, &loading)?)?;
     let text = match args.size {
         Some(size) => crease::plan::with_size(&text, size).map_err(Failure::input)?,
         None => text,
@@ -63,7 +71,7 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
             .map(|(plan, evidence)| (plan, Some(evidence))),
     };
     drop(progress);
-    let (planned, evidence) = planned.map_err(|error| match error {
+    let (mut planned, evidence) = planned.map_err(|error| match error {
         PlanError::Read(error) => error.into(),
         error => Failure::advised(error),
     })?;
@@ -71,8 +79,9 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
         declared: draw_seconds(&text, base, &loading)?,
         planned: draw_seconds(&planned.text, base, &loading)?,
     });
-    if let Some(path) = &args.output {
-        let target = Target::of(path);
+    report.files = apply::store(args, &source, &mut planned)?;
+    if let Some(path) = apply::scene_output(args) {
+        let target = Target::of(&path);
         report.output = Some(target.name());
         target.store(planned.text.clone().into_bytes())?;
     }
@@ -80,7 +89,7 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
         let about = PlanPage {
             scene: &args.scene().file_name().unwrap_or_default().to_string_lossy(),
             command: &command(),
-            minimise: args.minimise,
+            minimise: args.minimise(),
             metric: args.metric,
             tolerance: options.tolerance,
             language: args.lang,

@@ -1,5 +1,6 @@
 //! New binary data, and the JSON that describes them.
 
+use super::accessor::float;
 use super::glb::padded;
 use super::records::{Component, Format, SHAPES};
 use crate::io::NormalFormat;
@@ -132,6 +133,22 @@ pub fn push_floats(vector: DVec3, out: &mut Vec<u8>) {
     out.extend(vector.as_vec3().to_array().iter().flat_map(|x| (x + 0.0).to_le_bytes()));
 }
 
+impl NormalFormat {
+    /// Makes unit normals what a reader finds once they are stored: three numbers, which rounding leaves a little longer or shorter
+    /// than 1.
+    pub fn round(self, normals: &mut [DVec3]) {
+        let format = normal_format(None, self);
+        let mut bytes = Vec::with_capacity(format.size());
+        for normal in normals {
+            bytes.clear();
+            push_normal(*normal, format, &mut bytes);
+            let number = |bytes| f64::from(float(bytes, format.component, format.normalized));
+            let mut numbers = bytes.chunks_exact(format.component.size()).map(number);
+            *normal = DVec3::from_array(std::array::from_fn(|_| numbers.next().unwrap_or_default()));
+        }
+    }
+}
+
 /// The bound that the glTF validator puts on |length - 1|.
 pub const LENGTH_TOLERANCE: f64 = 0.00674;
 
@@ -171,6 +188,30 @@ mod tests {
         }
         // Half a step along each axis, √3/254 = 6.8e-3, and a little more where rounding was not enough.
         assert!(worst < 8e-3, "{worst}");
+    }
+
+    /// The bounds of `StoredFormat::worst_angle`, and that storing twice changes nothing.
+    #[test]
+    fn stored_normals_are_near_and_stay() {
+        let bounds = [(NormalFormat::F32, 5.2e-8), (NormalFormat::I16, 2.65e-5), (NormalFormat::I8, 6.95e-3)];
+        for (format, bound) in bounds {
+            let mut worst: f64 = 0.0;
+            for i in 0..400 {
+                for j in 0..400 {
+                    let (z, turn) =
+                        (f64::from(i) / 200.0 - 1.0, f64::from(j) * std::f64::consts::TAU / 400.0);
+                    let radius = (1.0 - z * z).max(0.0).sqrt();
+                    let normal = DVec3::new(radius * libm::cos(turn), radius * libm::sin(turn), z);
+                    let mut stored = [normal.normalize()];
+                    format.round(&mut stored);
+                    worst = worst.max(stored[0].distance(normal));
+                    let mut again = stored;
+                    format.round(&mut again);
+                    assert_eq!(again, stored, "{format:?}");
+                }
+            }
+            assert!(worst < bound && worst > 0.7 * bound, "{format:?}: {worst}");
+        }
     }
 
     #[test]

@@ -155,6 +155,11 @@ fn assemble(chunks: &[(u32, Vec<&[u8]>)], room: usize) -> Result<Vec<u8>, WriteE
     Ok(out)
 }
 
+/// A chunk of JSON without the blanks that filled it up.
+pub fn unpadded(json: &str) -> &str {
+    json.trim_end_matches(' ')
+}
+
 /// The next multiple of four: where a chunk or a buffer view may begin.
 pub fn padded(length: usize) -> usize {
     length.next_multiple_of(4)

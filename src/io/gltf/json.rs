@@ -4,7 +4,7 @@
 //! flat list of nodes in document order: every number keeps its spelling, every object its duplicates and order.
 //! `serde_json` checks that it is JSON.
 
-use crate::io::{Place, Problem, ReadError};
+use crate::io::{Place, Problem, ReadError, WriteError};
 use serde::de::IgnoredAny;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -60,6 +60,11 @@ impl Json {
         serde_json::from_str::<IgnoredAny>(&text[begin..])
             .map_err(|error| syntax(begin + offset_of(&error, &text[begin..]), error.to_string()))?;
         Ok(Json { text, nodes })
+    }
+
+    /// Parses a text that edits of this program have made. Splicing keeps JSON JSON; its depth was bounded when it was read.
+    pub fn of_edited(text: String) -> Result<Json, WriteError> {
+        Json::parse(text.into_bytes(), 0, usize::MAX).map_err(|error| WriteError::TooLarge(error.to_string()))
     }
 
     pub fn text(&self) -> &str {

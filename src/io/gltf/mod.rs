@@ -33,6 +33,8 @@ mod columns;
 mod nodes;
 // Materials, cameras and lights.
 mod appearance;
+// What the geometry takes, and how normals are stored.
+mod geometry;
 // Reading a file.
 mod read;
 // New binary data, and the JSON that describes them.
@@ -47,6 +49,7 @@ mod edit;
 pub(super) use appearance::appearance;
 pub use document::GltfDocument;
 pub use edit::apply::edit;
+pub use geometry::GeometryBytes;
 pub(super) use new_file::write;
 pub(crate) use nodes::NodeTree;
 pub use read::read;

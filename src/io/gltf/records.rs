@@ -127,6 +127,13 @@ impl VertexAccessors {
     pub fn target_sets(&self) -> Range<usize> {
         1..self.sets.len()
     }
+
+    /// Whether other attributes need normals: tangents, and normals of morph targets.
+    pub fn need_normals(&self) -> bool {
+        let mut all =
+            self.sets.iter().enumerate().flat_map(|(set, list)| list.iter().map(move |it| (set, &*it.0)));
+        all.any(|(set, semantic)| semantic == "TANGENT" || semantic == "NORMAL" && set > 0)
+    }
 }
 
 #[derive(Clone, Debug)]

@@ -12,11 +12,13 @@ pub struct Splices<'a> {
     json: &'a Json,
     objects: BTreeMap<Value, Changes>,
     lists: BTreeMap<&'static str, Vec<String>>,
+    /// The elements to keep of top-level lists.
+    kept: BTreeMap<&'static str, Vec<bool>>,
 }
 
 impl<'a> Splices<'a> {
     pub fn new(json: &'a Json) -> Self {
-        Self { json, objects: BTreeMap::new(), lists: BTreeMap::new() }
+        Self { json, objects: BTreeMap::new(), lists: BTreeMap::new(), kept: BTreeMap::new() }
     }
 
     pub fn set(&mut self, object: Value, name: &str, text: impl ToString) {
@@ -42,8 +44,13 @@ impl<'a> Splices<'a> {
         self.lists.entry(list).or_default().push(text);
     }
 
+    /// Removes the other elements of a top-level list, and the list with the last of them. Nothing may be added to it.
+    pub fn keep(&mut self, list: &'static str, kept: Vec<bool>) {
+        self.kept.insert(list, kept);
+    }
+
     pub fn is_empty(&self) -> bool {
-        self.objects.is_empty() && self.lists.is_empty()
+        self.objects.is_empty() && self.lists.is_empty() && self.kept.is_empty()
     }
 
     pub fn apply(mut self) -> String {
@@ -53,6 +60,12 @@ impl<'a> Splices<'a> {
             match json.member(json.root(), name) {
                 Some(array) => splices.push(array_splice(json, array, &elements)),
                 None => self.set(json.root(), name, format!("[{}]", elements.join(","))),
+            }
+        }
+        for (name, kept) in std::mem::take(&mut self.kept) {
+            match json.member(json.root(), name) {
+                Some(array) if kept.contains(&true) => splices.extend(removals(json, array, &kept)),
+                _ => self.remove(json.root(), name),
             }
         }
         for (&object, changes) in &self.objects {
@@ -145,6 +158,18 @@ fn array_splice(json: &Json, array: Value, elements: &[String]) -> (Range<usize>
     }
 }
 
+/// An element leaves with the comma before it, or those before the first that stays with the comma after them.
+fn removals(json: &Json, array: Value, kept: &[bool]) -> Vec<(Range<usize>, String)> {
+    let spans: Vec<Range<usize>> = json.elements(array).map(|value| json.span(value)).collect();
+    let first = kept.iter().position(|&kept| kept).unwrap_or(0);
+    let span_of = |number: usize| match number {
+        number if number < first => spans[number].start..spans[number + 1].start,
+        number => spans[number - 1].end..spans[number].end,
+    };
+    let removed = (0..spans.len().min(kept.len())).filter(|&number| !kept[number]);
+    removed.map(|number| (span_of(number), String::new())).collect()
+}
+
 fn blanks_before(text: &str, at: usize) -> &str {
     let blanks = text.as_bytes()[..at].iter().rev().take_while(|byte| byte.is_ascii_whitespace()).count();
     &text[at - blanks..at]
@@ -213,6 +238,29 @@ mod tests {
             splices.push(list, text.into());
         }
         assert_eq!(splices.apply(), "{\"a\":[ 7,8],\"b\":[\n  1,\n  2,\n  3\n],\"c\":[4,5]}");
+    }
+
+    #[test]
+    fn every_way_to_remove_elements_leaves_json() {
+        let text = "{ \"a\" : [ {\"x\":0} , {\"x\":1},\n{\"x\":2}, {\"x\":3} ], \"b\": 1 }";
+        let json = parse(text);
+        let array = json.member(json.root(), "a").unwrap();
+        for mask in 0..16_u32 {
+            let kept: Vec<bool> = (0..4).map(|bit| mask >> bit & 1 == 1).collect();
+            let mut splices = Splices::new(&json);
+            splices.keep("a", kept.clone());
+            for (object, _) in json.elements(array).zip(&kept).filter(|(_, kept)| **kept) {
+                splices.set(object, "y", "true");
+            }
+            let result: serde_json::Value = serde_json::from_str(&splices.apply()).unwrap();
+            let expected: Vec<_> =
+                (0..4).filter(|&n| kept[n]).map(|n| serde_json::json!({"x": n, "y": true})).collect();
+            assert_eq!(result["b"], 1);
+            assert_eq!(
+                result.get("a").and_then(|a| a.as_array()),
+                Some(&expected).filter(|list| !list.is_empty())
+            );
+        }
     }
 
     #[test]

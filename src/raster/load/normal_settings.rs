@@ -1,9 +1,10 @@
 //! How the normals of an object are computed and stored.
 
+use crate::io::NormalFormat;
 use crate::mesh::Mesh;
 use crate::normals::encoding::{Encoding, Octahedral, Rounding, Snorm};
 use crate::normals::{Crease, NormalField, NormalRecipe, Precision, Scope, Weight, When, compute};
-use crate::num::Degrees;
+use crate::num::{Degrees, Radians};
 use serde::Deserialize;
 
 /// What a scene states about the normals of an object; `None` is left to the recipe of [`LoadOptions`](crate::raster::LoadOptions).
@@ -21,7 +22,8 @@ pub struct NormalSettings {
     pub format: Option<StoredFormat>,
 }
 
-/// A storage of normals: what is drawn is what it gives back. Single numbers are used as computed by default, in double precision.
+/// A storage of normals: what is drawn is what it gives back. By default normals are used as computed, in double precision. Those of three
+/// numbers are stored as in glTF, where rounding changes their lengths a little.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum StoredFormat {
@@ -54,10 +56,39 @@ impl StoredFormat {
 
     /// Makes the normals of vertices what the storage gives back.
     pub(crate) fn round(self, field: &mut NormalField) {
+        if let Some(format) = self.in_gltf() {
+            return format.round(&mut field.normals.values);
+        }
         let encoding = self.encoding();
         for normal in &mut field.normals.values {
             *normal = encoding.decode(encoding.encode(*normal));
         }
+    }
+
+    /// The storage in glTF; `None` for octahedral codes, which it does not have.
+    pub fn in_gltf(self) -> Option<NormalFormat> {
+        match self {
+            Self::F32 => Some(NormalFormat::F32),
+            Self::I16 => Some(NormalFormat::I16),
+            Self::I8 => Some(NormalFormat::I8),
+            Self::Oct12 | Self::Oct8 => None,
+        }
+    }
+
+    /// A bound on the distance between a unit normal and what the storage gives back, as the angle of such a chord.
+    ///
+    /// Octahedral codes: [`Encoding::worst_angle`]. Three numbers: half a step in each, √3/2 / (2^(bits−1) − 1), and half a unit of
+    /// the last place of single precision. With 8 bits, a normal that rounding would make too long or too short takes a neighbour in
+    /// one component, which is off by at most 0.522 steps: √(½² + ½² + 0.522²)/127.
+    pub fn worst_angle(self) -> Radians {
+        let single = 3.0_f64.sqrt() * libm::ldexp(1.0, -25);
+        let distance = match self {
+            Self::F32 => single,
+            Self::I16 => 0.5 * 3.0_f64.sqrt() / 32767.0 + single,
+            Self::I8 => (0.5 + 0.522 * 0.522_f64).sqrt() / 127.0 + single,
+            Self::Oct12 | Self::Oct8 => return self.encoding().worst_angle().into(),
+        };
+        Radians(2.0 * libm::asin(0.5 * distance))
     }
 
     /// The encoding, with its size and its error.

@@ -1,5 +1,6 @@
 //! An edit of a document, and the files that it becomes: in the same spelling, or `.gltf` as `.glb` and the other way round.
 
+use super::compact::compact;
 use super::group::Group;
 use super::member::Member;
 use super::rows::Tables;
@@ -66,13 +67,21 @@ pub fn edit(
     }
     package.copy_images();
     let mut written = package.written;
+    if options.compact && to == Format::Glb {
+        match compact(&written.bytes)? {
+            Some(bytes) => written.bytes = bytes,
+            None => written.notes.push(Note::remark(
+                "bytes that nothing uses stay: an extension may refer to accessors or buffer views, or the data are elsewhere",
+            )),
+        }
+    }
     let vertices: usize = loaded.parts.iter().map(|part: &Part| part.mesh.vertex_count()).sum();
-    written.vertices = vertices as u64 + added;
-    written.added_vertices = added;
+    written.vertices = vertices.saturating_add_signed(added as isize) as u64;
+    written.added_vertices = added.max(0) as u64;
     let note = |(remark, count): (Remark, usize)| Note::counted(count, remark.1, remark.2);
     written.notes.extend(remarks.filter_map(note));
     let drops = edits.iter().any(|edit| !edit.faces.dropped.is_empty());
-    if (added > 0 || drops) && document.lists("extensionsUsed", "FB_geometry_metadata") {
+    if (added != 0 || drops) && document.lists("extensionsUsed", "FB_geometry_metadata") {
         let text = "FB_geometry_metadata still has the vertex and face counts of the input";
         written.notes.push(Note::warning(Place::File, text));
     }
@@ -132,7 +141,7 @@ impl Package<'_> {
         // A GLB keeps to one file even where it has no BIN chunk to append to.
         let changed = store.finish(None, |extra| Some(encode_data(extra)));
         let is_same = changed.json == document.records.json.text();
-        let json = if is_same { &changed.json } else { unpadded(&changed.json) };
+        let json = if is_same { &changed.json } else { glb::unpadded(&changed.json) };
         let pieces = changed.bin.as_ref().map(NewBin::pieces);
         let (mut bytes, bin) = glb.rewrite(&document.buffers.file, json, pieces)?;
         if let Some(changed) = &changed.bin {
@@ -191,7 +200,7 @@ impl Package<'_> {
     fn as_glb(&mut self, store: Store<'_>) -> Result<(), WriteError> {
         let document = self.document;
         let Changed { json, extra, .. } = store.finish(None, |_| None);
-        let json = reparsed(json)?;
+        let json = Json::of_edited(json)?;
         let objects: Vec<Value> = json.items(json.root(), "buffers").collect();
         let old = (0..document.buffers.list.len()).map(|buffer| document.buffers.bytes(buffer));
         let mut splices = Splices::new(&json);
@@ -229,14 +238,14 @@ impl Package<'_> {
                 self.written.notes.push(Note::remark(text));
             }
         }
-        self.written.bytes = glb::glb(unpadded(&splices.apply()), pieces)?;
+        self.written.bytes = glb::glb(glb::unpadded(&splices.apply()), pieces)?;
         Ok(())
     }
 
     /// `.gltf` from `.glb`: the BIN chunk becomes a file, or part of the text.
     fn as_gltf(&mut self, glb: &Glb, store: Store<'_>) -> Result<(), WriteError> {
         let changed = store.finish(None, |extra| Some(encode_data(extra)));
-        let json = reparsed(changed.json)?;
+        let json = Json::of_edited(changed.json)?;
         let mut splices = Splices::new(&json);
         let first = json.items(json.root(), "buffers").next();
         if let Some(first) = first.filter(|&first| json.member(first, "uri").is_none()) {
@@ -255,7 +264,7 @@ impl Package<'_> {
         }
         let text = "that only a GLB can store omitted";
         self.written.notes.extend(Note::counted(glb.other_chunks(), ["chunk", "chunks"], text));
-        self.written.bytes = unpadded(&splices.apply()).as_bytes().to_vec();
+        self.written.bytes = glb::unpadded(&splices.apply()).as_bytes().to_vec();
         Ok(())
     }
 
@@ -288,14 +297,4 @@ fn move_reference(json: &Json, object: Value, homes: &[(usize, u64)], splices: &
     if offset > 0 {
         splices.set(object, "byteOffset", integer("byteOffset").unwrap_or(0).saturating_add(offset));
     }
-}
-
-fn reparsed(json: String) -> Result<Json, WriteError> {
-    // Splicing keeps JSON JSON; its depth was bounded when it was read.
-    Json::parse(json.into_bytes(), 0, usize::MAX).map_err(|error| WriteError::TooLarge(error.to_string()))
-}
-
-/// Without the blanks that filled up a GLB chunk.
-fn unpadded(json: &str) -> &str {
-    json.trim_end_matches(' ')
 }

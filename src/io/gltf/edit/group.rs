@@ -22,12 +22,31 @@ pub struct Group<'g, 'a> {
     pub options: &'g WriteOptions,
 }
 
+/// An attribute of vertices: the set that it is in, its name and its accessor.
+#[derive(Clone, Copy)]
+pub struct Attribute<'a> {
+    pub set: usize,
+    pub semantic: &'a str,
+    pub accessor: usize,
+}
+
+/// Which normals an edit writes or omits.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Replaced {
+    Nothing,
+    Normals,
+    NormalsAndDeltas,
+}
+
 /// A tangent for every corner, and its number among the different ones.
 type CornerTangents = (Vec<[f32; 4]>, Vec<u32>);
 
 impl Group<'_, '_> {
-    /// Writes what changes. Returns how many vertices were added.
-    pub fn write(&self, store: &mut Store<'_>, tables: &mut Tables) -> Result<u64, WriteError> {
+    /// Writes what changes. Returns how many vertices were added; below 0 if more were merged.
+    pub fn write(&self, store: &mut Store<'_>, tables: &mut Tables) -> Result<i64, WriteError> {
+        if self.options.omit_normals && !self.vertices.need_normals() {
+            return self.write_without_normals(store);
+        }
         let target_sets = self.vertices.target_sets();
         let morph = self.members.iter().all(|member| member.has_morph_normals(target_sets.len()));
         let stored =
@@ -40,16 +59,20 @@ impl Group<'_, '_> {
         let mut split = split_vertices(count, &locals, &[&rows.of_corner]);
         let mut new_rows = rows.gather(&split);
         if split.added(count) == 0 && stored.is_stored(&new_rows) {
-            self.write_faces(store)?;
-            return Ok(0);
+            return self.write_merged(store, &self.others(Replaced::Nothing));
         }
         let has_normals = |set| self.vertices.of_set(set, "NORMAL").is_some();
-        if !morph && target_sets.clone().any(has_normals) {
+        let are_new = self.members.iter().any(Member::has_new_normals);
+        if are_new && !morph && target_sets.clone().any(has_normals) {
             store.remark(Remark::STALE_DELTAS, self.members.len());
         }
         let new_tangents = self.tangents(&rows, &locals)?;
+        let others = self.others(if morph { Replaced::NormalsAndDeltas } else { Replaced::Normals });
         if let Some((_, keys)) = &new_tangents {
             split = split_vertices(count, &locals, &[&rows.of_corner, keys]);
+            new_rows = rows.gather(&split);
+        } else if let Some(merged) = self.merged(store, &split, Some(&new_rows), &others)? {
+            split = merged;
             new_rows = rows.gather(&split);
         }
         rows.repair_unused(&mut new_rows, &split);
@@ -63,18 +86,13 @@ impl Group<'_, '_> {
             }
         }
         self.write_tangents(store, &split, new_tangents.as_ref())?;
-        if split.added(count) > 0 {
-            self.copy_others(store, &split, morph)?;
-        } else {
+        if split.is_identity(count) {
             self.repair_positions(store)?;
+        } else {
+            self.copy(store, &split, &others)?;
         }
-        let mut corners = split.corners.iter();
-        for member in self.members {
-            let indices = corners.by_ref().take(member.corners.len()).copied().collect();
-            rewrite_indices(store, member, indices, split.source.len())?;
-            drop_draco(store, member);
-        }
-        Ok(split.added(count) as u64)
+        self.write_indices(store, &split)?;
+        Ok(split.source.len() as i64 - count as i64)
     }
 
     /// Writes dropped and flipped faces, where normals do not change.
@@ -106,7 +124,7 @@ impl Group<'_, '_> {
     }
 
     /// The JSON objects that list the vertex accessors of a set, one a primitive.
-    fn sites(&self, set: usize) -> Vec<Value> {
+    pub fn sites(&self, set: usize) -> Vec<Value> {
         self.members.iter().map(|member| member.primitive.sites[set]).collect()
     }
 
@@ -206,25 +224,79 @@ impl Group<'_, '_> {
         Ok(())
     }
 
-    fn copy_others(&self, store: &mut Store<'_>, split: &VertexSplit, morph: bool) -> Result<(), WriteError> {
-        let keep_tangents = self.options.tangents == TangentPolicy::Keep;
-        for (set, list) in self.vertices.sets.iter().enumerate() {
-            for (semantic, accessor) in list {
-                let new_normals = semantic == "NORMAL" && (set == 0 || morph);
-                if new_normals || (semantic == "TANGENT" && !keep_tangents) {
-                    continue;
-                }
-                let elements = self.source.elements(*accessor).map_err(unreadable)?;
-                let repaired = if semantic == "POSITION" { finite(&elements) } else { None };
-                let same_bounds = repaired.is_none();
-                let (raw, size) =
-                    (repaired.map_or_else(|| elements.raw(), Cow::Owned), elements.format.size());
-                let mut bytes = Vec::with_capacity(size * split.source.len());
-                for &vertex in &split.source {
-                    bytes.extend_from_slice(&raw[vertex as usize * size..(vertex as usize + 1) * size]);
-                }
-                self.put(store, set, semantic, elements.format, bytes, same_bounds);
+    /// Copies attributes to new vertices.
+    pub fn copy(
+        &self,
+        store: &mut Store<'_>,
+        split: &VertexSplit,
+        attributes: &[Attribute<'_>],
+    ) -> Result<(), WriteError> {
+        for &Attribute { set, semantic, accessor } in attributes {
+            let elements = self.source.elements(accessor).map_err(unreadable)?;
+            let repaired = if semantic == "POSITION" { finite(&elements) } else { None };
+            let same_bounds = repaired.is_none();
+            let (raw, size) = (repaired.map_or_else(|| elements.raw(), Cow::Owned), elements.format.size());
+            let mut bytes = Vec::with_capacity(size * split.source.len());
+            for &vertex in &split.source {
+                bytes.extend_from_slice(&raw[vertex as usize * size..(vertex as usize + 1) * size]);
             }
+            self.put(store, set, semantic, elements.format, bytes, same_bounds);
+        }
+        Ok(())
+    }
+
+    /// The attributes of vertices, but for normals that are replaced or omitted, and tangents that are.
+    fn others(&self, replaced: Replaced) -> Vec<Attribute<'_>> {
+        let keeps_tangents = replaced == Replaced::Nothing || self.options.tangents == TangentPolicy::Keep;
+        let is_kept = |attribute: &Attribute<'_>| match attribute.semantic {
+            "NORMAL" => match replaced {
+                Replaced::Nothing => true,
+                Replaced::Normals => attribute.set > 0,
+                Replaced::NormalsAndDeltas => false,
+            },
+            "TANGENT" => keeps_tangents,
+            _ => true,
+        };
+        let sets = self.vertices.sets.iter().enumerate();
+        let all = sets.flat_map(|(set, list)| {
+            list.iter().map(move |(semantic, accessor)| Attribute { set, semantic, accessor: *accessor })
+        });
+        all.filter(is_kept).collect()
+    }
+
+    /// Writes the primitives without normals.
+    fn write_without_normals(&self, store: &mut Store<'_>) -> Result<i64, WriteError> {
+        if self.vertices.get("NORMAL").is_some() {
+            self.sites(0).into_iter().for_each(|site| store.splices.remove(site, "NORMAL"));
+            self.members.iter().for_each(|member| drop_draco(store, member));
+        }
+        self.write_merged(store, &self.others(Replaced::Normals))
+    }
+
+    /// Merges vertices whose values do not change, and writes dropped and flipped faces.
+    fn write_merged(&self, store: &mut Store<'_>, attributes: &[Attribute<'_>]) -> Result<i64, WriteError> {
+        if !self.options.compact {
+            return self.write_faces(store).map(|()| 0);
+        }
+        let count = self.members[0].block.count as usize;
+        let locals: Vec<u32> = self.corners().map(|(member, corner)| member.vertex(corner)).collect();
+        let split = split_vertices(count, &locals, &[]);
+        let Some(merged) = self.merged(store, &split, None, attributes)? else {
+            self.write_faces(store)?;
+            return Ok(0);
+        };
+        self.copy(store, &merged, attributes)?;
+        self.write_indices(store, &merged)?;
+        Ok(merged.source.len() as i64 - count as i64)
+    }
+
+    /// Stores the triangles of all members, whose vertices changed.
+    fn write_indices(&self, store: &mut Store<'_>, split: &VertexSplit) -> Result<(), WriteError> {
+        let mut corners = split.corners.iter();
+        for member in self.members {
+            let indices = corners.by_ref().take(member.corners.len()).copied().collect();
+            rewrite_indices(store, member, indices, split.source.len())?;
+            drop_draco(store, member);
         }
         Ok(())
     }
@@ -243,7 +315,7 @@ fn finite(elements: &Elements<'_>) -> Option<Vec<u8>> {
 }
 
 /// Reading checked every attribute, so that this only passes on what should not happen.
-fn unreadable(error: ReadError) -> WriteError {
+pub fn unreadable(error: ReadError) -> WriteError {
     WriteError::Unsupported(error.to_string())
 }
 

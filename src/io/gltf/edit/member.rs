@@ -57,6 +57,13 @@ impl<'a> Member<'a> {
         self.corners.iter().any(|&corner| self.slot(normals, corner).is_some())
     }
 
+    /// Whether the edit has normals that are not the file's own.
+    pub fn has_new_normals(&self) -> bool {
+        let Some(normals) = &self.edit.normals else { return false };
+        let mut slots = self.corners.iter().filter_map(|&corner| self.slot(normals, corner));
+        slots.any(|slot| self.stored_element(slot).is_none())
+    }
+
     /// Whether the edit has normals for each of so many morph targets.
     pub fn has_morph_normals(&self, targets: usize) -> bool {
         let values = self.edit.normals.as_ref().map_or(0, |normals| normals.values.len());
@@ -80,6 +87,16 @@ impl<'a> Member<'a> {
         }
         let element = slot.checked_sub(self.block.first_normal?)?;
         (element < self.block.count).then_some(element as usize)
+    }
+
+    /// Whether an extension may refer to vertices by number.
+    pub fn has_ordered_vertices(&self, document: &GltfDocument) -> bool {
+        let primitive = document.records.fields(self.primitive.object);
+        let mesh = document.records.fields(document.records.meshes[self.part].object);
+        let is_used = |name: &str| primitive.extension(name).is_some() || mesh.extension(name).is_some();
+        ordered().any(|(name, _)| is_used(name))
+            || has_implicit_features(&primitive)
+            || document.lists("extensionsUsed", "FB_ngon_encoding")
     }
 
     /// Refuses to break an extension that refers to vertices or triangles by number; `moved` if some indices are of other vertices.
@@ -168,14 +185,7 @@ pub fn rewrite_indices(
         indices = vec![0; 3];
         store.remark(Remark::EMPTIED, 1);
     }
-    let old = primitive.indices.and_then(|accessor| store.document.records.accessors[accessor].format);
-    let old = old.map_or(Component::U16, |format| format.component);
-    // The largest number of each type is forbidden.
-    let component = match (old, vertices) {
-        (Component::U8, ..=0xFF) => Component::U8,
-        (Component::U8 | Component::U16, ..=0xFFFF) => Component::U16,
-        _ => Component::U32,
-    };
+    let component = index_component(store.document, primitive, vertices);
     let bytes: Vec<u8> = match component {
         Component::U8 => indices.iter().map(|&index| index as u8).collect(),
         Component::U16 => indices.iter().flat_map(|&index| (index as u16).to_le_bytes()).collect(),
@@ -188,6 +198,18 @@ pub fn rewrite_indices(
         store.splices.set(primitive.object, "mode", TRIANGLES);
     }
     Ok(true)
+}
+
+/// The type of new indices of so many vertices: that of the old ones, or a wider one if necessary.
+pub fn index_component(document: &GltfDocument, primitive: &Primitive, vertices: usize) -> Component {
+    let old = primitive.indices.and_then(|accessor| document.records.accessors[accessor].format);
+    let old = old.map_or(Component::U16, |format| format.component);
+    // The largest number of each type is forbidden.
+    match (old, vertices) {
+        (Component::U8, ..=0xFF) => Component::U8,
+        (Component::U8 | Component::U16, ..=0xFFFF) => Component::U16,
+        _ => Component::U32,
+    }
 }
 
 pub fn drop_draco(store: &mut Store<'_>, member: &Member<'_>) {

@@ -8,7 +8,13 @@ mod store;
 mod member;
 // The values of vertices.
 mod rows;
+// Vertices that agree in everything.
+mod merge;
 // New normals and tangents for primitives that share vertices.
 mod group;
 // An edit as a whole, and the files that it becomes.
 pub mod apply;
+// A GLB without what nothing uses.
+mod compact;
+// Rows and columns of a buffer view that are in use.
+mod view_table;

@@ -66,7 +66,7 @@ fn counts<'a>(numbers: impl IntoIterator<Item = &'a u64>) -> FxHashMap<u64, usiz
 }
 
 /// All integers in extensions of what may refer to accessors or views.
-fn pinned(json: &Json) -> FxHashSet<u64> {
+pub fn pinned(json: &Json) -> FxHashSet<u64> {
     let mut pinned = FxHashSet::default();
     let lists = ["meshes", "nodes", "scenes", "skins", "animations", "accessors"];
     let lists = lists.into_iter().filter_map(|name| json.member(json.root(), name));

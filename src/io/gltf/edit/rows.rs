@@ -12,11 +12,11 @@ use std::borrow::Cow;
 
 pub struct Rows {
     bytes: Vec<u8>,
-    size: usize,
+    pub size: usize,
 }
 
 impl Rows {
-    fn get(&self, number: usize) -> &[u8] {
+    pub fn get(&self, number: usize) -> &[u8] {
         &self.bytes[number * self.size..(number + 1) * self.size]
     }
 

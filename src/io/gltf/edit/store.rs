@@ -129,6 +129,11 @@ impl<'a> Store<'a> {
         }
     }
 
+    /// Whether nothing but these objects, which refer to an accessor, uses it.
+    pub fn is_only_at(&self, accessor: usize, sites: usize) -> bool {
+        self.refs.is_only_at(accessor, sites)
+    }
+
     pub fn is_empty(&self) -> bool {
         self.patches.is_empty() && self.splices.is_empty()
     }
