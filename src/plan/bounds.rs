@@ -77,6 +77,14 @@ impl<'a> Setting<'a> {
         Some(error)
     }
 
+    /// The bound on the error of single precision: a rounding of some units of 2⁻²⁴ in the cosine is n times as large in its power n.
+    pub fn rounding(&self, material: &Material, lights: &[Light]) -> Option<f64> {
+        const ROUNDING: f64 = 8.0 / (1 << 24) as f64;
+        let reflected = diffuse(material) + specular(material) * material.exponent;
+        let lights = lights.iter().filter(|light| !matches!(light, Light::Ambient { .. }));
+        lights.map(|light| Some(self.strength(light)? * reflected * ROUNDING)).sum()
+    }
+
     /// The bound on the light of terms that are omitted: the highlight, or all but ambient light. A highlight in place of another one is
     /// off by at most k_s.
     pub fn without_terms(&self, material: &Material, lights: &[Light], terms: Terms) -> Option<f64> {

@@ -251,9 +251,19 @@ impl Described<'_> {
             document.set_setting("samples", samples, &comment(decision));
         }
         let worst = metric.text(worst.by(metric)).replace("steps", "steps of 255");
-        document.set_head(&format!("Planned by crease: within {worst} (tolerance {tolerance})."));
+        let mut head = format!("Planned by crease: within {worst} (tolerance {tolerance}).");
+        // An omitted light has no table that a comment could stand at.
+        let is_omitted = |it: &&Decision| it.axis == Axis::Lights && found_is_omitted(self, found, it.number);
+        for decision in decisions.iter().filter(is_omitted) {
+            head += &format!("\n{}: {}", decision.what, comment(decision));
+        }
+        document.set_head(&head);
         document.to_string()
     }
+}
+
+fn found_is_omitted(described: &Described, found: &Found, light: usize) -> bool {
+    described.lights[light][found.lights[light]].0.is_none()
 }
 
 /// The axis that a key of an object belongs to.

@@ -70,6 +70,7 @@ impl<'a> ModelBounds<'a> {
                 error += self.setting.replaced(&material, &models[0].0?, models[number].0.as_ref())?;
             }
             error += self.of_geometry(unit, model, &material, &lights)?;
+            error += self.setting.rounding(&material, &lights)?;
             most = most.max(error);
         }
         Some(self.setting.steps(most))

@@ -2,7 +2,7 @@
 
 use super::apply::{FileModels, name_storage};
 use super::axes::{Axis, LightModel, ObjectModel};
-use super::compare::Difference;
+use super::compare::{Difference, Metric};
 use super::decisions::{Described, Plan};
 use super::document::Document;
 use super::evidence::Evidence;
@@ -12,7 +12,7 @@ use super::models::models_of;
 use super::options::PlanOptions;
 use super::search::{Outcome, Search};
 use super::stage::{PlanError, Stage};
-use super::trials::{Limits, Trials};
+use super::trials::{Counts, Limits, Trials};
 use super::views::{Turn, View, around};
 use crate::num::Degrees;
 use crate::raster::{Camera, LoadOptions, Samples, SceneFile, default_lights};
@@ -101,14 +101,16 @@ fn find(
         [Samples::Four, Samples::One].into_iter().filter(|samples| samples.count() < declared.count());
     let fewer = fewer.filter(|_| options.allow_antialiasing);
     let stages: Vec<Stage> = [declared].into_iter().chain(fewer).map(|it| stage.with_samples(it)).collect();
+    let counts = Counts::default();
     let mut repairs = 0;
     loop {
         let trials = |stage| {
-            // With other samples outlines move as well, which no bound covers.
+            // No bound covers outlines, which move with other samples, or ꟻLIP.
             let cone = options.light_cone.into();
             let bounds = ModelBounds::new(stage, &views, &lights, (middle, radius), cone);
-            let bounds = bounds.filter(|_| stage.settings.samples == declared);
-            Trials::new(stage, &views, &lights, limits, bounds, progress)
+            let holds = stage.settings.samples == declared && options.metric == Metric::Steps;
+            let bounds = bounds.filter(|_| holds);
+            Trials::new(stage, &views, &lights, limits, bounds, &counts, progress)
         };
         let search = |stage| Search::new(trials(stage), &models, options.minimise);
         let searches: Vec<Search> = stages.iter().map(search).collect();
@@ -199,8 +201,7 @@ fn cheapest(searches: &[Search]) -> Result<(usize, Outcome), PlanError> {
         }
         outcome.proven = outcome.proven.min(next.proven);
         outcome.combinations += next.combinations;
-        outcome.refused += next.refused;
-        outcome.drawn += next.drawn;
+        (outcome.refused, outcome.drawn) = (next.refused, next.drawn);
     }
     Ok((best, outcome))
 }

@@ -273,6 +273,10 @@ impl<'a> Search<'a> {
                 if extend(unit, after[unit] + 1, &mut good)? && seen.insert(after.clone()) {
                     queue.push(Reverse((key(&after, &good), after)));
                 }
+                // A successor may be missing, which costs no less than this one.
+                if self.trials.is_spent() {
+                    return Ok(Step::Spent(rank.0));
+                }
             }
         }
         Ok(Step::Nothing)

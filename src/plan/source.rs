@@ -55,7 +55,9 @@ pub fn most_accurate(text: &str) -> Result<String, TomlError> {
     for table in tables.into_iter().flat_map(ArrayOfTables::iter_mut) {
         make_accurate(table);
         let is_given = table.get("normals").and_then(Item::as_str) == Some("given");
-        if !table.contains_key("surface") && !is_given {
+        if table.contains_key("surface") {
+            table.remove("normals");
+        } else if !is_given {
             table["weight"] = value("best");
         }
     }

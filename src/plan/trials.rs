@@ -45,6 +45,15 @@ impl Limits {
     }
 }
 
+/// What all searches of a plan have drawn.
+#[derive(Debug, Default)]
+pub struct Counts {
+    /// Pixels.
+    drawn: Cell<u64>,
+    /// Models that were refused.
+    refused: Cell<u64>,
+}
+
 /// Models that were drawn and compared.
 #[derive(Clone, Debug)]
 pub struct Trial {
@@ -72,8 +81,7 @@ pub struct Trials<'a> {
     pub bounds: Option<ModelBounds<'a>>,
     /// Called with the share of the budget that is used up.
     progress: &'a dyn Fn(f64),
-    drawn: Cell<u64>,
-    refused: Cell<u64>,
+    counts: &'a Counts,
     known: RefCell<HashMap<(usize, usize, LightChoice), bool>>,
     log: RefCell<Vec<Trial>>,
     /// Pixels at which models of a unit with these cells were refused: most others fail there too. The latest comes first.
@@ -108,20 +116,21 @@ impl<'a> Trials<'a> {
         lights: &'a [Vec<LightModel>],
         limits: Limits,
         bounds: Option<ModelBounds<'a>>,
+        counts: &'a Counts,
         progress: &'a dyn Fn(f64),
     ) -> Self {
-        let (drawn, refused, known, log, witnesses) = Default::default();
-        Self { stage, views, lights, limits, bounds, progress, drawn, refused, known, log, witnesses }
+        let (known, log, witnesses) = Default::default();
+        Self { stage, views, lights, limits, bounds, progress, counts, known, log, witnesses }
     }
 
     /// Pixels drawn.
     pub fn drawn(&self) -> u64 {
-        self.drawn.get()
+        self.counts.drawn.get()
     }
 
     /// Models refused.
     pub fn refused(&self) -> u64 {
-        self.refused.get()
+        self.counts.refused.get()
     }
 
     /// All that was drawn and compared, in order.
@@ -131,7 +140,7 @@ impl<'a> Trials<'a> {
 
     /// Whether the budget or the time is used up.
     pub fn is_spent(&self) -> bool {
-        self.drawn.get() > self.limits.budget
+        self.counts.drawn.get() > self.limits.budget
             || self.limits.deadline.is_some_and(|deadline| Instant::now() > deadline)
     }
 
@@ -177,7 +186,7 @@ impl<'a> Trials<'a> {
             let (models, lights) = (vec![(unit, *model)], choice.clone());
             self.log.borrow_mut().push(Trial { models, lights, error, is_within });
         }
-        self.refused.set(self.refused.get() + u64::from(!is_within));
+        self.counts.refused.set(self.counts.refused.get() + u64::from(!is_within));
         self.known.borrow_mut().insert(key, is_within);
         Ok(is_within)
     }
@@ -295,8 +304,8 @@ impl<'a> Trials<'a> {
 
     /// Counts drawn pixels.
     fn count(&self, pixels: u64) {
-        self.drawn.set(self.drawn.get() + pixels);
-        (self.progress)((self.drawn.get() as f64 / self.limits.budget.max(1) as f64).min(1.0));
+        self.counts.drawn.set(self.counts.drawn.get() + pixels);
+        (self.progress)((self.counts.drawn.get() as f64 / self.limits.budget.max(1) as f64).min(1.0));
     }
 
     /// The largest difference of a whole plan with its view, and the largest distance of outlines; `None` if it is not within the limits.

@@ -83,8 +83,8 @@ pub struct Turn {
 }
 
 impl Turn {
-    /// No rotation, then if `cone` is above 0 rotations by this angle around the coordinate axes, in both directions: each direction of
-    /// light moves towards four others or more.
+    /// No rotation, then if `cone` is above 0 rotations by this angle and by half of it around the coordinate axes, in both directions: each
+    /// direction of light moves towards four others or more.
     pub fn sampled(cone: Degrees, middle: DVec3) -> Vec<Self> {
         let axes = [DVec3::X, DVec3::Y, DVec3::Z, -DVec3::X, -DVec3::Y, -DVec3::Z];
         let none = Self { rotation: DQuat::IDENTITY, middle };
@@ -99,10 +99,13 @@ impl Turn {
     }
 
     fn around_axes(axes: &[DVec3], Degrees(cone): Degrees, middle: DVec3) -> Vec<Self> {
-        let axes = if cone > 0.0 { axes } else { &[] };
-        let (sin, cos) = libm::sincos(0.5 * cone.to_radians());
-        let rotation = |&axis: &DVec3| DQuat::from_vec4((sin * axis).extend(cos));
-        axes.iter().map(|axis| Self { rotation: rotation(axis), middle }).collect()
+        let angles: &[f64] = if cone > 0.0 { &[1.0, 0.5] } else { &[] };
+        let turns = angles.iter().flat_map(|share| {
+            let (sin, cos) = libm::sincos(0.5 * share * cone.to_radians());
+            let rotation = move |&axis: &DVec3| DQuat::from_vec4((sin * axis).extend(cos));
+            axes.iter().map(move |axis| Self { rotation: rotation(axis), middle })
+        });
+        turns.collect()
     }
 
     /// A light, turned.

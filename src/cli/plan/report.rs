@@ -6,7 +6,7 @@ use crate::cli::common::console::{Style, escaped};
 use crate::cli::common::numbers::{change, count, row, size};
 use crate::cli::common::report::Head;
 use crease::num::three_digits;
-use crease::plan::{Decision, Metric, Minimise, Plan};
+use crease::plan::{Axis, Decision, Metric, Minimise, Plan};
 use serde::Serialize;
 
 /// The choices, the formulas of bounds, and how costs are counted.
@@ -78,7 +78,11 @@ pub fn text(report: &Report, style: Style) -> String {
     }
     out.push('\n');
     if plan.decisions.is_empty() {
-        row(&mut out, "plan", "nothing can be omitted within the tolerance");
+        let unchanged = match plan.is_cheapest {
+            true => "nothing can be omitted within the tolerance",
+            false => "no cheaper model was found before the search ended",
+        };
+        row(&mut out, "plan", unchanged);
     }
     for decision in &plan.decisions {
         row(&mut out, "plan", &line(decision, report));
@@ -125,8 +129,8 @@ pub fn text(report: &Report, style: Style) -> String {
         false => format!("budget used up: no plan costs less than {} {}", plan.proven, name(report.minimise)),
     };
     let search = format!(
-        "{proven}; {} of {:.0} combinations drawn and refused, {:.0} Mpixels",
-        plan.refused,
+        "{proven}; {} refused, {:.0} combinations, {:.0} Mpixels",
+        count(plan.refused as usize, "model"),
         plan.combinations,
         plan.drawn as f64 / 1e6
     );
@@ -154,7 +158,7 @@ fn name(minimise: Minimise) -> &'static str {
 
 fn line(decision: &Decision, report: &Report) -> String {
     let Decision { what, axis, from, to, saved, bound, measured, .. } = decision;
-    let axis = if what.starts_with("light ") { "" } else { axis.name() };
+    let (what, axis) = (escaped(what), if *axis == Axis::Lights { "" } else { axis.name() });
     let bound = bound.map_or("no bound".to_owned(), |bound| format!("bound {}", three_digits(bound)));
     format!(
         "{what}: {axis}{}{from} to {to}; saves {saved} {}; {} alone ({bound}, margin {})",

@@ -6,15 +6,15 @@ use super::report::{DrawSeconds, EXPLANATION, Report, text};
 use crate::cli::common::console::{Console, escaped};
 use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
 use crate::cli::common::options::Color;
-use crate::cli::common::output::{Target, is_same_file};
+use crate::cli::common::output::{Target, folder_of, is_same_file};
 use crate::cli::common::progress::Progress;
 use crate::cli::usage::usage_error;
-use crease::io::shell_word;
+use crease::io::{Severity, shell_word};
 use crease::num::Transfer;
 use crease::plan::{PlanError, most_accurate, plan, plan_with_evidence, scene_text};
 use crease::raster::{LoadOptions, SceneFile, render};
 use crease::report::{PlanPage, encode_png, plan_page, plan_sheet};
-use std::path::Path;
+use std::path::{Path, PathBuf, absolute};
 use std::time::Instant;
 
 pub fn main(args: &PlanArgs, color: Color) -> Exit {
@@ -32,6 +32,12 @@ pub fn main(args: &PlanArgs, color: Color) -> Exit {
     }
     if let Some(message) = apply::refusal(args) {
         usage_error("plan", message);
+    }
+    let files: Vec<PathBuf> =
+        args.files().map(|path| absolute(path).unwrap_or_else(|_| path.clone())).collect();
+    if let Some(at) = (1..files.len()).find(|&at| files[..at].contains(&files[at])) {
+        let name = files[at].display();
+        usage_error("plan", format!("two outputs would be written to {name}\nhelp: name a file for each"));
     }
     args.run.use_threads();
     let start = Instant::now();
@@ -84,6 +90,16 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
         let target = Target::of(&path);
         report.output = Some(target.name());
         target.store(planned.text.clone().into_bytes())?;
+        let has_meshes = planned.text.lines().any(|line| line.starts_with("mesh ="));
+        let is_elsewhere = absolute(folder_of(&path)).ok() != absolute(folder_of(&source.path)).ok();
+        if has_meshes && is_elsewhere && args.apply.is_none() && matches!(target, Target::File(_)) {
+            let advice = "move it into the folder of the input to draw it, or copy its meshes";
+            let name = escaped(&report.input);
+            console.about(
+                Severity::Warning,
+                &format!("{name}: the planned scene names meshes of this folder\nhelp: {advice}"),
+            );
+        }
     }
     if let Some(evidence) = evidence {
         let about = PlanPage {

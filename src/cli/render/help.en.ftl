@@ -57,7 +57,7 @@ transfer = Transfer from linear light to codes [default: srgb; for --show normal
 
 ## What `-h` shows.
 
-output-short = Output picture: PNG, JPEG, WebP or GIF by its name, or `-` for standard output
+output-short = Output picture (PNG, JPEG, WebP, GIF), or `-` for standard output
 size-short = Width and height in pixels, each up to 16384 [default: 640x480]
 samples-short = Samples per pixel, each shaded separately [default: 4]
 compare-short = Draw panels side by side that differ in shading or interpolation

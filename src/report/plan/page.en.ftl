@@ -3,8 +3,9 @@
 title = { $scene } needs { $share } of its { $quantity }
 title-unchanged = { $scene } needs everything that it declares
 lead =
-    The planned scene costs { $after } in place of { $before }. No picture differs by more than { $worst } (tolerance
+    The planned scene costs { $after } in place of { $before }. No pixel of an object differs by more than { $worst } (tolerance
     { $tolerance }).
+lead-none-found = No cheaper model was found before the search ended.
 lead-unchanged = No cheaper model is within the tolerance of { $tolerance }.
 unproven = The search ended before all cheaper models were tried. No plan costs less than { $proven }.
 contents = Contents
@@ -13,8 +14,10 @@ pictures-caption = The view with the largest difference: { $worst } (tolerance {
 shot-reference = Reference
 shot-planned = Plan
 shot-step = With the cheaper step
+shot-difference-plain = Difference
 shot-difference = Difference, amplified { $factor } times
 decisions = Decisions
+decisions-none-found = No cheaper model was found before the search ended.
 decisions-none = Each cheaper value is beyond the tolerance.
 decisions-caption = What the plan changes
 column-what = object or light
@@ -124,11 +127,11 @@ because-precision-angle = Single precision turns normals by at most { $angle }, 
 because-storage = Normals stored as { $to } change colours by { $difference }.
 because-storage-angle = Normals stored as { $to } are off by at most { $angle }, which changes colours by { $difference }.
 because-interpolation =
-    The faces are so small or so far away that their depth hardly varies: { $to } interpolation changes colours by
+    The faces of { $what } are so small or so far away that their depth hardly varies: { $to } interpolation changes colours by
     { $difference }.
 because-reflection = The reflection of { $what } is { $to }: the omitted or replaced terms change colours by { $difference }.
 because-tessellation = { $what } has { $to } cells in place of { $from }: colours change by { $difference }.
-because-two-sided = No visible face of { $what } is seen from behind: its rear needs no light.
+because-two-sided = { $what } is lit on one side: its visible rear faces differ by { $difference } at most.
 because-lights = { $what } is { $to } in place of { $from }: colours change by { $difference }.
 because-lights-radii =
     { $what } is { $radii } radii of the scene away: as { $to } light its direction is off by at most { $angle }, and colours

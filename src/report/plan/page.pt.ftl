@@ -3,8 +3,9 @@
 title = { $scene } precisa de { $share } do original em { $quantity }
 title-unchanged = { $scene } precisa de tudo o que declara
 lead =
-    A cena planejada custa { $after } em vez de { $before }. Nenhuma imagem difere em mais de { $worst } (tolerância
+    A cena planejada custa { $after } em vez de { $before }. Nenhum pixel de um objeto difere em mais de { $worst } (tolerância
     { $tolerance }).
+lead-none-found = Nenhum modelo mais barato foi encontrado antes do fim da busca.
 lead-unchanged = Nenhum modelo mais barato fica dentro da tolerância de { $tolerance }.
 unproven = A busca terminou antes de testar todos os modelos mais baratos. Nenhum plano custa menos de { $proven }.
 contents = Conteúdo
@@ -13,8 +14,10 @@ pictures-caption = A vista com a maior diferença: { $worst } (tolerância { $to
 shot-reference = Referência
 shot-planned = Plano
 shot-step = Com o passo mais barato
+shot-difference-plain = Diferença
 shot-difference = Diferença, amplificada { $factor } vezes
 decisions = Decisões
+decisions-none-found = Nenhum modelo mais barato foi encontrado antes do fim da busca.
 decisions-none = Todo valor mais barato ultrapassa a tolerância.
 decisions-caption = O que o plano muda
 column-what = objeto ou luz
@@ -128,11 +131,11 @@ because-storage = Vetores normais armazenados como { $to } mudam as cores em { $
 because-storage-angle =
     Vetores normais armazenados como { $to } erram no máximo { $angle }, o que muda as cores em { $difference }.
 because-interpolation =
-    As faces são tão pequenas ou distantes que sua profundidade quase não varia: a interpolação { $to } muda as cores em
+    As faces de { $what } são tão pequenas ou distantes que sua profundidade quase não varia: a interpolação { $to } muda as cores em
     { $difference }.
 because-reflection = A reflexão de { $what } é { $to }: os termos omitidos ou trocados mudam as cores em { $difference }.
 because-tessellation = { $what } tem { $to } células em vez de { $from }: as cores mudam em { $difference }.
-because-two-sided = Nenhuma face visível de { $what } é vista por trás: o verso não precisa de luz.
+because-two-sided = { $what } é iluminado de um só lado: as faces vistas por trás diferem no máximo em { $difference }.
 because-lights = { $what }: { $to } em vez de { $from }; as cores mudam em { $difference }.
 because-lights-radii =
     { $what } está a { $radii } raios da cena: como luz { $to }, sua direção erra no máximo { $angle }, e as cores mudam em

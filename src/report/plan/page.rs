@@ -52,9 +52,15 @@ pub fn plan_page(plan: &Plan, evidence: &Evidence, about: &PlanPage) -> Result<S
     ];
     let sentence_of = |key: &str| text(key, &values, language);
     let title = if plan.decisions.is_empty() { "title-unchanged" } else { "title" };
-    let mut page =
-        Page::new(&sentence_of(title), &sentence_of(if after < before { "lead" } else { "lead-unchanged" }))
-            .in_language(language.tag(), &say("contents"));
+    let mut page = Page::new(
+        &sentence_of(title),
+        &sentence_of(if after < before {
+            "lead"
+        } else {
+            if plan.is_cheapest { "lead-unchanged" } else { "lead-none-found" }
+        }),
+    )
+    .in_language(language.tag(), &say("contents"));
     if !plan.is_cheapest {
         let proven = [("proven", cost(plan.proven, about.minimise).into())];
         page.paragraph(&text("unproven", &proven, language));
@@ -86,7 +92,7 @@ fn decisions(plan: &Plan, about: &PlanPage, page: &mut Page) {
     let language = about.language;
     let say = |key: &str| text(key, &[], language);
     if plan.decisions.is_empty() {
-        page.paragraph(&say("decisions-none"));
+        page.paragraph(&say(if plan.is_cheapest { "decisions-none" } else { "decisions-none-found" }));
         return;
     }
     let sentences: Vec<String> =
@@ -142,11 +148,13 @@ fn three(
     about: &PlanPage,
 ) -> Result<String> {
     let factor = [("factor", comparison.amplification.into())];
+    let difference =
+        if comparison.amplification == 1.0 { "shot-difference-plain" } else { "shot-difference" };
     let key = if around.is_some() { "shot-step" } else { "shot-planned" };
     let captions = [
         text("shot-reference", &[], about.language),
         text(key, &[], about.language),
-        text("shot-difference", &factor, about.language),
+        text(difference, &factor, about.language),
     ];
     let images = [&comparison.reference, &comparison.other, &comparison.difference];
     let mut figures = Vec::new();

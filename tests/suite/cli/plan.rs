@@ -110,6 +110,8 @@ fn wrong_command_lines_are_refused() {
         &["--minimise", "time"],
         &["--size", "0x0"],
         &["--metric", "ssim"],
+        &["-o", "a.toml", "--html", "./a.toml"],
+        &["-o", "-", "--html", "-"],
         &["--metric", "flip", "--share", "0.1"],
         &["--metric", "flip", "--outline", "1"],
         &["--allow", "shading"],

@@ -23,7 +23,7 @@ fn turned_lights_are_kept_where_they_arrive() {
         let plan = planned(SQUARE, &options);
         assert_eq!(change(&plan, Axis::Lights).is_none(), is_kept, "{cone}: {:?}", plan.decisions);
         assert_eq!(plan.held_out.is_some(), cone > 0.0);
-        assert_eq!(plan.views, if cone > 0.0 { 7 } else { 1 });
+        assert_eq!(plan.views, if cone > 0.0 { 13 } else { 1 });
     }
 }
 

@@ -126,7 +126,7 @@ fn pictures_may_be_jpeg_or_webp() {
     let scene = path(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("data/scenes/sphere.toml"));
     let draw = |name: &str| {
         let out = path(folder.path().join(name));
-        let done = render(&[&scene, "--size", "64x48", "-o", &out, "-q"]);
+        let done = render([&scene, "--size", "64x48", "-o", &out, "-q"]);
         assert_eq!(code(&done), 0, "{}", text(&done.stderr));
         fs::read(out).unwrap()
     };
@@ -137,7 +137,7 @@ fn pictures_may_be_jpeg_or_webp() {
     let off = pixels(&jpeg).iter().zip(png.iter()).map(|(a, b)| u64::from(a.abs_diff(*b))).sum::<u64>();
     let mean = off as f64 / png.len() as f64;
     assert!(mean > 0.0 && mean < 2.0, "{mean}");
-    let streamed = render(&[&scene, "--size", "64x48", "--to", "jpeg", "-o", "-"]);
+    let streamed = render([&scene, "--size", "64x48", "--to", "jpeg", "-o", "-"]);
     assert_eq!(streamed.stdout, jpeg);
 }
 
