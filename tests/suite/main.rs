@@ -9,6 +9,7 @@ mod colours;
 mod convert;
 mod data;
 mod docs;
+mod f32_text;
 mod flat;
 mod gltf;
 mod gltf_edit;

@@ -19,8 +19,8 @@ const DIGITS: i32 = 6;
 ///
 /// - each has the shortest spelling of one, and enough of them end in a digit finer than single precision or have fewer
 ///   decimals the larger they are;
-/// - each is within half a unit of its last digit of one (as after `%.9g`), and enough of them have digits so fine that most
-///   doubles would not be.
+/// - each is within half a unit of its last digit of one (as after `%.9g` or `%.17g`), and enough of them have digits so fine
+///   that most doubles would not be.
 ///
 /// Other numbers with a fixed count of decimals stay unchanged.
 pub fn storage_of_text(parts: &[&[DVec3]]) -> Storage {
@@ -108,7 +108,7 @@ impl Spellings {
     }
 }
 
-/// A decimal of few digits, compared with the nearest `f32`.
+/// A decimal, compared with the nearest `f32`.
 #[derive(Debug, PartialEq)]
 struct Spelling {
     /// Whether it is the shortest decimal that reads back as the `f32`.
@@ -129,15 +129,15 @@ struct Unclear;
 /// The relative error of a distance: some 2⁻²⁰ of the spacing of `f32`, 2⁹ times the rounding error of an `f64`.
 const MARGIN: f64 = 1e-6;
 
-/// The most decimals that count: nine digits or ten, as the power of two of a number bounds that of ten; and eight decimals, if
-/// an `f64` holds so many digits.
+/// The most decimals of a number that is not near an `f32`: nine digits or ten, as the power of two of a number bounds that of
+/// ten; and eight decimals, if an `f64` holds so many digits. The shortest decimal of an `f32` has no more.
 fn most_decimals(coordinate: f64) -> i32 {
     let decade = (num::exponent(coordinate) * 1233) >> 12;
     if (0..=6).contains(&decade) { 8 } else { 8 - decade }
 }
 
 impl Spelling {
-    /// The spelling of a coordinate other than 0; `None` if it has more digits, or is out of range.
+    /// The spelling of a coordinate other than 0; `None` if it has more digits than an `f32` nearby, or is out of range.
     fn of(coordinate: f64) -> Option<Self> {
         let single = coordinate as f32;
         if !single.is_finite() || single == 0.0 {
@@ -160,7 +160,11 @@ impl Spelling {
         };
         // One operation on exact operands is what reading these digits gives (Clinger 1990).
         if value != coordinate {
-            return Ok(None);
+            // The unit of one more digit: none of a longer text is larger.
+            let unit = if scale >= 0 { 0.1 / power } else { 0.1 * power };
+            let may_be_near =
+                (coordinate - single).abs() <= (0.5 + MARGIN) * unit + f64::EPSILON * coordinate;
+            return if may_be_near { Err(Unclear) } else { Ok(None) };
         }
         let (mut digits, mut decimals) = (digits as u64, scale);
         while digits.is_multiple_of(10) {
@@ -219,8 +223,8 @@ impl Spelling {
         let zeros = if fraction.is_empty() { whole.len() - whole.trim_end_matches('0').len() } else { 0 };
         let (first, decimals) = (first + power, fraction.len() as i32 - zeros as i32 - power);
         let (magnitude, single) = (coordinate.abs(), f64::from(single.abs()));
-        (is_shortest || decimals <= most_decimals(magnitude))
-            .then(|| Self { is_shortest, ..Self::new(magnitude, single, first, decimals) })
+        let spelling = Self { is_shortest, ..Self::new(magnitude, single, first, decimals) };
+        (is_shortest || spelling.is_near || decimals <= most_decimals(magnitude)).then_some(spelling)
     }
 
     /// Whether the unit of its last digit is at most half the spacing of `f32`.
@@ -269,11 +273,16 @@ mod tests {
         }
     }
 
-    /// As `%.9g` and `%.8f` print, which are no shortest decimals.
+    /// As `%.9g`, `%.8f`, `%.12g`, `%.16g` and `%.17g` print, which are no shortest decimals.
     #[test]
-    fn nine_digits_and_eight_decimals_of_singles_are_singles() {
-        let spellings: [fn(f64) -> String; 2] =
-            [|x| format!("{:.8e}", x as f32), |x| format!("{:.8}", x as f32)];
+    fn nine_digits_and_more_and_eight_decimals_of_singles_are_singles() {
+        let spellings: [fn(f64) -> String; 5] = [
+            |x| format!("{:.8e}", x as f32),
+            |x| format!("{:.8}", x as f32),
+            |x| format!("{:.11e}", x as f32),
+            |x| format!("{:.15e}", x as f32),
+            |x| format!("{:.16e}", x as f32),
+        ];
         for spell in spellings {
             let read = positions(spell);
             assert_eq!(storage_of_text(&[&read]), Storage::F32, "{}", spell(0.1));
@@ -286,7 +295,7 @@ mod tests {
 
     #[test]
     fn decimals_and_doubles_stay_as_they_are() {
-        let spellings: [fn(f64) -> String; 9] = [
+        let spellings: [fn(f64) -> String; 11] = [
             |x| x.to_string(),
             |x| format!("{x:.2}"),
             |x| format!("{x:.4}"),
@@ -295,6 +304,8 @@ mod tests {
             |x| format!("{x:.4e}"),
             |x| format!("{x:.7e}"),
             |x| format!("{x:.8e}"),
+            |x| format!("{x:.11e}"),
+            |x| format!("{x:.16e}"),
             |x| format!("{x:.8}"),
         ];
         for spell in spellings {
@@ -324,6 +335,8 @@ mod tests {
                 format!("{size:.7e}"),
                 format!("{size:.8e}"),
                 format!("{size:.6}"),
+                format!("{single:.11e}"),
+                format!("{single:.16e}"),
                 // Half way between two singles.
                 f64::midpoint(f64::from(single), f64::from(single.next_up())).to_string(),
             ];
