@@ -284,24 +284,33 @@ impl<'a> Shape<'a> {
             positions: self.points,
             corner_group: target,
             group_corners: members,
-            more_rings: self.more_rings,
         };
         let rings = Rings::new(request, sums.unit.len());
         let mut fits = Fits::default();
         let mut weight = weight;
         if weight == Weight::Best {
-            let choice = choose(&rings, &sums.unit);
+            let choice = choose(&rings, &sums.unit, self.more_rings);
             weight = choice.weight;
             fits.choice = Some(choice);
         }
-        match weight {
+        let groups: Vec<u32> = (0..sums.unit.len() as u32).collect();
+        let fitted = match weight {
             Weight::Jet => {
-                let [degree_3, degree_2] = fitted_normals(&rings, JET, &mut sums.unit);
+                let (normals, [degree_3, degree_2]) =
+                    fitted_normals(&rings, JET, self.more_rings, &sums.unit, &groups);
                 fits.jet = JetFallbacks { degree_3, degree_2 };
+                normals
             }
-            Weight::Quadric => [fits.quadric] = fitted_normals(&rings, [QUADRIC], &mut sums.unit),
-            _ => {}
-        }
+            Weight::Quadric => {
+                let (normals, [failures]) =
+                    fitted_normals(&rings, [QUADRIC], self.more_rings, &sums.unit, &groups);
+                fits.quadric = failures;
+                normals
+            }
+            _ => Vec::new(),
+        };
+        let fitted = sums.unit.iter_mut().zip(fitted).filter(|(_, fit)| *fit != DVec3::ZERO);
+        fitted.for_each(|(unit, fit)| *unit = fit);
         fits
     }
 }

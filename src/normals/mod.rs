@@ -35,6 +35,7 @@ pub use fallback::select::{Selection, select};
 pub use fault::{Fault, FaultReason, Faults};
 pub use field::{EdgeCounts, Extras, NearCancellation, NormalField, Summary};
 pub use fits::choice::Choice;
+pub use fits::differences::FitDifferences;
 pub use fits::fitted_normals::FitFailures;
 pub use fits::jet::JetFallbacks;
 pub use recipe::{
