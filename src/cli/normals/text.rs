@@ -302,7 +302,7 @@ fn best(parts: &[Part]) -> Option<String> {
     }
     let [noise, jet, quadric, angle] = [noise, jet, quadric, angle].map(three_digits);
     Some(format!(
-        "{}: estimated rms errors jet {jet}°, quadric {quadric}°, angle {angle}° ({noise}° of the jet's are noise)",
+        "{}: estimated rms errors jet {jet}°, quadric {quadric}°, angle {angle}°; noise {noise}°",
         weight.name()
     ))
 }
