@@ -60,9 +60,9 @@ pub(crate) fn choose(rings: &Rings<'_>, means: &[DVec3], more_rings: usize) -> C
     let count = groups.len().min(SAMPLE);
     let sample: Vec<u32> = (0..count).map(|i| groups[i * groups.len() / count]).collect();
     let [jets, wider_jets] =
-        [0, 1].map(|more| fitted_normals(rings, JET, more_rings + more, means, &sample).0);
+        [0, 1].map(|more| fitted_normals(rings, JET, more_rings + more, means, &sample, &|_| ()).0);
     let [quadrics, wider_quadrics] =
-        [0, 1].map(|more| fitted_normals(rings, [QUADRIC], more_rings + more, means, &sample).0);
+        [0, 1].map(|more| fitted_normals(rings, [QUADRIC], more_rings + more, means, &sample, &|_| ()).0);
     let square = |a: DVec3, b: DVec3| {
         let Radians(angle) = angle_between(a, b);
         angle * angle

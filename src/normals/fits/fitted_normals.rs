@@ -49,7 +49,8 @@ impl AddAssign for FitFailures {
 }
 
 /// The unit normal, at some smooth groups, of the first of some polynomials that can be fitted to the neighbours; zero where none
-/// can be. See [`Rings::neighbours`]. Returns how often each polynomial failed as well.
+/// can be. See [`Rings::neighbours`]. Returns how often each polynomial failed as well. `done` is called with numbers of finished groups, from any
+/// thread.
 ///
 /// The frame is that of `means`, one for each smooth group, which should be the angle-weighted means. There is no fit at groups
 /// without a mean (zero).
@@ -71,6 +72,7 @@ pub(crate) fn fitted_normals<const N: usize>(
     more_rings: usize,
     means: &[DVec3],
     groups: &[u32],
+    done: &(dyn Fn(usize) + Sync),
 ) -> (Vec<DVec3>, [FitFailures; N]) {
     let fewest = polynomials.iter().filter(|it| it.adds_rings).map(|it| it.fewest).fold(0, usize::max);
     let extent = Extent { fewest, more_rings };
@@ -92,6 +94,7 @@ pub(crate) fn fitted_normals<const N: usize>(
                 for (polynomial, failures) in polynomials.into_iter().zip(&mut failures) {
                     scratch.fit(rings, polynomial, means, groups, normals, failures);
                 }
+                done(groups.len());
                 failures
             },
         )

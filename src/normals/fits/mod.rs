@@ -19,6 +19,9 @@ pub(super) mod differences;
 // The one of these with the smallest error on a mesh.
 pub(super) mod choice;
 
+// How many fits are done.
+pub(super) mod progress;
+
 // Meshes of surfaces with exact normals.
 #[cfg(test)]
 mod test_surfaces;

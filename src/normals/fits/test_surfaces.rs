@@ -55,8 +55,9 @@ pub(super) fn normals_of<const N: usize>(
 ) -> (Vec<DVec3>, [FitFailures; N]) {
     let means = means_of(mesh, corner_group);
     let groups: Vec<u32> = (0..means.len() as u32).collect();
-    let (mut normals, failures) =
-        with_rings(mesh, corner_group, |rings| fitted_normals(&rings, polynomials, 0, &means, &groups));
+    let (mut normals, failures) = with_rings(mesh, corner_group, |rings| {
+        fitted_normals(&rings, polynomials, 0, &means, &groups, &|_| ())
+    });
     let without_fit = normals.iter_mut().zip(means).filter(|(normal, _)| **normal == DVec3::ZERO);
     without_fit.for_each(|(normal, mean)| *normal = mean);
     (normals, failures)
