@@ -177,22 +177,22 @@ fn one_object_reports_everything() {
     assert!(read > 0.0 && compute > 0.0 && write > 0.0 && total >= read + compute + write);
 }
 
-/// A block with a wave on top: its top and its sides are smooth, the edges between them are creases.
-fn block() -> String {
+/// A wave with a wall under one of its sides, at a crease.
+fn wave_on_a_wall() -> String {
     const N: usize = 24;
     let mut text = String::new();
-    let wave =
-        |i: usize, j: usize| 0.1 * ((6 * i) as f64 / N as f64).sin() * ((4 * j) as f64 / N as f64).cos();
+    let share = |i: usize| i as f64 / N as f64;
+    let wave = |i: usize, j: usize| 0.1 * libm::sin(6.0 * share(i)) * libm::cos(4.0 * share(j));
     for (i, j) in (0..=N).flat_map(|i| (0..=N).map(move |j| (i, j))) {
-        text += &format!("v {} {} {}\n", i as f64 / N as f64, wave(i, j), j as f64 / N as f64);
+        text += &format!("v {} {} {}\n", share(i), wave(i, j), share(j));
     }
     let top = |i: usize, j: usize| i * (N + 1) + j + 1;
     for (i, j) in (0..N).flat_map(|i| (0..N).map(move |j| (i, j))) {
         text += &format!("f {} {} {} {}\n", top(i, j), top(i, j + 1), top(i + 1, j + 1), top(i + 1, j));
     }
-    // One wall, down from the side with i = 0.
+    // The wall, down from the side with i = 0.
     for j in 0..=N {
-        text += &format!("v 0 -1 {}\n", j as f64 / N as f64);
+        text += &format!("v 0 -1 {}\n", share(j));
     }
     let foot = |j: usize| (N + 1) * (N + 1) + j + 1;
     for j in 0..N {
@@ -203,8 +203,8 @@ fn block() -> String {
 
 #[test]
 fn the_best_weight_keeps_creases() {
-    let work = folder(&[("block.obj", &block())]);
-    let [input, out] = ["block.obj", "out.obj"].map(|name| path(work.path().join(name)));
+    let work = folder(&[("wave.obj", &wave_on_a_wall())]);
+    let [input, out] = ["wave.obj", "out.obj"].map(|name| path(work.path().join(name)));
     let report = one(&[&input, "-o", &out, "--weight", "best", "--crease", "40"]);
     let part = &report.parts[0];
     let best = part.best.as_ref().unwrap();
