@@ -13,6 +13,7 @@ use crate::normals::field::{Extras, NearCancellation, NormalField, Summary};
 use crate::normals::fits::choice::{Choice, choose};
 use crate::normals::fits::fitted_normals::{FitFailures, fitted_normals};
 use crate::normals::fits::jet::{JET, JetFallbacks};
+use crate::normals::fits::progress::{FitCount, FitObserver, UNOBSERVED};
 use crate::normals::fits::quadric::QUADRIC;
 use crate::normals::fits::rings::{FitRequest, Rings};
 use crate::normals::recipe::{Groups, NormalRecipe, Precision, Weight};
@@ -51,10 +52,21 @@ pub fn compute(mesh: &Mesh, recipe: &NormalRecipe) -> NormalField {
 
 /// As [`compute`], with only some of the extras.
 pub fn compute_with(mesh: &Mesh, recipe: &NormalRecipe, extras: Extras) -> NormalField {
+    compute_observed(mesh, recipe, extras, UNOBSERVED)
+}
+
+/// As [`compute_with`]; reports the progress of fits, which take a hundred times as long as sums.
+pub fn compute_observed(
+    mesh: &Mesh,
+    recipe: &NormalRecipe,
+    extras: Extras,
+    observe: FitObserver<'_>,
+) -> NormalField {
     let is_plain = can_do_without_topology(mesh, recipe);
     let needs_faces =
         !is_plain || extras.face_normals || !matches!(CreaseTest::of(mesh, recipe), CreaseTest::None);
-    let mut shape = Shape { points: mesh.positions(), faces: FaceNormals::default(), more_rings: 0 };
+    let points = mesh.positions();
+    let mut shape = Shape { points, faces: FaceNormals::default(), more_rings: 0, observe };
     if needs_faces {
         shape.find_faces(mesh);
     }
@@ -92,7 +104,8 @@ pub(crate) fn compute_from(
     recipe: &NormalRecipe,
     faces: FaceField,
 ) -> NormalField {
-    let shape = Shape { points: mesh.positions(), faces: faces.into_computed(), more_rings: 0 };
+    let (points, faces) = (mesh.positions(), faces.into_computed());
+    let shape = Shape { points, faces, more_rings: 0, observe: UNOBSERVED };
     compute_shape(mesh, topology, recipe, shape, Extras::ALL)
 }
 
@@ -114,6 +127,7 @@ struct Shape<'a> {
     faces: FaceNormals,
     /// Rings that fits take in addition.
     more_rings: usize,
+    observe: FitObserver<'a>,
 }
 
 /// The sums of all slots.
@@ -126,7 +140,8 @@ struct SlotSums {
 
 impl<'a> Shape<'a> {
     fn new(points: PositionsRef<'a>, mesh: &Mesh) -> Self {
-        let mut shape = Self { points, faces: FaceNormals::default(), more_rings: 0 };
+        let faces = FaceNormals::default();
+        let mut shape = Self { points, faces, more_rings: 0, observe: UNOBSERVED };
         shape.find_faces(mesh);
         shape
     }
@@ -195,7 +210,9 @@ impl<'a> Shape<'a> {
                 summary,
             };
         };
-        let (values, fallbacks, fits) = self.entries(mesh, topology, recipe, &groups, sums.sums);
+        let shapes = 1 + mesh.columns().morph_targets.len();
+        let count = FitCount::new(shapes * groups.slots, self.observe);
+        let (values, fallbacks, fits) = self.entries(mesh, topology, recipe, &groups, sums.sums, &count);
         summary.quadric_fallbacks = fits.quadric.total();
         summary.jet_fallbacks = fits.jet;
         summary.choice = fits.choice;
@@ -207,7 +224,7 @@ impl<'a> Shape<'a> {
             // The sum of two f32 values need not be one.
             let shape = Shape::new(PositionsRef::F64(&moved), mesh);
             let sums = shape.sums(mesh, recipe, &groups).sums;
-            let (mut normals, fallbacks, _) = shape.entries(mesh, topology, recipe, &groups, sums);
+            let (mut normals, fallbacks, _) = shape.entries(mesh, topology, recipe, &groups, sums, &count);
             // A shape that loses a normal keeps that of the base: no displacement rather than an arbitrary one.
             summary.morph_fallbacks += fallbacks.len();
             for (entry, _) in fallbacks {
@@ -239,11 +256,12 @@ impl<'a> Shape<'a> {
         recipe: &NormalRecipe,
         groups: &SmoothGroups,
         mut sums: Sums,
+        count: &FitCount<'_>,
     ) -> (Vec<DVec3>, Vec<(u32, FaultReason)>, Fits) {
         let target = groups.corner_slots();
         let mut fits = Fits::default();
         if recipe.weight.is_fit() {
-            fits = self.fit(mesh, topology, recipe.weight, (&target, groups), &mut sums);
+            fits = self.fit(mesh, topology, recipe.weight, (&target, groups), &mut sums, count);
         }
         let mut fallbacks = FallbackNormals::new(mesh.faces().view(), topology, &self.faces);
         let fallbacks = fallbacks.for_slots(&target, &sums.state, |slot, normal| sums.unit[slot] = normal);
@@ -265,6 +283,7 @@ impl<'a> Shape<'a> {
         weight: Weight,
         (target, groups): (&[u32], &SmoothGroups),
         sums: &mut Sums,
+        count: &FitCount<'_>,
     ) -> Fits {
         let by_slot;
         let members = match &groups.members {
@@ -284,24 +303,34 @@ impl<'a> Shape<'a> {
             positions: self.points,
             corner_group: target,
             group_corners: members,
-            more_rings: self.more_rings,
         };
         let rings = Rings::new(request, sums.unit.len());
         let mut fits = Fits::default();
         let mut weight = weight;
         if weight == Weight::Best {
-            let choice = choose(&rings, &sums.unit);
+            let choice = choose(&rings, &sums.unit, self.more_rings);
             weight = choice.weight;
             fits.choice = Some(choice);
         }
-        match weight {
+        let groups: Vec<u32> = (0..sums.unit.len() as u32).collect();
+        let done = |groups| count.add(groups);
+        let fitted = match weight {
             Weight::Jet => {
-                let [degree_3, degree_2] = fitted_normals(&rings, JET, &mut sums.unit);
+                let (normals, [degree_3, degree_2]) =
+                    fitted_normals(&rings, JET, self.more_rings, &sums.unit, &groups, &done);
                 fits.jet = JetFallbacks { degree_3, degree_2 };
+                normals
             }
-            Weight::Quadric => [fits.quadric] = fitted_normals(&rings, [QUADRIC], &mut sums.unit),
-            _ => {}
-        }
+            Weight::Quadric => {
+                let (normals, [failures]) =
+                    fitted_normals(&rings, [QUADRIC], self.more_rings, &sums.unit, &groups, &done);
+                fits.quadric = failures;
+                normals
+            }
+            _ => Vec::new(),
+        };
+        let fitted = sums.unit.iter_mut().zip(fitted).filter(|(_, fit)| *fit != DVec3::ZERO);
+        fitted.for_each(|(unit, fit)| *unit = fit);
         fits
     }
 }

@@ -1,9 +1,12 @@
 //! Face normals against exact arithmetic: rational cross products, a 256-bit root.
 
-use crate::mesh::{Faces, Positions, Storage};
+use crate::mesh::{Faces, MeshBuilder, Positions, Storage};
+use crate::normals::compute::compute;
 use crate::normals::faces::face_normals::FaceNormals;
 use crate::normals::faces::face_normals::face_normals;
 use crate::normals::faces::shape::FaceState;
+use crate::normals::fault::{Fault, FaultReason};
+use crate::normals::recipe::NormalRecipe;
 use crate::normals::slices::vertex_normals::Scratch;
 use crate::num::power_of_two;
 use crate::num::test_numbers::Numbers;
@@ -194,4 +197,37 @@ fn coordinates_at_the_ends_of_f64_are_right_or_reported() {
         .collect();
     let out_of_range = check_angles(&polygons, Storage::F64);
     assert!((1..2000).contains(&out_of_range), "{out_of_range}");
+}
+
+/// As docs/normals.md states: only faces with coordinates below 2⁻¹¹⁴⁰ of the largest one, or of a height below 2⁻⁶⁰⁰ of their
+/// length, are out of range.
+#[test]
+fn faces_are_out_of_range_beyond_the_documented_limits_only() {
+    let mut numbers = Numbers::new(0x1140);
+    // A large face with a coordinate of 2¹⁰⁰⁰, and one with coordinates from 1 to 3 times some powers of two.
+    let mut faces = |corners: usize, size: i32, height: i32| {
+        let mut point = |i: usize| {
+            let angle = i as f64 + 0.5 * numbers.unit();
+            let [x, y] = [libm::cos(angle), libm::sin(angle)].map(|x| 2.0 + x);
+            crate::num::scale(DVec3::new(x, power_of_two(height) * y, 0.0), size)
+        };
+        let large = [DVec3::ZERO, DVec3::X, DVec3::Y].map(|p| crate::num::scale(p, 1000));
+        [large.to_vec(), (0..corners).map(&mut point).collect()]
+    };
+    for corners in 3..=6 {
+        for _ in 0..50 {
+            let within = [faces(corners, -140, 0), faces(corners, 900, -596)];
+            assert_eq!(within.map(|polygons| check_angles(&polygons, Storage::F64)), [0, 0], "{corners}");
+            let beyond = [faces(corners, -160, 0), faces(corners, 900, -640)];
+            let states = beyond.map(|polygons| normals_of(&polygons, Storage::F64).state);
+            let expected = [FaceState::Counted, FaceState::OutOfRange];
+            assert_eq!(states, [expected, expected], "{corners}");
+        }
+    }
+    let positions: Vec<DVec3> = faces(3, -160, 0).concat();
+    let faces = Faces::triangles((0..6).collect());
+    let mesh = MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build().unwrap();
+    let field = compute(&mesh, &NormalRecipe::default());
+    assert_eq!(field.faults.faces, [Fault { index: 1, reason: FaultReason::OutOfRange }]);
+    assert_eq!(field.faults.corners.len(), 3);
 }

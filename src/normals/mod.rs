@@ -25,7 +25,7 @@ mod slices;
 
 pub use crate::mesh::Weld;
 pub(crate) use compute::compute_from;
-pub use compute::{compute, compute_on, compute_wider, compute_with};
+pub use compute::{compute, compute_observed, compute_on, compute_wider, compute_with};
 pub use creases::chains::CreaseChains;
 pub use creases::dihedral_test::crease_slack;
 pub(crate) use creases::dihedral_test::{CreaseTest, SLACK_DEGREES};
@@ -35,8 +35,10 @@ pub use fallback::select::{Selection, select};
 pub use fault::{Fault, FaultReason, Faults};
 pub use field::{EdgeCounts, Extras, NearCancellation, NormalField, Summary};
 pub use fits::choice::Choice;
+pub use fits::differences::FitDifferences;
 pub use fits::fitted_normals::FitFailures;
 pub use fits::jet::JetFallbacks;
+pub use fits::progress::FitObserver;
 pub use recipe::{
     Averaging, Crease, CreaseRule, Groups, HardEdges, NormalRecipe, Precision, Scope, Slivers, Weight,
 };

@@ -22,9 +22,9 @@ pub enum Weight {
     /// w = 1 / (|e1| |e2|).
     Edge,
     /// The normal of a least-squares quadric through the two-ring: second order, slow. The angle mean is used where there are
-    /// fewer than six neighbours, where they lie on a conic, as on two rings of points, or where the fit turns the mean
-    /// more than twice as far as the means of the neighbours turn in that direction, so that rounding of positions is not
-    /// taken for shape: [`Summary::quadric_fallbacks`](crate::normals::Summary::quadric_fallbacks) counts these.
+    /// fewer than six neighbours, where they lie on a conic, as on two rings of points, where the normals among them differ by more
+    /// than 90° from the mean, as at the tip of a cone, or where the fit turns the mean more than twice as far as the means of the
+    /// neighbours turn in that direction, so that rounding of positions is not taken for shape: [`Summary::quadric_fallbacks`](crate::normals::Summary::quadric_fallbacks) counts these.
     Quadric,
     /// The normal of an osculating jet: a polynomial of degree 3 through the vertex, fitted with rows of weight 1/d² to the two-ring, or to
     /// more rings where that has fewer than 14 vertices (Cazals & Pouget 2005). Third order on surfaces without noise. Where there

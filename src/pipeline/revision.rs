@@ -5,10 +5,11 @@ use super::outcome::{FaultCounts, PartOutcome, replaced};
 use super::task::{Degenerate, Task};
 use crate::io::{Emit, Format, Loaded, Part, PartEdit};
 use crate::mesh::{FaceEdit, Mesh, Orient, Orientation, Orientations, Placed, Topology, cavities, orient};
-use crate::normals::{Extras, FaultReason, Weight, When, compute_with, select};
+use crate::normals::{Extras, FaultReason, Weight, When, compute_observed, select};
 use glam::DVec3;
 use rayon::prelude::*;
 use std::borrow::Cow;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// What changes in a file, and what was found on the way.
 #[derive(Clone, Debug, Default)]
@@ -21,8 +22,8 @@ pub struct Revision {
 
 /// Computes what a task changes in a file that will be written as `target`; `None` if it will not be written.
 ///
-/// `done` is called with the number of faces of each finished part, from any thread. Parts without faces do not change. The
-/// result is the same for any number of threads.
+/// `done` is called with numbers of finished faces, from any thread: all of a part, or some at a time if its normals are fits. Parts
+/// without faces do not change. The result is the same for any number of threads.
 pub fn revise(
     loaded: &Loaded,
     task: &Task,
@@ -35,17 +36,36 @@ pub fn revise(
         .zip(find_orientations(loaded, task))
         .map(|(part, orientation)| {
             let wants_facets = task.emit == Emit::Face || target == Some(Format::Stl);
-            let (mut edit, outcome, facets) = revise_part(part, orientation, task, wants_facets);
+            let faces = FaceCount { all: part.mesh.face_count(), reported: AtomicUsize::new(0), done };
+            let (mut edit, outcome, facets) = revise_part(part, orientation, task, wants_facets, &faces);
             let same_facets = target == Some(Format::Stl) && loaded.format == Format::Stl && edit.is_empty();
             edit.face_normals = facets.filter(|_| wants_facets && !same_facets);
             if task.emit == Emit::Face {
                 edit = PartEdit { normals: None, kept: 0, morph_normals: Vec::new(), ..edit };
             }
-            done(part.mesh.face_count());
+            faces.share(1, 1);
             (edit, outcome)
         })
         .unzip();
     Revision { edits, parts }
+}
+
+/// The faces of a part, of which some are reported as done.
+struct FaceCount<'a> {
+    all: usize,
+    reported: AtomicUsize,
+    done: &'a (dyn Fn(usize) + Sync),
+}
+
+impl FaceCount<'_> {
+    /// Reports a share of the faces, as far as it is more than was reported before.
+    fn share(&self, part: usize, whole: usize) {
+        let now = self.all * part / whole.max(1);
+        let before = self.reported.fetch_max(now, Ordering::Relaxed);
+        if now > before {
+            (self.done)(now - before);
+        }
+    }
 }
 
 /// Frees what neither [`revise`] nor a new file of another format reads: the source of the file, and the stored normals that a
@@ -69,6 +89,7 @@ fn revise_part(
     orientation: Option<Orientation>,
     task: &Task,
     wants_facets: bool,
+    faces: &FaceCount<'_>,
 ) -> (PartEdit, PartOutcome, Option<Vec<DVec3>>) {
     let mut outcome = PartOutcome::new(part);
     if part.mesh.face_count() == 0 {
@@ -79,7 +100,8 @@ fn revise_part(
     let face_normals = wants_facets || task.when != When::Always;
     let edge_counts = task.edge_counts || task.recipe.can_split(&edited.mesh);
     let extras = Extras { face_normals, edge_counts };
-    let mut field = compute_with(&edited.mesh, &task.recipe, extras);
+    let compute = |mesh: &Mesh| compute_observed(mesh, &task.recipe, extras, &|a, b| faces.share(a, b));
+    let mut field = compute(&edited.mesh);
     outcome.orientation = edited.orientation.take();
     outcome.faults = FaultCounts::of(&field.faults);
     outcome.fault_places = edited.fault_places(&field.faults);
@@ -88,7 +110,7 @@ fn revise_part(
         let dropped: Vec<u32> = zero_area.map(|fault| fault.index).collect();
         if !dropped.is_empty() {
             edited.drop_faces(dropped);
-            field = compute_with(&edited.mesh, &task.recipe, extras);
+            field = compute(&edited.mesh);
         }
     }
     outcome.entries = field.normals.values.len();

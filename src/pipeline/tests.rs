@@ -5,8 +5,10 @@ use crate::io::Document;
 use crate::io::{Emit, Format, Loaded, Part, PartEdit};
 use crate::mesh::Orient;
 use crate::mesh::{Column, ColumnIndex, Faces, MeshBuilder, NONE};
-use crate::normals::{self, When};
+use crate::normals::{self, NormalRecipe, Weight, When};
+use crate::surface::{Surface, Tessellation, Torus};
 use glam::DVec3;
+use std::sync::Mutex;
 
 /// A tetrahedron with its third face reversed, a face without area, and a face that represents one with a position that is not
 /// finite.
@@ -24,15 +26,18 @@ fn part(normals: Option<Column<DVec3>>) -> Part {
     Part { name: "part".into(), mesh, non_finite_faces: vec![5] }
 }
 
-fn revise_one(part: &Part, task: &Task, target: Option<Format>) -> (PartEdit, PartOutcome) {
-    let loaded = Loaded {
+fn loaded(part: &Part) -> Loaded {
+    Loaded {
         format: Format::Obj,
         parts: vec![part.clone()],
         nodes: Vec::new(),
         notes: Vec::new(),
         document: Document::None,
-    };
-    let mut revision = revise(&loaded, task, target, &|_| {});
+    }
+}
+
+fn revise_one(part: &Part, task: &Task, target: Option<Format>) -> (PartEdit, PartOutcome) {
+    let mut revision = revise(&loaded(part), task, target, &|_| {});
     (revision.edits.pop().unwrap(), revision.parts.pop().unwrap())
 }
 
@@ -241,4 +246,25 @@ fn a_part_without_faces_stays_as_it_is() {
     let task = Task { flip: true, orient: Orient::Outward, degenerate: Degenerate::Drop, ..Task::default() };
     let (edit, outcome) = revise_one(&Part::default(), &task, Some(Format::Stl));
     assert!(edit.is_empty() && outcome.faces == 0);
+}
+
+/// Long fits report some of the faces of a part at a time, other weights all at once.
+#[test]
+fn reported_faces_add_up_to_all() {
+    let torus = Surface::from(Torus::default());
+    let tessellation = Tessellation { segments: [48, 24], ..Tessellation::default() };
+    let mesh = torus.tessellate(&tessellation).unwrap();
+    let all = mesh.face_count();
+    let loaded = loaded(&Part { name: "torus".into(), mesh, non_finite_faces: Vec::new() });
+    for weight in [Weight::Jet, Weight::Angle] {
+        let recipe = NormalRecipe { weight, ..NormalRecipe::default() };
+        let reported = Mutex::new(Vec::new());
+        revise(&loaded, &Task { recipe, ..Task::default() }, None, &|faces| {
+            reported.lock().unwrap().push(faces);
+        });
+        let reported = reported.into_inner().unwrap();
+        assert_eq!(reported.iter().sum::<usize>(), all);
+        let is_expected = if weight.is_fit() { reported.len() > 1 } else { reported.len() == 1 };
+        assert!(is_expected, "{reported:?}");
+    }
 }

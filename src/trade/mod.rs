@@ -56,7 +56,7 @@ pub use encodings::{DIRECTIONS, EncodingRow, direction, encoding_error, encoding
 pub use frontier::{ClassPoint, MeshClass, frontier, mark_dominated};
 pub use own::{OwnMesh, OwnMethod, Truth};
 pub use precision::{PrecisionRow, precision_rows};
-pub use reference::{FitDifferences, Reference, error_maps};
+pub use reference::{Reference, error_maps};
 pub use shading::{ShadingRow, shading_rows};
 pub use solids::{BoxRow, box_rows};
 pub use summary::Trade;

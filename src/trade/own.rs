@@ -3,9 +3,9 @@
 use super::angles::{AngleErrors, Histogram, angle_between};
 use super::cost::{CostRow, Costs, Way};
 use super::effort::{Observer, Progress};
-use super::reference::{FitDifferences, MeasuredPart, Reference, fit_differences};
+use super::reference::{MeasuredPart, Reference, fit_differences};
 use crate::mesh::Mesh;
-use crate::normals::{NormalRecipe, Weight};
+use crate::normals::{FitDifferences, NormalRecipe, Weight};
 use crate::num::{Degrees, Radians};
 use glam::DVec3;
 use serde::Serialize;
@@ -109,7 +109,7 @@ impl OwnMesh {
             Truth::Stored => FitDifferences::default(),
         };
         let (reference, reference_error) =
-            if truth == Truth::Stored { (Reference::Stored, 0.0) } else { fits.best() };
+            if truth == Truth::Stored { (Reference::Stored, 0.0) } else { Reference::of(&fits) };
         let references: Vec<_> = measured.iter().map(|part| part.reference(reference)).collect();
         observe(Progress { stage: "reference", done: total, total });
         let method = |weight: Weight| {

@@ -3,7 +3,7 @@
 use super::angles::angle_between;
 use super::cases::boundary_vertices;
 use crate::mesh::{Mesh, Topology, stored_unit};
-use crate::normals::{NormalField, NormalRecipe, Weight, compute_on, compute_wider};
+use crate::normals::{FitDifferences, NormalField, NormalRecipe, Weight, compute_on, compute_wider};
 use crate::num::{AngleErrors, Radians};
 use glam::DVec3;
 use serde::Serialize;
@@ -31,39 +31,11 @@ impl Reference {
     }
 }
 
-/// The rms angles, in degrees, by which fits differ on a user mesh.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct FitDifferences {
-    /// Between jets and jets of one more ring of neighbours.
-    pub jet: f64,
-    /// Between quadrics and quadrics of one more ring.
-    pub quadric: f64,
-    /// Between jets and quadrics.
-    pub jet_to_quadric: f64,
-}
-
-/// A quadric differs from one of a wider neighbourhood by about its own error, or up to so many times as much less. A jet that
-/// is farther from the quadric than that is noisy.
-const BIAS: f64 = 1.5;
-
-impl FitDifferences {
+impl Reference {
     /// The better of jet and quadric, and its estimated error.
-    ///
-    /// Without noise the error of a fit grows with its neighbourhood, so the difference to a wider one is about the error itself.
-    /// Noise moves a jet and its wider twin alike, since both depend on the nearest vertices most; but it moves the jet away from the
-    /// quadric, more than the quadric's error explains: σ² = max(0, |j − q|² − (1.5 |q − q'|)²) is added to |j − j'|².
-    pub fn best(&self) -> (Reference, f64) {
-        let jet = libm::hypot(self.jet, self.noise());
-        match jet <= self.quadric {
-            true => (Reference::Jet, jet),
-            false => (Reference::Quadric, self.quadric),
-        }
-    }
-
-    /// The part of the difference between jets and quadrics that the error of quadrics does not explain.
-    pub fn noise(&self) -> f64 {
-        let explained = BIAS * self.quadric;
-        (self.jet_to_quadric * self.jet_to_quadric - explained * explained).max(0.0).sqrt()
+    pub(super) fn of(fits: &FitDifferences) -> (Self, f64) {
+        let (jet, quadric) = (fits.jet_error(), fits.quadric_error());
+        if jet <= quadric { (Reference::Jet, jet) } else { (Reference::Quadric, quadric) }
     }
 }
 
@@ -130,20 +102,25 @@ impl<'a> MeasuredPart<'a> {
     }
 }
 
-/// How much fits differ, over the parts of a mesh.
+/// How much fits differ, over the parts of a mesh. Where a wider fit has no normal, because it reaches a fold, nothing is known.
 pub(super) fn fit_differences(parts: &[MeasuredPart], recipe: &NormalRecipe) -> FitDifferences {
     let mut angles = [const { Vec::new() }; 3];
     for part in parts {
-        let both = part.reference(Reference::Jet);
-        let [jet, quadric] = [Weight::Jet, Weight::Quadric].map(|weight| {
-            let wider = compute_wider(part.mesh, &part.topology, &NormalRecipe { weight, ..*recipe });
-            let normals = part.normals(weight).iter();
-            normals.zip(&wider.normals.values).map(|(&a, &b)| angle_between(a, b)).collect::<Vec<_>>()
+        let wider = [Weight::Jet, Weight::Quadric].map(|weight| {
+            let recipe = NormalRecipe { weight, ..*recipe };
+            compute_wider(part.mesh, &part.topology, &recipe).normals.values
         });
-        let between = part.angles(Weight::Quadric, &both);
-        angles[0].extend(both.iter().map(|&(entry, _)| jet[entry as usize]));
-        angles[1].extend(both.iter().map(|&(entry, _)| quadric[entry as usize]));
-        angles[2].extend(between);
+        let [quadrics, means] = [Weight::Quadric, Weight::Angle].map(|weight| part.normals(weight));
+        for (entry, jet) in part.reference(Reference::Jet) {
+            let entry = entry as usize;
+            let [wider_jet, wider_quadric] = [wider[0][entry], wider[1][entry]];
+            if wider_jet == means[entry] || wider_quadric == means[entry] {
+                continue;
+            }
+            angles[0].push(angle_between(jet, wider_jet));
+            angles[1].push(angle_between(quadrics[entry], wider_quadric));
+            angles[2].push(angle_between(jet, quadrics[entry]));
+        }
     }
     let [jet, quadric, jet_to_quadric] = angles.map(|angles| AngleErrors::of(&angles).rms);
     FitDifferences { jet, quadric, jet_to_quadric }

@@ -266,9 +266,7 @@ mod tests {
             } else {
                 let most = if tiling == Tiling::Stretched { 0.3 } else { 0.1 };
                 assert!(jet <= most * angle, "{}: {jet} {angle}", tiling.name());
-                // At a sliver nothing separates the noise of the near neighbour from shape, so the choice is cautious.
-                let expected = if tiling == Tiling::Slivers { quadric } else { jet };
-                assert_eq!(best, expected, "{}: {jet} {quadric}", tiling.name());
+                assert_eq!(best, jet, "{}: {quadric}", tiling.name());
             }
         }
     }
@@ -280,5 +278,26 @@ mod tests {
             pool.install(|| VertexCase::measure(&surface("wave"), Tiling::Scattered, 0..3))
         };
         assert_eq!(measure(1), measure(3));
+    }
+
+    /// On every surface in every tiling.
+    #[test]
+    fn the_choice_has_nearly_the_smallest_error() {
+        let surfaces = NamedSurface::all(Effort::Full);
+        let pairs = surfaces.iter().flat_map(|surface| Tiling::ALL.map(|tiling| (surface, tiling)));
+        let pairs: Vec<_> = pairs.filter(|(surface, tiling)| tiling.fits(&surface.surface)).collect();
+        assert_eq!(pairs.len(), 91);
+        let is_close = |&(surface, tiling): &(&NamedSurface, Tiling)| {
+            let sample = SampleMesh::new(surface, &tiling.tessellation(&surface.surface, QUOTED)).unwrap();
+            let rms = |weight| AngleErrors::of(&sample.errors(&sample.field(weight))).rms;
+            let [angle, quadric, jet, best] =
+                [Weight::Angle, Weight::Quadric, Weight::Jet, Weight::Best].map(rms);
+            let smallest = angle.min(quadric).min(jet);
+            // 1.38 times on the noisy teapot; 0.0018 degrees on the cone with slivers, whose angle means are exact.
+            let is_close = best <= (1.4 * smallest).max(smallest + 0.002);
+            (!is_close).then(|| format!("{} {}: {best} {smallest}", surface.name, tiling.name()))
+        };
+        let far: Vec<String> = pairs.par_iter().with_max_len(1).filter_map(is_close).collect();
+        assert!(far.is_empty(), "{far:?}");
     }
 }

@@ -2,8 +2,9 @@
 
 use crate::meshes;
 use crease::io::{self, Format, Loaded, PartEdit, ReadOptions, WriteOptions};
-use crease::normals::{LENGTH_TOLERANCE, When};
+use crease::normals::{LENGTH_TOLERANCE, NormalRecipe, Weight, When};
 use crease::pipeline::{Revision, Task, revise};
+use std::collections::BTreeSet;
 use std::path::Path;
 
 /// All output as bytes, so that it can be read again from memory.
@@ -74,6 +75,38 @@ fn every_good_file_comes_back_with_normals_in_its_own_format_and_as_glb() {
         count += 1;
     }
     assert!(count == 0 || count > 150, "only {count} files");
+}
+
+/// On larger meshes fits take minutes without optimisation.
+const LARGEST: usize = 100_000;
+
+#[test]
+fn the_best_weight_has_a_normal_everywhere_and_keeps_creases() {
+    let rows = meshes::rows("", &["obj", "ply", "stl", "STL", "gltf", "glb"]);
+    let is_good = |row: &&meshes::Row| {
+        !row.name().starts_with("bad/")
+            && row.text("expect").starts_with("load")
+            && row.number("tris") <= LARGEST
+    };
+    let (mut count, mut chosen) = (0, BTreeSet::new());
+    for row in rows.iter().filter(is_good) {
+        let loaded =
+            io::read(&row.path, None, &ReadOptions::default()).unwrap_or_else(|error| panic!("{error}"));
+        let with = |weight| {
+            let recipe = NormalRecipe { weight, ..NormalRecipe::default() };
+            revise(&loaded, &Task { recipe, ..Task::default() }, Some(loaded.format), &|_| {})
+        };
+        let [best, angle] = [Weight::Best, Weight::Angle].map(with);
+        for (best, angle) in best.parts.iter().zip(&angle.parts) {
+            assert_eq!((best.edges, best.splits), (angle.edges, angle.splits), "{}", row.name());
+            chosen.extend(best.best.map(|choice| choice.weight.name()));
+        }
+        let again = read(write(&loaded, &best.edits, loaded.format), loaded.format, row.path.parent());
+        assert_eq!(faces(&again), faces(&loaded), "{}", row.name());
+        check_normals(&again, LENGTH_TOLERANCE);
+        count += 1;
+    }
+    assert!(count == 0 || count > 150 && chosen == ["angle", "jet", "quadric"].into(), "{count} {chosen:?}");
 }
 
 #[test]

@@ -302,7 +302,7 @@ fn best(parts: &[Part]) -> Option<String> {
     }
     let [noise, jet, quadric, angle] = [noise, jet, quadric, angle].map(three_digits);
     Some(format!(
-        "{}: estimated rms errors jet {jet}°, quadric {quadric}°, angle {angle}°; noise {noise} of an edge",
+        "{}: estimated rms errors jet {jet}°, quadric {quadric}°, angle {angle}°; noise {noise}°",
         weight.name()
     ))
 }
@@ -313,6 +313,7 @@ fn jet(parts: &[Part]) -> Vec<String> {
     let of = |failures: fn(JetFallbacks) -> FitFailures| {
         let failures = || all().map(failures);
         let reasons = counts_above_zero(&[
+            (failures().map(|it| it.folded).sum(), "at folds of more than 90°"),
             (failures().map(|it| it.few_neighbours).sum(), "with too few neighbours"),
             (failures().map(|it| it.ill_conditioned).sum(), "ill-conditioned"),
             (failures().map(|it| it.unconfirmed).sum(), "not confirmed by the neighbours"),

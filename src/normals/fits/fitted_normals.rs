@@ -1,7 +1,8 @@
 //! Normals of polynomials fitted to the neighbours of every smooth group.
 
+use crate::normals::fits::folds::Folds;
 use crate::normals::fits::polynomial::{Neighbourhoods, Polynomial};
-use crate::normals::fits::rings::{RingScratch, Rings};
+use crate::normals::fits::rings::{Extent, RingScratch, Rings};
 use crate::num::LANES;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -21,6 +22,8 @@ const CHUNK: usize = 128;
 /// How many smooth groups a polynomial could not be fitted to, by the reason.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub struct FitFailures {
+    /// A normal nearby is more than 90° from the mean: the surface is no height function over its plane.
+    pub folded: usize,
     /// Too few neighbours for the unknowns.
     pub few_neighbours: usize,
     /// Neighbours on or near a curve of the polynomial's degree: the condition number is too large.
@@ -32,21 +35,28 @@ pub struct FitFailures {
 impl FitFailures {
     /// All of them.
     pub fn total(&self) -> usize {
-        self.few_neighbours + self.ill_conditioned + self.unconfirmed
+        self.folded + self.few_neighbours + self.ill_conditioned + self.unconfirmed
     }
 }
 
 impl AddAssign for FitFailures {
     fn add_assign(&mut self, other: Self) {
+        self.folded += other.folded;
         self.few_neighbours += other.few_neighbours;
         self.ill_conditioned += other.ill_conditioned;
         self.unconfirmed += other.unconfirmed;
     }
 }
 
-/// Replaces the unit normal of each smooth group by that of the first of some polynomials that can be fitted to its neighbours;
-/// see [`Rings::neighbours`]. The frame is the given normal, which should be the angle-weighted mean. Groups without a normal
-/// (zero) stay without. Returns how often each polynomial failed; where the last one does, the given normal stays.
+/// The unit normal, at some smooth groups, of the first of some polynomials that can be fitted to the neighbours; zero where none
+/// can be. See [`Rings::neighbours`]. Returns how often each polynomial failed as well. `done` is called with numbers of finished groups, from any
+/// thread.
+///
+/// The frame is that of `means`, one for each smooth group, which should be the angle-weighted means. There is no fit at groups
+/// without a mean (zero).
+///
+/// A fit is a height function over the plane of the mean, so it is no model of a surface that turns by more than 90° within the
+/// neighbourhood, as at the tip of a cone.
 ///
 /// A fit must not turn the mean in a direction in which the surface does not turn: by more than twice as much as
 /// the means of the neighbours do, each measured in the plane of the mean and the fit. Points on two lines, as on a
@@ -59,31 +69,37 @@ impl AddAssign for FitFailures {
 pub(crate) fn fitted_normals<const N: usize>(
     rings: &Rings<'_>,
     polynomials: [Polynomial; N],
-    normals: &mut [DVec3],
-) -> [FitFailures; N] {
-    let means = normals.to_vec();
+    more_rings: usize,
+    means: &[DVec3],
+    groups: &[u32],
+    done: &(dyn Fn(usize) + Sync),
+) -> (Vec<DVec3>, [FitFailures; N]) {
     let fewest = polynomials.iter().filter(|it| it.adds_rings).map(|it| it.fewest).fold(0, usize::max);
+    let extent = Extent { fewest, more_rings };
     let sum = |a: [FitFailures; N], b: [FitFailures; N]| {
         let mut sum = a;
         sum.iter_mut().zip(b).for_each(|(a, b)| *a += b);
         sum
     };
-    normals
+    let folds = Folds::new(rings, means);
+    let mut normals = vec![DVec3::ZERO; groups.len()];
+    let failures = normals
         .par_chunks_mut(CHUNK)
-        .enumerate()
+        .zip(groups.par_chunks(CHUNK))
         .map_init(
             || Scratch::new(rings),
-            |scratch, (chunk, normals)| {
-                let first = chunk * CHUNK;
-                scratch.find(rings, fewest, first, normals);
-                let mut failures = [FitFailures::default(); N];
+            |scratch, (normals, groups)| {
+                let folded = scratch.find(rings, extent, means, &folds, groups);
+                let mut failures = [FitFailures { folded, ..FitFailures::default() }; N];
                 for (polynomial, failures) in polynomials.into_iter().zip(&mut failures) {
-                    scratch.fit(rings, polynomial, &means, first, normals, failures);
+                    scratch.fit(rings, polynomial, means, groups, normals, failures);
                 }
+                done(groups.len());
                 failures
             },
         )
-        .reduce(|| [FitFailures::default(); N], sum)
+        .reduce(|| [FitFailures::default(); N], sum);
+    (normals, failures)
 }
 
 /// Memory reused from task to task.
@@ -107,18 +123,32 @@ impl Scratch {
         }
     }
 
-    /// Finds the neighbours of the groups of a chunk that have a normal.
-    fn find(&mut self, rings: &Rings<'_>, fewest: usize, first: usize, normals: &[DVec3]) {
+    /// Finds the neighbours of the groups that have a mean. Returns how many are folded.
+    fn find(
+        &mut self,
+        rings: &Rings<'_>,
+        extent: Extent,
+        means: &[DVec3],
+        folds: &Folds<'_>,
+        groups: &[u32],
+    ) -> usize {
         self.neighbours.clear();
         self.open.clear();
-        for (place, normal) in normals.iter().enumerate() {
-            let group = (first + place) as u32;
-            if *normal != DVec3::ZERO && !rings.groups(group).is_empty() {
-                let start = self.neighbours.len() as u32;
-                rings.neighbours(group, fewest, &mut self.rings, &mut self.neighbours);
-                self.open.push((place as u32, start, self.neighbours.len() as u32));
+        let mut folded = 0;
+        for (place, &group) in groups.iter().enumerate() {
+            if means[group as usize] == DVec3::ZERO || rings.groups(group).is_empty() {
+                continue;
             }
+            let start = self.neighbours.len();
+            rings.neighbours(group, extent, &mut self.rings, &mut self.neighbours);
+            if folds.is_folded(group, &self.rings) {
+                folded += 1;
+                self.neighbours.truncate(start);
+                continue;
+            }
+            self.open.push((place as u32, start as u32, self.neighbours.len() as u32));
         }
+        folded
     }
 
     /// Fits a polynomial to the open groups. Those that it cannot be fitted to stay open.
@@ -127,7 +157,7 @@ impl Scratch {
         rings: &Rings<'_>,
         polynomial: Polynomial,
         means: &[DVec3],
-        first: usize,
+        groups: &[u32],
         normals: &mut [DVec3],
         failures: &mut FitFailures,
     ) {
@@ -141,15 +171,15 @@ impl Scratch {
         for eight in self.open[few..].chunks(LANES) {
             self.neighbourhoods.clear();
             for &(place, start, end) in eight {
-                let group = first + place as usize;
+                let group = groups[place as usize];
                 let neighbours = &self.neighbours[start as usize..end as usize];
-                self.neighbourhoods.push(rings.centre(group as u32), means[group], neighbours);
+                self.neighbourhoods.push(rings.centre(group), means[group as usize], neighbours);
             }
             for (it, fitted) in eight.iter().zip(self.neighbourhoods.normals(polynomial)) {
-                let group = first + it.0 as usize;
-                let around = rings.groups(group as u32).iter().map(|&group| means[group as usize]);
+                let group = groups[it.0 as usize];
+                let around = rings.groups(group).iter().map(|&group| means[group as usize]);
                 match fitted {
-                    Some(fitted) if is_borne_out(fitted, means[group], around) => {
+                    Some(fitted) if is_borne_out(fitted, means[group as usize], around) => {
                         normals[it.0 as usize] = fitted;
                         continue;
                     }

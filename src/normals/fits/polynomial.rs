@@ -5,7 +5,7 @@ use crate::num::{
     Column, Eight, Kernel, LANES, Lanes, LeastSquares, Pivoting, ROWS, Scalars, UnitVec3, Vectors, dispatch,
     least_squares, unit_scale,
 };
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 /// Columns of the largest system: nine unknowns and the heights.
 const COLUMNS: usize = 10;
@@ -32,15 +32,6 @@ impl Polynomial {
     pub(crate) fn unknowns(self) -> usize {
         if self.degree == 2 { 5 } else { 9 }
     }
-}
-
-/// The heights that a polynomial is fitted to.
-#[derive(Clone, Copy)]
-pub(crate) enum Heights<'a> {
-    /// Those of the neighbours over the tangent plane.
-    Positions,
-    /// Others at the same places, in the unit of the scaled neighbourhood.
-    Given(&'a Column),
 }
 
 /// Eight vertices with their neighbours.
@@ -94,25 +85,15 @@ impl Neighbourhoods {
 
     /// The normal of the polynomial at each vertex, where it can be fitted.
     pub(crate) fn normals(&mut self, polynomial: Polynomial) -> [Option<DVec3>; LANES] {
-        let found = self.fit(polynomial, Heights::Positions);
+        self.fill_up();
+        let found = dispatch(Fit { neighbourhoods: self, polynomial });
         std::array::from_fn(|lane| {
             let [tangent, bitangent, normal] = self.frames[lane];
-            let DVec2 { x: a, y: b } = found.slopes(lane);
+            let (a, b) = (found.unknowns[0].0[lane], found.unknowns[1].0[lane]);
             let is_solved = lane < self.used && found.solved >> lane & 1 == 1;
             let normal = is_solved.then(|| UnitVec3::new(normal - a * tangent - b * bitangent));
             normal.flatten().map(UnitVec3::get)
         })
-    }
-
-    /// The least-squares polynomials. Their unknowns are those of the scaled neighbourhoods, whose slopes are the same.
-    pub(crate) fn fit(&mut self, polynomial: Polynomial, heights: Heights<'_>) -> LeastSquares {
-        self.fill_up();
-        dispatch(Fit { neighbourhoods: self, polynomial, heights })
-    }
-
-    /// What brings the neighbourhood of a lane to unit size.
-    pub(crate) fn scale(&self, lane: usize) -> f64 {
-        self.scales.0[lane]
     }
 
     /// Makes lanes that are not in use copies of the first, and adds rows without neighbours to lanes of fewer.
@@ -142,7 +123,6 @@ impl Neighbourhoods {
 struct Fit<'a> {
     neighbourhoods: &'a mut Neighbourhoods,
     polynomial: Polynomial,
-    heights: Heights<'a>,
 }
 
 impl Kernel for Fit<'_> {
@@ -150,7 +130,7 @@ impl Kernel for Fit<'_> {
 
     #[inline(always)]
     fn run<A: Lanes>(self, arch: A) -> LeastSquares {
-        let Self { neighbourhoods, polynomial, heights } = self;
+        let Self { neighbourhoods, polynomial } = self;
         let rows = neighbourhoods.rows();
         let unknowns = polynomial.unknowns();
         let axis = |which: usize| -> Vectors<A> {
@@ -189,23 +169,10 @@ impl Kernel for Fit<'_> {
                 put(7, x * yy);
                 put(8, yy * y);
             }
-            put(
-                unknowns,
-                match heights {
-                    Heights::Positions => offset.dot(normal),
-                    Heights::Given(heights) => is_neighbour.select(Scalars::load(arch, &heights[row]), zero),
-                },
-            );
+            put(unknowns, offset.dot(normal));
         }
         least_squares(arch, &mut columns[..=unknowns], rows, polynomial.pivoting, polynomial.nearest)
     }
 }
 
 const _: () = assert!(MOST == ROWS, "all neighbours are rows");
-
-impl LeastSquares {
-    /// The slopes of a polynomial at its vertex.
-    pub(crate) fn slopes(&self, lane: usize) -> DVec2 {
-        DVec2::new(self.unknowns[0].0[lane], self.unknowns[1].0[lane])
-    }
-}

@@ -30,7 +30,14 @@ pub(crate) struct FitRequest<'a> {
     pub(crate) corner_group: &'a [u32],
     /// The corners of each smooth group.
     pub(crate) group_corners: &'a SlotCorners,
-    /// Rings that are taken in addition to those that a fit needs.
+}
+
+/// How far neighbours are searched.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Extent {
+    /// Rings are added to the first two while there are fewer neighbours.
+    pub(crate) fewest: usize,
+    /// Rings that are added then.
     pub(crate) more_rings: usize,
 }
 
@@ -38,7 +45,6 @@ pub(crate) struct FitRequest<'a> {
 /// position counts once; it has the number of the first vertex there.
 pub(crate) struct Rings<'a> {
     positions: PositionsRef<'a>,
-    more: usize,
     chunks: Vec<RingChunk>,
     /// The rings of crowded groups.
     crowds: FxHashMap<u32, NearTree>,
@@ -68,6 +74,11 @@ pub(crate) struct RingScratch {
 }
 
 impl RingScratch {
+    /// The groups of the last search: those of inner rings, and those whose ring is the outermost one.
+    pub(crate) fn groups(&self) -> [&[u32]; 2] {
+        [&self.reached, &self.frontier]
+    }
+
     /// Begins a search.
     fn begin(&mut self) {
         self.known.clear();
@@ -100,12 +111,7 @@ impl<'a> Rings<'a> {
             RingChunk::new(request, &first, range)
         };
         let chunks = (0..groups.div_ceil(CHUNK)).into_par_iter().map(chunk).collect();
-        let mut rings = Self {
-            positions: request.positions,
-            more: request.more_rings,
-            chunks,
-            crowds: FxHashMap::default(),
-        };
+        let mut rings = Self { positions: request.positions, chunks, crowds: FxHashMap::default() };
         let crowded = (0..groups as u32).filter(|&group| request.group_corners.row(group).len() > CROWDED);
         let tree = |group: u32| {
             let points = rings.places(group).iter().map(|&place| rings.position(place)).collect();
@@ -134,10 +140,9 @@ impl<'a> Rings<'a> {
         &chunk.groups[start as usize..chunk.ends[row][1] as usize]
     }
 
-    /// The number of edge neighbours.
-    pub(crate) fn ring_size(&self, group: u32) -> usize {
-        let own = self.chunks[group as usize / CHUNK].centres[group as usize % CHUNK];
-        self.places(group).iter().filter(|&&place| place != own).count()
+    /// Groups of so many corners that visiting their rings from each neighbour would take quadratic time.
+    pub(crate) fn crowded(&self) -> impl Iterator<Item = u32> {
+        self.crowds.keys().copied()
     }
 
     /// The position of a group with corners: the first by coordinates, should welding have joined vertices that are not quite at
@@ -159,12 +164,12 @@ impl<'a> Rings<'a> {
         }
     }
 
-    /// Appends the neighbours of a group: its two-ring, further rings while there are fewer than `fewest` and each ring adds
-    /// some, and then as many as were asked for; at most 64, the first ring before the second, near before far, then by coordinates.
+    /// Appends the neighbours of a group: its two-ring and further rings as far as they are searched and each adds some; at most 64,
+    /// the first ring before the second, near before far, then by coordinates.
     pub(crate) fn neighbours(
         &self,
         group: u32,
-        fewest: usize,
+        extent: Extent,
         scratch: &mut RingScratch,
         into: &mut Vec<DVec3>,
     ) {
@@ -189,7 +194,8 @@ impl<'a> Rings<'a> {
         take_nearest(&mut scratch.candidates, MOST, into);
         scratch.frontier.clear();
         scratch.frontier.extend_from_slice(self.groups(group));
-        let (mut is_second, mut more) = (true, self.more);
+        let Extent { fewest, more_rings: mut more } = extent;
+        let mut is_second = true;
         while into.len() - start < MOST && (is_second || into.len() - start < fewest || more > 0) {
             more -= usize::from(!is_second && into.len() - start >= fewest);
             let known = scratch.known.len();
@@ -309,7 +315,7 @@ mod tests {
             let mut scratch = rings.scratch();
             let mut find = |group| {
                 let mut found = Vec::new();
-                rings.neighbours(group, 0, &mut scratch, &mut found);
+                rings.neighbours(group, Extent::default(), &mut scratch, &mut found);
                 found
             };
             (0..1002).map(&mut find).collect()
@@ -326,12 +332,11 @@ mod tests {
     #[test]
     fn further_rings_can_be_asked_for() {
         let (mesh, _) = patch(12, |_, _| (0.0, 0.0, 0.0));
-        with_rings(&mesh, mesh.faces().corners(), |mut rings| {
+        with_rings(&mesh, mesh.faces().corners(), |rings| {
             let mut scratch = rings.scratch();
-            let mut find = |more, fewest| {
-                rings.more = more;
+            let mut find = |more_rings, fewest| {
                 let mut found = Vec::new();
-                rings.neighbours(6 * 13 + 6, fewest, &mut scratch, &mut found);
+                rings.neighbours(6 * 13 + 6, Extent { fewest, more_rings }, &mut scratch, &mut found);
                 found
             };
             let two = find(0, 0);
@@ -357,7 +362,8 @@ mod tests {
         let each = Vec::from_iter(0..4000);
         with_rings(&mesh, &each, |rings| {
             let (mut scratch, mut found) = (rings.scratch(), Vec::new());
-            rings.neighbours(1, 14, &mut scratch, &mut found);
+            let extent = Extent { fewest: 14, more_rings: 0 };
+            rings.neighbours(1, extent, &mut scratch, &mut found);
             assert_eq!(found, [square[0], square[2], square[3]]);
             // Two rings, and one that adds nothing.
             assert!(scratch.reached.len() <= 5, "{}", scratch.reached.len());

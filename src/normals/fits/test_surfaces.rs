@@ -43,7 +43,6 @@ pub(super) fn with_rings<T>(mesh: &Mesh, corner_group: &[u32], work: impl FnOnce
         positions: mesh.positions(),
         corner_group,
         group_corners: &SlotCorners::by_slot(corner_group, groups),
-        more_rings: 0,
     };
     work(Rings::new(request, groups))
 }
@@ -54,8 +53,13 @@ pub(super) fn normals_of<const N: usize>(
     corner_group: &[u32],
     polynomials: [Polynomial; N],
 ) -> (Vec<DVec3>, [FitFailures; N]) {
-    let mut normals = means_of(mesh, corner_group);
-    let failures = with_rings(mesh, corner_group, |rings| fitted_normals(&rings, polynomials, &mut normals));
+    let means = means_of(mesh, corner_group);
+    let groups: Vec<u32> = (0..means.len() as u32).collect();
+    let (mut normals, failures) = with_rings(mesh, corner_group, |rings| {
+        fitted_normals(&rings, polynomials, 0, &means, &groups, &|_| ())
+    });
+    let without_fit = normals.iter_mut().zip(means).filter(|(normal, _)| **normal == DVec3::ZERO);
+    without_fit.for_each(|(normal, mean)| *normal = mean);
     (normals, failures)
 }
 

@@ -177,6 +177,49 @@ fn one_object_reports_everything() {
     assert!(read > 0.0 && compute > 0.0 && write > 0.0 && total >= read + compute + write);
 }
 
+/// A wave with a wall under one of its sides, at a crease.
+fn wave_on_a_wall() -> String {
+    const N: usize = 24;
+    let mut text = String::new();
+    let share = |i: usize| i as f64 / N as f64;
+    let wave = |i: usize, j: usize| 0.1 * libm::sin(6.0 * share(i)) * libm::cos(4.0 * share(j));
+    for (i, j) in (0..=N).flat_map(|i| (0..=N).map(move |j| (i, j))) {
+        text += &format!("v {} {} {}\n", share(i), wave(i, j), share(j));
+    }
+    let top = |i: usize, j: usize| i * (N + 1) + j + 1;
+    for (i, j) in (0..N).flat_map(|i| (0..N).map(move |j| (i, j))) {
+        text += &format!("f {} {} {} {}\n", top(i, j), top(i, j + 1), top(i + 1, j + 1), top(i + 1, j));
+    }
+    // The wall, down from the side with i = 0.
+    for j in 0..=N {
+        text += &format!("v 0 -1 {}\n", share(j));
+    }
+    let foot = |j: usize| (N + 1) * (N + 1) + j + 1;
+    for j in 0..N {
+        text += &format!("f {} {} {} {}\n", top(0, j), foot(j), foot(j + 1), top(0, j + 1));
+    }
+    text
+}
+
+#[test]
+fn the_best_weight_keeps_creases() {
+    let work = folder(&[("wave.obj", &wave_on_a_wall())]);
+    let [input, out] = ["wave.obj", "out.obj"].map(|name| path(work.path().join(name)));
+    let report = one(&[&input, "-o", &out, "--weight", "best", "--crease", "40"]);
+    let part = &report.parts[0];
+    let best = part.best.as_ref().unwrap();
+    assert_eq!(best.weight, "jet", "{best:?}");
+    assert_eq!((part.edges["crease"], part.splits), (24, 25));
+    // Normals on the wall are horizontal, though a fit across the crease would tilt them.
+    let written = std::fs::read_to_string(&out).unwrap();
+    let numbers = |line: &str| -> Vec<f64> { line.split(' ').skip(1).map(|x| x.parse().unwrap()).collect() };
+    let normals: Vec<Vec<f64>> = written.lines().filter(|it| it.starts_with("vn ")).map(numbers).collect();
+    let horizontal = normals.iter().filter(|normal| normal[1].abs() < 1e-6).collect::<Vec<_>>();
+    assert!(!horizontal.is_empty() && horizontal.iter().all(|it| it[0] < -0.999_999), "{horizontal:?}");
+    let steep = |normal: &&Vec<f64>| (0.001..0.7).contains(&normal[1].abs());
+    assert_eq!(normals.iter().filter(steep).count(), 0, "no normal is between top and wall");
+}
+
 #[test]
 fn several_inputs_give_a_line_each_in_their_order_whatever_happens() {
     let work = folder(&[("b.obj", TRIANGLE), ("a.obj", BAD), ("c.obj", TRIANGLE)]);
