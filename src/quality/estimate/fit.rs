@@ -242,7 +242,7 @@ impl<'a> Sample<'a> {
                 best = if other.cost < best.cost { other } else { best };
             }
         }
-        Some(best)
+        patch.is_fitted(best.estimate.crease, means.groups).then_some(best)
     }
 
     fn by_quadric(&self, rule: Smoothness<'_>, quadrics: &[DVec3]) -> Fit {

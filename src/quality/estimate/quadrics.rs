@@ -44,8 +44,19 @@ impl Patch {
     }
 
     pub(crate) fn normals(&self, crease: Degrees, groups: bool) -> Vec<DVec3> {
+        self.normals_by(Weight::Quadric, crease, groups)
+    }
+
+    /// Whether at least half of the corners have a fit. On coarse shapes most have the angle mean, which is no sign of quadrics.
+    pub(crate) fn is_fitted(&self, crease: Degrees, groups: bool) -> bool {
+        let [fits, means] = [Weight::Quadric, Weight::Angle].map(|it| self.normals_by(it, crease, groups));
+        let fitted = fits.iter().zip(&means).filter(|(fit, mean)| fit != mean).count();
+        2 * fitted >= fits.len()
+    }
+
+    fn normals_by(&self, weight: Weight, crease: Degrees, groups: bool) -> Vec<DVec3> {
         let recipe = NormalRecipe {
-            weight: Weight::Quadric,
+            weight,
             crease: Crease::Angle(crease),
             groups: if groups { Groups::Honour } else { Groups::Ignore },
             ..NormalRecipe::default()
