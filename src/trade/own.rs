@@ -268,7 +268,7 @@ mod tests {
         let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
         let own = OwnMesh::measure(&[&mesh], &NormalRecipe::default(), Truth::Estimated, &|_| ());
         assert_eq!((own.recommended, own.alike, own.normals), (Some(Weight::Angle), 1.0, 24));
-        assert!(own.reasons.iter().any(|reason| reason.starts_with("Costs were taken on 12 triangles")));
+        assert!(own.reasons.iter().any(|reason| reason.starts_with("Costs were measured on 12 triangles")));
         let nothing = OwnMesh::measure(&[], &NormalRecipe::default(), Truth::Stored, &|_| ());
         assert_eq!((nothing.recommended, nothing.normals), (Some(Weight::Angle), 0));
     }
