@@ -9,7 +9,7 @@ use crate::text::Value;
 
 /// With fewer normals, or a smaller share of them, estimates mean nothing.
 const FEWEST: (usize, f64) = (20, 0.05);
-/// With a smaller share, estimates are of a part of the mesh, which has to be said.
+/// With a smaller share, estimates are of a part of the mesh, and say nothing about the rest.
 const WELL_COVERED: f64 = 0.5;
 /// On fewer triangles a run takes microseconds, most of them independent of the weight.
 const SMALL: usize = 10_000;
@@ -52,9 +52,11 @@ impl OwnMesh {
         } else {
             reasons.push(self.about_reference());
             if estimated < WELL_COVERED * self.normals as f64 {
-                reasons.push(sentence("partial", &[("share", percent(estimated / self.normals as f64))]));
+                let share = [("share", percent(estimated / self.normals as f64))];
+                reasons.extend([sentence("partial", &share), sentence("safe", &[])]);
+            } else {
+                self.choose(&mut reasons);
             }
-            self.choose(&mut reasons);
         }
         if (1..SMALL).contains(&self.timed_triangles) {
             let triangles = self.timed_triangles.to_string().into();

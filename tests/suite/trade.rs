@@ -181,7 +181,10 @@ fn a_mesh_of_ones_own_gets_a_recommendation() {
     assert!(page.contains("Pareto frontier") && page.contains("Errors of normals"));
     assert!(page.contains("grey where there is none"));
     assert!(page.contains("Hollow signs are dominated"));
-    assert!(text.contains("Costs were taken on"), "a gear is too small for its costs to mean much: {text}");
+    assert!(
+        text.contains("Costs were measured on"),
+        "a gear is too small for its costs to mean much: {text}"
+    );
 }
 
 /// Max's weights are exact on a sphere, which fits are not.

@@ -173,7 +173,7 @@ fn rounded_normals_are_measured() {
         reported.len() == 10 && reported.iter().zip(&all).all(|(a, b)| (a - b).abs() < 1e-9),
         "{reported:?}"
     );
-    let words = format!("by up to {}°, {}° in the root mean square", three_digits(all[0]), three_digits(rms));
+    let words = format!("by up to {}° (rms {}°)", three_digits(all[0]), three_digits(rms));
     assert!(found.cause.contains(&words) && found.cause.contains("at most 0.391°"), "{}", found.cause);
     // Without a known weighting, the unrounded normals are unknown.
     let turned = |n: &DVec3| DMat3::from_axis_angle(n.any_orthonormal_vector(), 0.1) * *n;
@@ -325,7 +325,7 @@ fn glossy_materials_need_more_bits() {
     assert!(
         cause(Some(10_000.0))
             .unwrap()
-            .ends_with("the material's exponent of 10000 needs 16 bits a component")
+            .ends_with("the exponent 10000 of the material needs 16 bits a component")
     );
 }
 
