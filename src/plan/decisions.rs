@@ -209,6 +209,10 @@ impl Described<'_> {
         bounds.collect::<Option<Vec<f64>>>().map(|bounds| bounds.into_iter().fold(0.0, f64::max))
     }
 
+    fn is_omitted(&self, found: &Found, light: usize) -> bool {
+        self.lights[light][found.lights[light]].0.is_none()
+    }
+
     /// The planned scene file, with the reason for each change.
     fn text(&self, found: &Found, decisions: &[Decision], worst: Difference, search: &Search) -> String {
         let Limits { metric, tolerance, .. } = search.trials.limits;
@@ -253,17 +257,13 @@ impl Described<'_> {
         let worst = metric.text(worst.by(metric)).replace("steps", "steps of 255");
         let mut head = format!("Planned by crease: within {worst} (tolerance {tolerance}).");
         // An omitted light has no table that a comment could stand at.
-        let is_omitted = |it: &&Decision| it.axis == Axis::Lights && found_is_omitted(self, found, it.number);
+        let is_omitted = |it: &&Decision| it.axis == Axis::Lights && self.is_omitted(found, it.number);
         for decision in decisions.iter().filter(is_omitted) {
             head += &format!("\n{}: {}", decision.what, comment(decision));
         }
         document.set_head(&head);
         document.to_string()
     }
-}
-
-fn found_is_omitted(described: &Described, found: &Found, light: usize) -> bool {
-    described.lights[light][found.lights[light]].0.is_none()
 }
 
 /// The axis that a key of an object belongs to.

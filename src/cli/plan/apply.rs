@@ -1,6 +1,6 @@
 //! `crease plan --apply`: mesh files as planned.
 
-use super::args::PlanArgs;
+use super::args::{self as options, PlanArgs};
 use super::file_report::FileReport;
 use crate::cli::common::console::HELP;
 use crate::cli::common::failure::Failure;
@@ -35,6 +35,13 @@ pub fn refusal(args: &PlanArgs) -> Option<String> {
         };
         let found = format!("--apply changes {}, not {}", held.join(", "), axis.name());
         return Some(format!("{found}{HELP}{advice}"));
+    }
+    let of_scenes = [
+        ("--allow", args.allow.is_some()),
+        ("--reference accurate", args.reference == options::Reference::Accurate),
+    ];
+    if let Some((option, _)) = of_scenes.into_iter().find(|(_, is_given)| *is_given) {
+        return Some(format!("{option} does not apply to --apply{HELP}plan the scene without --apply"));
     }
     if target.as_os_str() == "-" {
         return Some(format!("--apply writes no stream{HELP}name a file"));

@@ -108,7 +108,7 @@ pub fn text(report: &Report, style: Style) -> String {
         ),
     };
     if report.light_cone > 0.0 {
-        worst += &format!("; lights turned by up to {}°", report.light_cone);
+        worst += &format!("; lights turned by {}° and {}°", 0.5 * report.light_cone, report.light_cone);
     }
     if let Some(held_out) = &plan.held_out {
         let most = three_digits(held_out.by(report.metric));

@@ -135,8 +135,8 @@ mod tests {
         (build(moved.collect(), mesh.faces().corners().to_vec()), exact)
     }
 
-    /// From clean to noisy surfaces the choice changes from jets to quadrics. It has the smallest error or, where both are of the same
-    /// size, up to 1.52 times that.
+    /// From clean to noisy surfaces the choice changes from jets to quadrics, with an error of at most 1.3 times the smallest. Where it
+    /// changes, between noise of 3e-4 and 1e-3, both fits are about as accurate as each other, and 1.52 times was measured.
     #[test]
     fn the_choice_is_close_to_the_best() {
         let mut chosen = Vec::new();
@@ -150,7 +150,8 @@ mod tests {
                 _ => errors[2],
             };
             let smallest = errors.into_iter().fold(f64::INFINITY, f64::min);
-            assert!(of_choice <= 1.6 * smallest, "{noise}: {errors:?} {found:?}");
+            let most = if matches!(noise, 4.5e-4 | 6e-4) { 1.6 } else { 1.3 };
+            assert!(of_choice <= most * smallest, "{noise}: {errors:?} {found:?}");
             chosen.push(found.weight);
         }
         assert_eq!((chosen[0], chosen[1]), (Weight::Jet, Weight::Jet));

@@ -127,8 +127,7 @@ because-precision-angle = Single precision turns normals by at most { $angle }, 
 because-storage = Normals stored as { $to } change colours by { $difference }.
 because-storage-angle = Normals stored as { $to } are off by at most { $angle }, which changes colours by { $difference }.
 because-interpolation =
-    The faces of { $what } are so small or so far away that their depth hardly varies: { $to } interpolation changes colours by
-    { $difference }.
+    Within the faces of { $what } perspective hardly matters: { $to } interpolation changes colours by { $difference }.
 because-reflection = The reflection of { $what } is { $to }: the omitted or replaced terms change colours by { $difference }.
 because-tessellation = { $what } has { $to } cells in place of { $from }: colours change by { $difference }.
 because-two-sided = { $what } is lit on one side: its visible rear faces differ by { $difference } at most.

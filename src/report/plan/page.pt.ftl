@@ -131,8 +131,7 @@ because-storage = Vetores normais armazenados como { $to } mudam as cores em { $
 because-storage-angle =
     Vetores normais armazenados como { $to } erram no máximo { $angle }, o que muda as cores em { $difference }.
 because-interpolation =
-    As faces de { $what } são tão pequenas ou distantes que sua profundidade quase não varia: a interpolação { $to } muda as cores em
-    { $difference }.
+    Dentro das faces de { $what } a perspectiva quase não importa: a interpolação { $to } muda as cores em { $difference }.
 because-reflection = A reflexão de { $what } é { $to }: os termos omitidos ou trocados mudam as cores em { $difference }.
 because-tessellation = { $what } tem { $to } células em vez de { $from }: as cores mudam em { $difference }.
 because-two-sided = { $what } é iluminado de um só lado: as faces vistas por trás diferem no máximo em { $difference }.

@@ -143,11 +143,13 @@ fn copied(row: &Row, folder: &Path) -> PathBuf {
     folder.join(row.path.file_name().unwrap())
 }
 
-/// Findings that appear only after another fix, and are fixed by their own command then, if they have one. The stored normals of
-/// the box lie in the plane of their face and contradict those computed for its other faces. Those of the pirate are authored, so
-/// they are kept; they are compared with a recipe when the faces agree.
-const UNCOVERED: [(&str, &str); 2] =
-    [("obj/box-incomplete-normals.obj", "stray-normals"), ("gltf/pirate_quantized.glb", "stray-normals")];
+/// Findings that appear only after another fix, and whether their own command fixes them then. The stored normals of the box lie in the
+/// plane of their face and contradict those computed for its other faces. Those of the pirate are authored, so they are kept and have
+/// no command; they are compared with a recipe when the faces agree.
+const UNCOVERED: [(&str, &str, bool); 2] = [
+    ("obj/box-incomplete-normals.obj", "stray-normals", true),
+    ("gltf/pirate_quantized.glb", "stray-normals", false),
+];
 
 /// Asserts that the commands suggested for a real file remove their findings and cause no error or warning of another kind.
 fn check_real(row: &Row) -> Vec<String> {
@@ -177,7 +179,7 @@ fn check_real(row: &Row) -> Vec<String> {
         for id in new {
             let next = named(&after, id).and_then(|it| it["command"].as_str());
             match next {
-                _ if !UNCOVERED.contains(&(row.name(), id)) => {
+                _ if !UNCOVERED.contains(&(row.name(), id, next.is_some())) => {
                     failures.push(format!("{}: {command} brings {id}", row.name()));
                 }
                 Some(next) => {

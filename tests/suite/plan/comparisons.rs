@@ -7,6 +7,7 @@ use crease::plan::{Axis, Metric, PlanOptions};
 use crease::raster::SceneFile;
 use crease::shade::Light;
 use glam::DQuat;
+use std::f64::consts::PI;
 
 /// A square that a sun lights from the front, and another one from behind: no light of it arrives.
 const SQUARE: &str = "[settings]\nsize = [32, 32]\nsamples = 16\n[camera]\neye = [0, 0, 10]\ntarget = [0, 0, 0]\nheight = 2\n\
@@ -42,6 +43,22 @@ fn plans_hold_under_turned_lights() {
         let turn = DQuat::from_axis_angle(axis, 30.0_f64.to_radians());
         let steps = super::steps(&turned(&before, turn), &turned(&after, turn));
         assert!(steps <= 2.0, "{axis}: {steps}");
+    }
+}
+
+/// A sun 15° off the axis of a mirror-like square has its highlight only when it is turned by half of a cone of 30°. So the
+/// highlight stays, although turns by the whole cone do not show it.
+#[test]
+fn highlights_within_the_cone_stay() {
+    let sun = format!("towards = [0, {}, {}]", libm::sin(PI / 12.0), libm::cos(PI / 12.0));
+    let shiny = SQUARE
+        .replace("towards = [0, 0, 1]", &sun)
+        .replace("specular = 0", "specular = 0.5, exponent = 2000, reflection = \"blinn\"");
+    for (cone, expected) in [(0.0, Some("diffuse")), (30.0, None)] {
+        let keep = Axis::ALL.into_iter().filter(|axis| *axis != Axis::Reflection).collect();
+        let options = PlanOptions { light_cone: Degrees(cone), keep, ..PlanOptions::default() };
+        let plan = planned(&shiny, &options);
+        assert_eq!(change(&plan, Axis::Reflection), expected, "{cone}: {:?}", plan.decisions);
     }
 }
 
