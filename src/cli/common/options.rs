@@ -77,6 +77,14 @@ pub fn not_negative(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| format!("{text:?} is not a finite number, 0 or more"))
 }
 
+/// A number from 0 to a largest one.
+pub fn at_most(most: f64) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync {
+    move |text| {
+        let number = not_negative(text).ok().filter(|&number| number <= most);
+        number.ok_or_else(|| format!("{text:?} is not a number from 0 to {most}"))
+    }
+}
+
 pub fn finite_numbers(text: &str) -> Result<Vec<f64>, String> {
     text.split(',').map(number).collect()
 }

@@ -1,7 +1,7 @@
 //! The options of `crease plan`.
 
 use crate::cli::common::choice::{choices, one_of};
-use crate::cli::common::options::{RunArgs, not_negative};
+use crate::cli::common::options::{RunArgs, at_most, not_negative};
 use crate::cli::render::values::size;
 use clap::Args;
 use crease::artefact::Language;
@@ -21,7 +21,7 @@ pub struct PlanArgs {
     pub metric: Metric,
     #[arg(long, value_name = "MODEL", default_value = "declared", value_parser = one_of::<Reference>())]
     pub reference: Reference,
-    #[arg(long, value_name = "SHARE", value_parser = share)]
+    #[arg(long, value_name = "SHARE", value_parser = at_most(1.0), allow_negative_numbers = true)]
     pub share: Option<f64>,
     #[arg(long, value_name = "PIXELS", value_parser = not_negative, allow_negative_numbers = true)]
     pub outline: Option<f64>,
@@ -37,13 +37,13 @@ pub struct PlanArgs {
     pub keep: Vec<Axis>,
     #[arg(long, value_name = "AXIS,AXIS", value_parser = one_of::<Axis>(), value_delimiter = ',', conflicts_with = "keep")]
     pub only: Vec<Axis>,
-    #[arg(long, value_name = "DEG", value_parser = not_negative, allow_negative_numbers = true)]
+    #[arg(long, value_name = "DEG", value_parser = at_most(180.0), allow_negative_numbers = true)]
     pub light_cone: Option<f64>,
     #[arg(long, value_name = "WHAT", value_parser = one_of::<Permission>())]
     pub allow: Option<Permission>,
     #[arg(long, value_name = "PIXELS", default_value = "10000000000")]
     pub budget: u64,
-    #[arg(long, value_name = "S", value_parser = not_negative, allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", value_parser = at_most(1e9), allow_negative_numbers = true)]
     pub seconds: Option<f64>,
     #[arg(long, value_name = "FILE")]
     pub html: Option<PathBuf>,
@@ -147,12 +147,5 @@ impl PlanArgs {
             [] => self.keep.clone(),
             only => Axis::ALL.into_iter().filter(|axis| !only.contains(axis)).collect(),
         }
-    }
-}
-
-fn share(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(share) if (0.0..=1.0).contains(&share) => Ok(share),
-        _ => Err("expected a share from 0 to 1".into()),
     }
 }
