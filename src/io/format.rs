@@ -46,7 +46,7 @@ impl Format {
     }
 
     /// Whether writing this format edits the document of a file that was read in the other one.
-    pub(crate) fn edits(self, read: Format) -> bool {
+    pub fn edits(self, read: Format) -> bool {
         self == read || self.is_gltf() && read.is_gltf()
     }
 }

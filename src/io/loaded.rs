@@ -6,6 +6,7 @@ use super::part::{FileNode, Part};
 use super::ply::PlyDocument;
 use super::stl::StlDocument;
 use super::{Appearance, FileMaterial, Format, Note, gltf};
+use crate::mesh::Movement;
 use glam::{DMat4, DVec3, DVec4};
 
 /// A file, read.
@@ -55,6 +56,14 @@ impl Loaded {
             }
         }
         self
+    }
+
+    /// Moves vertices of each mesh to the first one that stays and is at most this fraction of the mesh's diagonal away, so that
+    /// [`Merge::Exact`](super::Merge::Exact) can merge them. Only for a file that will be written in another format: editing keeps
+    /// the stored positions.
+    pub fn move_together(&mut self, fraction: f64) -> Movement {
+        let moved = self.parts.iter_mut().map(|part| part.mesh.move_together(fraction));
+        moved.fold(Movement::default(), Movement::and)
     }
 
     /// Frees what only editing the file in its own format takes: the bytes of PLY and STL, and the text of OBJ with

@@ -1,6 +1,7 @@
 //! Options of readers and writers, and what a writer returns.
 
 use super::Note;
+use crate::mesh::Mesh;
 use std::path::PathBuf;
 
 /// What a reader may do and how much it may take.
@@ -82,6 +83,30 @@ pub enum NormalFormat {
     I8,
 }
 
+/// Which vertices are merged if they agree in everything that is stored of them. The first of equal ones stays.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Merge {
+    /// None.
+    Off,
+    /// In new files, those of meshes whose faces share no vertex: of STL, of glTF without indices, of PLY with three vertices a face.
+    #[default]
+    FacetWise,
+    /// All, in new files and in glTF.
+    Exact,
+}
+
+impl Merge {
+    /// Whether vertices of a mesh are merged in a new file. Points and lines refer to vertices by number: with them, none are.
+    pub(super) fn applies_to(self, mesh: &Mesh) -> bool {
+        let is_wanted = match self {
+            Self::Off => false,
+            Self::FacetWise => mesh.is_facet_wise(),
+            Self::Exact => mesh.face_count() > 0,
+        };
+        is_wanted && mesh.columns().points.is_empty() && mesh.columns().lines.is_empty()
+    }
+}
+
 /// How to write.
 #[derive(Clone, Debug, Default)]
 pub struct WriteOptions {
@@ -91,6 +116,8 @@ pub struct WriteOptions {
     pub tangents: TangentPolicy,
     /// Storage of normals (glTF).
     pub normal_format: NormalFormat,
+    /// Which vertices are merged.
+    pub merge: Merge,
     /// Omit normals where neither tangents nor normals of morph targets need them: such faces are flat (glTF).
     pub omit_normals: bool,
     /// Merge vertices that agree in everything that is stored of them, where that saves bytes. In a GLB also remove accessors, views
@@ -117,6 +144,16 @@ pub struct Written {
     pub vertices: u64,
     /// Vertices added by splitting.
     pub added_vertices: u64,
+    /// Vertices fewer than before, by merging.
+    pub merged_vertices: u64,
+}
+
+impl Written {
+    /// Compares the number of vertices with that before.
+    pub(super) fn count_change(&mut self, before: usize) {
+        self.added_vertices = self.vertices.saturating_sub(before as u64);
+        self.merged_vertices = (before as u64).saturating_sub(self.vertices);
+    }
 }
 
 /// A file that belongs with the main output.

@@ -1,6 +1,7 @@
 //! A mesh for a format that stores every value per vertex: vertices are split where corners differ.
 
-use crate::mesh::{Column, ColumnIndex, Mesh, NONE, VertexSplit, split_vertices};
+use super::options::Merge;
+use crate::mesh::{Column, ColumnIndex, Mesh, NONE, Storage, VertexSplit, split_vertices};
 use std::borrow::Cow;
 
 /// A mesh whose vertices have one value of every column.
@@ -15,8 +16,9 @@ pub(super) struct SplitMesh<'a> {
 }
 
 impl<'a> SplitMesh<'a> {
-    /// Splits vertices by texture coordinates, and by normals unless these are written per face.
-    pub fn new(mesh: &'a Mesh, by_face: bool) -> Self {
+    /// Splits vertices by texture coordinates, and by normals unless these are written per face; then merges those that agree
+    /// where normals are written in a type.
+    pub fn new(mesh: &'a Mesh, by_face: bool, (merge, storage): (Merge, Storage)) -> Self {
         let columns = mesh.columns();
         let normals = columns.normals.as_ref().filter(|_| !by_face);
         let corners = mesh.faces().corners();
@@ -28,8 +30,12 @@ impl<'a> SplitMesh<'a> {
         let per_corner: Vec<&[u32]> = per_corner.collect();
         // Values that are stored per corner, but are the same at all corners of a vertex, split none.
         let keys: Vec<&[u32]> = per_corner.iter().copied().filter(|&keys| keys != corners).collect();
-        if !keys.is_empty() {
+        let merges = merge.applies_to(mesh);
+        if merges || !keys.is_empty() {
             let mut split = split_vertices(mesh.vertex_count(), corners, &keys);
+            if merges {
+                split = mesh.merge_split(&split, storage);
+            }
             let vertex_of = Cow::Owned(std::mem::take(&mut split.corners));
             return Self { mesh, vertex_of, split: Some(split), is_used: Vec::new() };
         }
@@ -39,6 +45,11 @@ impl<'a> SplitMesh<'a> {
             corners.iter().for_each(|&vertex| is_used[vertex as usize] = true);
         }
         Self { mesh, vertex_of: Cow::Borrowed(corners), split: None, is_used }
+    }
+
+    /// Whether the written vertices are those of the mesh.
+    pub fn is_identity(&self) -> bool {
+        self.split.is_none()
     }
 
     /// The number of written vertices.

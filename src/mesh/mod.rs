@@ -20,8 +20,8 @@ mod disjoint_sets;
 mod box_tree;
 // Points connected by short steps, by a k-d tree.
 mod point_clusters;
-// Vertices merged by position.
-mod vertex_merge;
+// Vertices split where corners differ, and merged where they agree.
+mod vertices;
 // Which faces meet at which edges.
 mod topology;
 // Boundary edges joined by position.
@@ -32,8 +32,6 @@ mod face_normals;
 mod face_edit;
 // Affine maps.
 mod transform;
-// Vertices split for formats with one attribute a vertex.
-mod vertex_split;
 // Polygons cut into triangles.
 mod triangulate;
 // Rays through a mesh.
@@ -60,7 +58,8 @@ pub(crate) use rings::{Rings, Scatter};
 pub use topology::Topology;
 pub use transform::{NormalMatrix, TransformFault, normal_matrix};
 pub use triangulate::{Triangulation, triangulate};
-pub(crate) use vertex_merge::{first_positions, place_key};
-pub use vertex_split::{VertexSplit, split_vertices};
+pub(crate) use vertices::merge::{first_positions, place_key};
+pub use vertices::near::Movement;
+pub use vertices::split::{VertexSplit, split_vertices};
 pub use weld::Weld;
 pub(crate) use weld::joins_no_edges;

@@ -12,7 +12,7 @@ use super::polygon_mesh::Mesh;
 use super::positions::PositionsRef;
 use super::rings::Rings;
 use super::topology::Topology;
-use super::vertex_merge::first_at_place;
+use super::vertices::merge::first_at_place;
 use glam::DVec3;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;

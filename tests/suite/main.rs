@@ -20,6 +20,7 @@ mod hostile;
 mod inspect;
 mod invariance;
 mod lectures;
+mod merge;
 mod meshes;
 mod obj;
 mod orient;

@@ -4,6 +4,7 @@ use super::failure::Failure;
 use super::input::Source;
 use super::output::Target;
 use crease::io::{Format, Written};
+use crease::mesh::Movement;
 use serde::Serialize;
 
 /// The first members of every report: the schema, the program's version, and the status.
@@ -52,11 +53,27 @@ pub struct MeshOutput {
     pub bytes: u64,
     pub vertices: u64,
     pub added_vertices: u64,
+    pub merged_vertices: u64,
+    /// Vertices that were moved, and how far.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub moved: Option<MovedVertices>,
     pub unchanged: bool,
     pub companions: Vec<String>,
 }
 
+#[derive(Debug, Serialize)]
+pub struct MovedVertices {
+    pub vertices: usize,
+    pub longest: f64,
+}
+
 impl MeshOutput {
+    /// The same, with what [`Loaded::move_together`](crease::io::Loaded::move_together) moved.
+    pub fn with_moved(self, moved: Movement) -> Self {
+        let Movement { vertices, longest } = moved;
+        Self { moved: (vertices > 0).then_some(MovedVertices { vertices, longest }), ..self }
+    }
+
     /// An output that is made but not stored yet.
     pub fn new(target: Option<&Target>, format: Format, unchanged: bool, written: &Written) -> Self {
         Self {
@@ -65,6 +82,8 @@ impl MeshOutput {
             bytes: written.bytes.len() as u64,
             vertices: written.vertices,
             added_vertices: written.added_vertices,
+            merged_vertices: written.merged_vertices,
+            moved: None,
             unchanged,
             companions: written.companions.iter().map(|companion| companion.name.clone()).collect(),
         }

@@ -92,6 +92,8 @@ pub struct RecipeArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Mesh")]
 pub struct MeshArgs {
+    #[arg(long, value_name = "exact|off|FRACTION", value_parser = merging, allow_negative_numbers = true)]
+    pub merge: Option<Merging>,
     #[arg(long, value_name = "HOW", default_value = "keep", value_parser = one_of::<Degenerate>())]
     pub degenerate: Degenerate,
     #[arg(long)]
@@ -111,6 +113,15 @@ pub struct GltfArgs {
     pub tangents: TangentPolicy,
     #[arg(long, value_name = "TYPE", default_value = "same", value_parser = one_of::<NormalFormat>())]
     pub normal_format: NormalFormat,
+}
+
+/// Which vertices are merged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Merging {
+    Off,
+    Exact,
+    /// Those that are closer than this fraction of the diagonal, too.
+    Near(f64),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -141,10 +152,18 @@ choices! { TangentPolicy: "drop" => Drop, "keep" => Keep, "regenerate" => Regene
 choices! { NormalFormat: "same" => Same, "f32" => F32, "i16" => I16, "i8" => I8 }
 
 fn weld(text: &str) -> Result<Weld, String> {
+    exact_off_or(text, Weld::Exact, Weld::Off, Weld::Relative)
+}
+
+fn merging(text: &str) -> Result<Merging, String> {
+    exact_off_or(text, Merging::Exact, Merging::Off, Merging::Near)
+}
+
+fn exact_off_or<T>(text: &str, exact: T, off: T, near: fn(f64) -> T) -> Result<T, String> {
     match (text, text.parse()) {
-        ("exact", _) => Ok(Weld::Exact),
-        ("off", _) => Ok(Weld::Off),
-        (_, Ok(fraction)) if fraction > 0.0 && fraction < 1.0 => Ok(Weld::Relative(fraction)),
+        ("exact", _) => Ok(exact),
+        ("off", _) => Ok(off),
+        (_, Ok(fraction)) if fraction > 0.0 && fraction < 1.0 => Ok(near(fraction)),
         _ => Err("expected `exact`, `off` or a fraction above 0 and below 1 (such as 1e-6)".into()),
     }
 }

@@ -24,6 +24,10 @@ hard-edges = Further edges to keep sharp; repeatable
 when = Stored normals to replace
 weld = Coincident edges to smooth across: those with equal positions, none, or those closer than a fraction of the bounding
     box's diagonal. Vertices are not merged
+merge = Vertices to merge in the output. Default: in a new file, those of meshes without shared vertices (STL, glTF without
+    indices, PLY with three vertices a face) that agree in all attributes. `exact`: all that agree in all attributes, also when
+    a glTF is edited. A fraction of the bounding box's diagonal also moves each vertex to the first within that distance, and
+    needs another format than that of the input. `off`: none
 slivers = Use of slivers: faces with a height below the rounding of their coordinates
 precision = Precision of the computation
 degenerate = Treatment of faces without area

@@ -1,10 +1,10 @@
 //! Options made into jobs. All errors of the command line are found here, before anything is read or written.
 
-use super::args::{HardEdge, NormalsArgs, RecipeArgs};
+use super::args::{HardEdge, Merging, NormalsArgs, RecipeArgs};
 use crate::cli::common::failure::Failure;
 use crate::cli::common::input::{Input, Source, check_root, expand};
 use crate::cli::common::output::{Target, file_target, resolve_parent};
-use crease::io::{Emit, Format, NonFinite, ReadOptions, WriteOptions};
+use crease::io::{Emit, Format, Merge, NonFinite, ReadOptions, WriteOptions};
 use crease::normals::{Crease, HardEdges, NormalRecipe, Scope};
 use crease::pipeline::Task;
 use std::collections::BTreeMap;
@@ -16,6 +16,8 @@ pub struct Request<'a> {
     pub task: Task,
     pub read: ReadOptions,
     pub write: WriteOptions,
+    /// Vertices move to others that are closer than this fraction of the diagonal.
+    pub merge_distance: Option<f64>,
     /// Face normals go into the JSON report.
     pub rows: bool,
 }
@@ -59,7 +61,16 @@ impl<'a> Request<'a> {
                 emit: args.normals.emit,
                 tangents: args.gltf.tangents,
                 normal_format: args.gltf.normal_format,
+                merge: match args.mesh.merge {
+                    None => Merge::FacetWise,
+                    Some(Merging::Off) => Merge::Off,
+                    Some(Merging::Exact | Merging::Near(_)) => Merge::Exact,
+                },
                 ..WriteOptions::default()
+            },
+            merge_distance: match args.mesh.merge {
+                Some(Merging::Near(fraction)) => Some(fraction),
+                _ => None,
             },
             rows,
         })

@@ -12,6 +12,7 @@ use crate::cli::common::progress::{FileProgress, Progress, Stage};
 use crate::cli::common::report::MeshOutput;
 use crate::cli::usage::refused;
 use crease::io::{self, Format, Loaded, Written};
+use crease::mesh::Movement;
 use crease::pipeline;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -80,6 +81,16 @@ fn run(
     let start = Instant::now();
     let target = (!request.rows).then(|| job.to.unwrap_or(loaded.format));
     pipeline::forget_unused(&mut loaded, &request.task, target);
+    let moved = match (request.merge_distance, target) {
+        (Some(fraction), Some(target)) if !target.edits(loaded.format) => loaded.move_together(fraction),
+        (Some(_), Some(target)) => {
+            return Err(Failure::usage(format!(
+                "--merge with a fraction moves vertices, but {target} is the format of the input, whose positions stay\n\
+                 help: choose another format with --to, or --merge exact"
+            )));
+        }
+        _ => Movement::default(),
+    };
     let revision = compute(&loaded, request, target, progress);
     report.seconds.compute = start.elapsed().as_secs_f64();
     let parts = revision.parts.into_iter().zip(&revision.edits);
@@ -96,7 +107,7 @@ fn run(
     // A large input takes as long to give back as its output to write.
     rayon::spawn(move || drop(loaded));
     report.notes.extend_from_slice(&written.notes);
-    report.output = Some(MeshOutput::new(job.target.as_ref(), format, unchanged, &written));
+    report.output = Some(MeshOutput::new(job.target.as_ref(), format, unchanged, &written).with_moved(moved));
     report.notes.extend(put(job, store, written, unchanged)?);
     report.seconds.write = start.elapsed().as_secs_f64();
     Ok(())

@@ -350,8 +350,15 @@ fn orientation(parts: &[Part]) -> Option<String> {
 
 fn written(output: &MeshOutput, dry_run: bool) -> String {
     let vertices = count_of(output.vertices as usize, "vertex", "vertices");
-    let mut text =
-        format!("{}, {}, {vertices} ({} added)", output.format, size(output.bytes), output.added_vertices);
+    let change = match output.merged_vertices {
+        0 => format!("{} added", output.added_vertices),
+        merged => format!("{merged} merged"),
+    };
+    let mut text = format!("{}, {}, {vertices} ({change})", output.format, size(output.bytes));
+    if let Some(moved) = &output.moved {
+        let vertices = count_of(moved.vertices, "vertex", "vertices");
+        let _ = write!(text, ", {vertices} moved by at most {:.3e}", moved.longest);
+    }
     if !output.companions.is_empty() {
         let names: Vec<String> = output.companions.iter().map(|name| escaped(name)).collect();
         let _ = write!(text, ", with {}", names.join(", "));

@@ -12,10 +12,10 @@ use crate::io::mesh_checks::{beyond_f32, displacement_note, unsupported_notes};
 use crate::io::split_mesh::SplitMesh;
 use crate::io::text::counted;
 use crate::io::{
-    FileMaterial, Format, NormalFormat, Note, OutputContent, OutputFile, Part, WriteError, WriteOptions,
-    Written,
+    FileMaterial, Format, Merge, NormalFormat, Note, OutputContent, OutputFile, Part, WriteError,
+    WriteOptions, Written,
 };
-use crate::mesh::{Column, FaceLabels, Mesh, NONE, PositionsRef};
+use crate::mesh::{Column, FaceLabels, Mesh, NONE, PositionsRef, Storage};
 use glam::DVec3;
 use gltf::json::mesh as mode;
 use rayon::prelude::*;
@@ -36,13 +36,14 @@ pub(in crate::io) fn write(
 ) -> Result<Written, WriteError> {
     let (pieces, unused) = pieces(parts);
     let known = materials.iter().map(|material| (material.name.as_str(), material)).collect();
-    let mut file = File { known, normal_format: options.normal_format, ..File::default() };
+    let mut file =
+        File { known, normal_format: options.normal_format, merge: options.merge, ..File::default() };
     for part in &pieces {
         file.part(part)?;
     }
     let mut written = std::mem::take(&mut file.written);
     let old: usize = parts.iter().map(|part| part.mesh.vertex_count()).sum();
-    written.added_vertices = written.vertices.saturating_sub(old as u64);
+    written.count_change(old);
     written.notes.extend(notes(parts, unused, file.textures));
     let length = file.blob.length as usize;
     if to == Format::Glb {
@@ -74,6 +75,7 @@ struct File<'a> {
     known: FxHashMap<&'a str, &'a FileMaterial>,
     textures: usize,
     normal_format: NormalFormat,
+    merge: Merge,
     is_quantized: bool,
 }
 
@@ -114,7 +116,7 @@ impl<'a> File<'a> {
             return Ok(());
         }
         let groups = groups(mesh, &mut self.written.notes);
-        let split = SplitMesh::new(mesh, false);
+        let split = SplitMesh::new(mesh, false, (self.merge, Storage::F32));
         let attributes = self.attributes(&split)?;
         let mut primitives = Vec::new();
         let vertices = split.vertex_count();
@@ -317,7 +319,6 @@ fn positions<'a>(split: &SplitMesh<'a>, notes: &mut Vec<Note>) -> Result<(Single
     notes.extend(displacement_note(mesh));
     let double = |bound: [f32; 3]| bound.map(f64::from).to_vec();
     let bounds = Bounds { low: double(low), high: double(high) };
-    let is_split = split.vertex_count() > rounded.len();
     let all = || (0..split.vertex_count()).map(|vertex| rounded[split.source(vertex)]).collect();
-    Ok((if is_split { all() } else { rounded }, bounds))
+    Ok((if split.is_identity() { rounded } else { all() }, bounds))
 }

@@ -15,9 +15,18 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
     let mut writer = Writer::default();
     writer.out.extend_from_slice(concat!("# crease ", env!("CARGO_PKG_VERSION"), "\n").as_bytes());
     for part in parts {
-        writer.part(part);
+        if options.merge.applies_to(&part.mesh) {
+            let mesh = part.mesh.clone().with_corner_columns().with_shared_vertices();
+            writer.part(&Part { name: part.name.clone(), mesh, ..Part::default() });
+        } else {
+            writer.part(part);
+        }
     }
-    Ok(Written { bytes: writer.out, notes: notes(parts), vertices: writer.vertices, ..Written::default() })
+    let old: usize = parts.iter().map(|part| part.mesh.vertex_count()).sum();
+    let mut written =
+        Written { bytes: writer.out, notes: notes(parts), vertices: writer.vertices, ..Written::default() };
+    written.count_change(old);
+    Ok(written)
 }
 
 pub(super) fn check_emit(options: &WriteOptions) -> Result<(), WriteError> {

@@ -4,7 +4,7 @@ use super::scalar::{Encoding, Scalar};
 use crate::io::mesh_checks::{needs_f64, unsupported_notes};
 use crate::io::split_mesh::SplitMesh;
 use crate::io::{Emit, Format, Note, Part, Place, WriteError, WriteOptions, Written};
-use crate::mesh::{Mesh, NONE};
+use crate::mesh::{Mesh, NONE, Storage};
 use glam::{DVec2, DVec3, DVec4};
 
 /// A binary little-endian PLY of all parts in one, with polygons unchanged and lines as edges.
@@ -14,7 +14,9 @@ use glam::{DVec2, DVec3, DVec4};
 pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Written, WriteError> {
     let layout = Layout::of(parts, options);
     let by_face = options.emit == Emit::Face;
-    let split: Vec<SplitMesh<'_>> = parts.iter().map(|part| SplitMesh::new(&part.mesh, by_face)).collect();
+    let storage = if layout.vertex[0].1 == Scalar::F64 { Storage::F64 } else { Storage::F32 };
+    let split: Vec<SplitMesh<'_>> =
+        parts.iter().map(|part| SplitMesh::new(&part.mesh, by_face, (options.merge, storage))).collect();
     let vertices: usize = split.iter().map(SplitMesh::vertex_count).sum();
     if vertices >= NONE as usize {
         let text = format!("{vertices} vertices, more than the indices of PLY can count");
@@ -38,8 +40,9 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
     }
     let old: usize = parts.iter().map(|part| part.mesh.vertex_count()).sum();
     let notes = notes(parts, writer.without_normal);
-    let (vertices, added_vertices) = (vertices as u64, (vertices - old) as u64);
-    Ok(Written { bytes: writer.out, notes, vertices, added_vertices, ..Written::default() })
+    let mut written = Written { bytes: writer.out, notes, vertices: vertices as u64, ..Written::default() };
+    written.count_change(old);
+    Ok(written)
 }
 
 #[derive(Clone, Copy)]

@@ -38,8 +38,18 @@ struct Output {
     bytes: u64,
     vertices: u64,
     added_vertices: u64,
+    merged_vertices: u64,
+    moved: Option<Moved>,
     unchanged: bool,
     companions: Vec<String>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(dead_code, reason = "the members are checked by being read")]
+struct Moved {
+    vertices: usize,
+    longest: f64,
 }
 
 #[derive(Debug, Deserialize)]

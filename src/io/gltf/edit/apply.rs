@@ -77,7 +77,7 @@ pub fn edit(
     }
     let vertices: usize = loaded.parts.iter().map(|part: &Part| part.mesh.vertex_count()).sum();
     written.vertices = vertices.saturating_add_signed(added as isize) as u64;
-    written.added_vertices = added.max(0) as u64;
+    written.count_change(vertices);
     let note = |(remark, count): (Remark, usize)| Note::counted(count, remark.1, remark.2);
     written.notes.extend(remarks.filter_map(note));
     let drops = edits.iter().any(|edit| !edit.faces.dropped.is_empty());

@@ -275,7 +275,7 @@ impl Group<'_, '_> {
 
     /// Merges vertices whose values do not change, and writes dropped and flipped faces.
     fn write_merged(&self, store: &mut Store<'_>, attributes: &[Attribute<'_>]) -> Result<i64, WriteError> {
-        if !self.options.compact {
+        if !self.may_merge() {
             return self.write_faces(store).map(|()| 0);
         }
         let count = self.members[0].block.count as usize;

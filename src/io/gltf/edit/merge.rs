@@ -4,8 +4,8 @@ use super::group::{Attribute, Group, unreadable};
 use super::member::index_component;
 use super::rows::Rows;
 use super::store::Store;
-use crate::io::WriteError;
 use crate::io::gltf::glb::padded;
+use crate::io::{Merge, WriteError};
 use crate::mesh::{NONE, VertexSplit};
 use rustc_hash::FxHashMap;
 use std::collections::hash_map::Entry;
@@ -15,7 +15,7 @@ const TEXT_OF_INDICES: usize = 200;
 
 impl Group<'_, '_> {
     /// The vertices of a split, of which those that agree in their row and in all other attributes are one: the first of them.
-    /// `None` unless that saves bytes, or if an extension may refer to vertices by number.
+    /// `None` unless that saves bytes or is [wanted](Merge::Exact), and if an extension may refer to vertices by number.
     pub fn merged(
         &self,
         store: &Store<'_>,
@@ -24,13 +24,21 @@ impl Group<'_, '_> {
         others: &[Attribute<'_>],
     ) -> Result<Option<VertexSplit>, WriteError> {
         let is_ordered = || self.members.iter().any(|member| member.has_ordered_vertices(store.document));
-        if !self.options.compact || is_ordered() {
+        if !self.may_merge() || is_ordered() {
             return Ok(None);
         }
         let (keys, size) = self.keys(split, rows, others)?;
         let merged = first_of_equal(split, keys.chunks_exact(size));
-        let saves = self.saved_bytes(store, (split, &merged), rows, others) > 0;
-        Ok(Some(merged).filter(|_| saves))
+        let is_wanted = match self.options.merge {
+            Merge::Exact => merged.source.len() < split.source.len(),
+            Merge::Off | Merge::FacetWise => self.saved_bytes(store, (split, &merged), rows, others) > 0,
+        };
+        Ok(Some(merged).filter(|_| is_wanted))
+    }
+
+    /// Whether the options allow to merge vertices.
+    pub fn may_merge(&self) -> bool {
+        self.options.compact || self.options.merge == Merge::Exact
     }
 
     /// All that is stored of each vertex of a split, and its size.

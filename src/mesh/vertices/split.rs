@@ -1,6 +1,6 @@
 //! Splitting vertices for formats that store every attribute per vertex.
 
-use super::columns::NONE;
+use crate::mesh::columns::NONE;
 use rustc_hash::FxHashMap;
 
 /// Vertices split so that each has one value of every attribute.

@@ -1,9 +1,10 @@
-//! Vertices at equal positions: finding and merging them.
+//! Vertices at equal positions, and vertices that agree in everything: finding and merging them.
 
-use super::columns::{ColumnIndex, Columns, NONE};
-use super::polygon_mesh::Mesh;
-use super::positions::PositionsRef;
-use super::rings::Scatter;
+use super::split::VertexSplit;
+use crate::mesh::columns::{Column, ColumnIndex, Columns, NONE};
+use crate::mesh::polygon_mesh::Mesh;
+use crate::mesh::positions::{PositionsRef, Storage};
+use crate::mesh::rings::Scatter;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -18,7 +19,7 @@ pub(crate) fn place_key(p: DVec3) -> [u64; 3] {
 /// place if their [keys](place_key) are equal in every shape, a list of positions.
 ///
 /// A flat table of item numbers per thread, each for a share of the positions: at most 9 bytes an item in addition to the result.
-pub(super) fn first_at_place(
+pub(in crate::mesh) fn first_at_place(
     count: usize,
     shapes: &[PositionsRef],
     vertex: impl Fn(u32) -> u32 + Sync,
@@ -140,27 +141,114 @@ impl Mesh {
             && corners.par_iter().enumerate().all(|(corner, &vertex)| vertex as usize == corner)
     }
 
-    /// The mesh with one vertex for all corners at the same position (to the bit, −0 = +0), numbered in the order of the
-    /// corners, without unreferenced vertices. Unchanged if vertices have other attributes than positions.
+    /// Whether no vertex belongs to two corners: each face has vertices of its own.
+    pub(crate) fn is_facet_wise(&self) -> bool {
+        let corners = self.faces.corners();
+        let mut is_used =
+            vec![false; if corners.len() > self.vertex_count() { 0 } else { self.vertex_count() }];
+        !corners.is_empty()
+            && !is_used.is_empty()
+            && corners.iter().all(|&vertex| !std::mem::replace(&mut is_used[vertex as usize], true))
+    }
+
+    /// The vertices of a split, of which those that agree in position (to the bit, −0 = +0), normal, texture coordinates and
+    /// colour are one: the first of them, in the order of the split. Normals agree if they are the same in `normals`, the type that
+    /// is written. Points and lines of the mesh must be none.
+    ///
+    /// Cost: as [`first_at_place`].
+    pub(crate) fn merge_split(&self, split: &VertexSplit, normals: Storage) -> VertexSplit {
+        let columns = &self.columns;
+        let sample = |item: u32| (split.sample[item as usize], split.source[item as usize]);
+        let bits = |n: &DVec3| match normals {
+            Storage::F32 => n.as_vec3().to_array().map(|x| u64::from(x.to_bits())),
+            Storage::F64 => n.to_array().map(f64::to_bits),
+        };
+        let normal = |item| vector_key(columns.normals.as_ref(), sample(item), bits);
+        let uv = |item| vector_key(columns.uvs.as_ref(), sample(item), |t| [t.x.to_bits(), t.y.to_bits(), 0]);
+        let color = |item: u32| {
+            columns.colors.as_ref().map_or([0; 3], |colors| {
+                let [r, g, b, a] =
+                    colors[split.source[item as usize] as usize].map(|c| u64::from(c.to_bits()));
+                [r << 32 | g, b << 32 | a, 0]
+            })
+        };
+        let positions = self.positions();
+        let key = |item: u32, shape: usize| match shape {
+            0 => place_key(positions.at(split.source[item as usize])),
+            1 => normal(item),
+            2 => uv(item),
+            _ => color(item),
+        };
+        let shapes = match (&columns.colors, &columns.uvs) {
+            (Some(_), _) => 4,
+            (None, Some(_)) => 3,
+            (None, None) => 2,
+        };
+        let first = first_of_places(split.source.len(), &Places { key, shapes });
+        let mut merged = VertexSplit::default();
+        let mut number = vec![NONE; first.len()];
+        for (item, &first) in first.iter().enumerate() {
+            if first as usize == item {
+                number[item] = merged.source.len() as u32;
+                merged.source.push(split.source[item]);
+                merged.sample.push(split.sample[item]);
+            } else {
+                number[item] = number[first as usize];
+            }
+        }
+        merged.corners = split.corners.iter().map(|&vertex| number[vertex as usize]).collect();
+        merged
+    }
+
+    /// The mesh whose normals and texture coordinates are per corner, so that vertices differ in their positions only.
+    pub(crate) fn with_corner_columns(mut self) -> Self {
+        let corners = self.faces.corners().to_vec();
+        let columns = &mut self.columns;
+        let per_corner = |index: &mut ColumnIndex| {
+            if *index == ColumnIndex::PerVertex {
+                *index = ColumnIndex::PerCorner(corners.clone());
+            }
+        };
+        columns.normals.iter_mut().for_each(|column| per_corner(&mut column.index));
+        columns.uvs.iter_mut().for_each(|column| per_corner(&mut column.index));
+        self
+    }
+
+    /// The mesh with one vertex for all vertices at the same position (to the bit, −0 = +0), in the order of their first
+    /// occurrence. Unchanged if vertices have other attributes than positions.
     pub(crate) fn with_shared_vertices(mut self) -> Self {
         if has_vertex_attributes(&self.columns) {
             return self;
         }
-        let first = self.first_vertices();
-        let mut number = vec![NONE; first.len()];
+        let mut number = self.first_vertices();
         let mut sources = Vec::new();
-        let corners = self.faces.corners().iter().map(|&vertex| {
-            let number = &mut number[first[vertex as usize] as usize];
-            if *number == NONE {
-                *number = sources.len() as u32;
-                sources.push(vertex);
-            }
-            *number
-        });
+        for vertex in 0..number.len() {
+            number[vertex] = if number[vertex] as usize == vertex {
+                sources.push(vertex as u32);
+                sources.len() as u32 - 1
+            } else {
+                number[number[vertex] as usize]
+            };
+        }
+        let corners = self.faces.corners().iter().map(|&vertex| number[vertex as usize]);
         self.faces = self.faces.with_corners(corners.collect()).into();
         self.positions = Arc::new(self.positions().gather(&sources));
         self
     }
+}
+
+/// The bits of a vertex's value in a column; others than those of any value if it has none.
+fn vector_key<T>(
+    column: Option<&Column<T>>,
+    (corner, vertex): (u32, u32),
+    bits: impl Fn(&T) -> [u64; 3],
+) -> [u64; 3] {
+    let value = column.and_then(|column| match (&column.index, corner) {
+        (ColumnIndex::PerVertex, _) => column.values.get(vertex as usize),
+        (_, NONE) => None,
+        _ => column.get(corner as usize, vertex),
+    });
+    value.map_or([u64::MAX; 3], bits)
 }
 
 fn has_vertex_attributes(columns: &Columns) -> bool {
@@ -200,7 +288,7 @@ mod tests {
         assert_eq!(mesh.faces().corners(), [0, 1, 2, 0, 2, 3]);
         assert_eq!(
             mesh.positions().to_vec(),
-            [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]].map(DVec3::from)
+            [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.], [7., 7., 7.]].map(DVec3::from)
         );
         assert_eq!(mesh.columns().normals, Some(normals));
     }
