@@ -1,7 +1,7 @@
 //! Options of readers and writers, and what a writer returns.
 
 use super::Note;
-use crate::mesh::Mesh;
+use crate::mesh::{AxisConversion, Mesh};
 use std::path::PathBuf;
 
 /// What a reader may do and how much it may take.
@@ -107,6 +107,16 @@ impl Merge {
     }
 }
 
+/// The material of faces without one in a new glTF, where a primitive without material would be a perfectly rough metal.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum MaterialFallback {
+    /// Light grey plastic of roughness 0.6, named `default`; white where vertices have colours, which multiply it.
+    #[default]
+    Plastic,
+    /// None.
+    Omit,
+}
+
 /// How to write.
 #[derive(Clone, Debug, Default)]
 pub struct WriteOptions {
@@ -118,6 +128,10 @@ pub struct WriteOptions {
     pub normal_format: NormalFormat,
     /// Which vertices are merged.
     pub merge: Merge,
+    /// The material of faces without one (new glTF).
+    pub material: MaterialFallback,
+    /// Other axes and units of a new file; files that are edited keep theirs.
+    pub conversion: Option<AxisConversion>,
     /// Omit normals where neither tangents nor normals of morph targets need them: such faces are flat (glTF).
     pub omit_normals: bool,
     /// Merge vertices that agree in everything that is stored of them, where that saves bytes. In a GLB also remove accessors, views

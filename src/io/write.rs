@@ -5,7 +5,7 @@ use super::{
     Document, Emit, FileMaterial, Format, Loaded, Merge, NormalFormat, Note, Part, PartEdit, Place,
     WriteError, WriteOptions, Written, gltf, obj, ply, stl,
 };
-use crate::mesh::{Column, FaceLabels, Mesh, TransformFault};
+use crate::mesh::{AxisConversion, Column, FaceLabels, Mesh, TransformFault};
 use glam::DMat4;
 use std::borrow::Cow;
 
@@ -48,7 +48,10 @@ pub fn write<'a>(
             Document::None | Document::Forgotten(_) => Err(WriteError::no_document()),
         }?
     } else {
-        let parts = placed(loaded, edits, format, options, &mut notes)?;
+        let mut parts = placed(loaded, edits, format, options, &mut notes)?;
+        if let Some(conversion) = options.conversion {
+            convert(&mut parts, conversion)?;
+        }
         let left = loaded.document.outside_meshes();
         if !left.is_empty() {
             let text = format!("a new file has only the meshes; omitted: {}", left.join(", "));
@@ -147,6 +150,16 @@ fn placed(
     let transforms = ["node transform flattens its mesh", "node transforms flatten their meshes"];
     notes.extend(Note::counted(flattened, transforms, "and make normals undefined"));
     Ok(parts)
+}
+
+fn convert(parts: &mut [Part], conversion: AxisConversion) -> Result<(), WriteError> {
+    for part in parts {
+        part.mesh = part.mesh.converted(conversion).map_err(|TransformFault::Overflow| {
+            let text = "the scale moves a vertex out of range; use a smaller --scale".to_owned();
+            WriteError::Unsupported(text)
+        })?;
+    }
+    Ok(())
 }
 
 fn edited_mesh(mesh: &Mesh, edit: PartEdit, by_face: bool) -> Mesh {

@@ -32,6 +32,8 @@ mod face_normals;
 mod face_edit;
 // Affine maps.
 mod transform;
+// Up axes and units.
+mod axes;
 // Polygons cut into triangles.
 mod triangulate;
 // Rays through a mesh.
@@ -39,6 +41,7 @@ mod obstacles;
 // Consistent and outward orientation.
 mod orient;
 
+pub use axes::{AxisConversion, UpAxis};
 pub use columns::{Column, ColumnIndex, Columns, FaceLabels, NONE, SmoothingGroups};
 pub(crate) use disjoint_sets::DisjointSets;
 pub(crate) use edge_matching::EdgeMatcher;

@@ -31,12 +31,12 @@ pub(crate) fn crease() -> Command {
 }
 
 /// Runs `crease normals` and returns its output.
-fn normals<A: AsRef<OsStr>>(args: impl IntoIterator<Item = A>) -> Output {
+pub(crate) fn normals<A: AsRef<OsStr>>(args: impl IntoIterator<Item = A>) -> Output {
     crease().arg("normals").args(args).output().unwrap()
 }
 
 /// Runs `crease normals`, which has to succeed.
-fn succeed<A: AsRef<OsStr>>(args: impl IntoIterator<Item = A>) -> Output {
+pub(crate) fn succeed<A: AsRef<OsStr>>(args: impl IntoIterator<Item = A>) -> Output {
     let output = normals(args);
     assert!(output.status.success(), "{}", text(&output.stderr));
     output

@@ -4,6 +4,7 @@
 
 mod artefact;
 mod artefact_sweep;
+mod axes;
 mod cli;
 mod colours;
 mod convert;

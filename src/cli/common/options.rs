@@ -3,7 +3,7 @@
 use super::choice::choices;
 use clap::Args;
 use crease::io::Format;
-use crease::mesh::Confidence;
+use crease::mesh::{Confidence, UpAxis};
 use crease::normals::{Crease, Weight, When};
 use crease::num::{Degrees, LinearRgb, Srgb8};
 use glam::DVec3;
@@ -46,6 +46,8 @@ choices! { Weight:
     "uniform" => Uniform, "area" => Area, "angle" => Angle, "angle-area" => AngleArea, "max" => Max,
     "edge" => Edge, "quadric" => Quadric, "jet" => Jet, "best" => Best,
 }
+
+choices! { UpAxis: "x" => X, "y" => Y, "z" => Z }
 
 choices! { When: "always" => Always, "missing" => Missing, "broken" => Broken }
 

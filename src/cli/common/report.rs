@@ -57,6 +57,12 @@ pub struct MeshOutput {
     /// Vertices that were moved, and how far.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub moved: Option<MovedVertices>,
+    /// The conversion of axes and units, column by column.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub matrix: Option<[f64; 16]>,
+    /// The same in words.
+    #[serde(skip)]
+    pub conversion: String,
     pub unchanged: bool,
     pub companions: Vec<String>,
 }
@@ -84,6 +90,8 @@ impl MeshOutput {
             added_vertices: written.added_vertices,
             merged_vertices: written.merged_vertices,
             moved: None,
+            matrix: None,
+            conversion: String::new(),
             unchanged,
             companions: written.companions.iter().map(|companion| companion.name.clone()).collect(),
         }

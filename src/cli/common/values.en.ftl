@@ -33,6 +33,13 @@ tangentpolicy-drop = omitted, with a note; viewers then generate them
 tangentpolicy-keep = kept unchanged
 tangentpolicy-regenerate = computed by MikkTSpace where texture coordinates allow
 
+materialfallback-default = light grey, not metallic, roughness 0.6; white if vertices have colours
+materialfallback-none = none: viewers then show a rough metal
+
+upaxis-x = +x
+upaxis-y = +y
+upaxis-z = +z
+
 normalformat-same = as in the input, else f32
 normalformat-f32 = 32-bit floats
 normalformat-i16 = 16-bit integers (KHR_mesh_quantization)

@@ -3,8 +3,8 @@
 use crate::cli::common::choice::{Choose, as_name, choices, one_of};
 use crate::cli::common::options::{RunArgs, confidence, crease_angle};
 use clap::{ArgGroup, Args};
-use crease::io::{Emit, Format, NormalFormat, TangentPolicy};
-use crease::mesh::{Confidence, Orient, Weld};
+use crease::io::{Emit, Format, MaterialFallback, NormalFormat, TangentPolicy};
+use crease::mesh::{Confidence, Orient, UpAxis, Weld};
 use crease::normals::{CreaseRule, Groups, Precision, Slivers, Weight, When};
 use crease::num::Degrees;
 use crease::pipeline::Degenerate;
@@ -94,6 +94,10 @@ pub struct RecipeArgs {
 pub struct MeshArgs {
     #[arg(long, value_name = "exact|off|FRACTION", value_parser = merging, allow_negative_numbers = true)]
     pub merge: Option<Merging>,
+    #[arg(long, value_name = "AXIS", value_parser = one_of::<UpAxis>())]
+    pub up: Option<UpAxis>,
+    #[arg(long, value_name = "FACTOR|UNIT", value_parser = scale, allow_negative_numbers = true)]
+    pub scale: Option<Scale>,
     #[arg(long, value_name = "HOW", default_value = "keep", value_parser = one_of::<Degenerate>())]
     pub degenerate: Degenerate,
     #[arg(long)]
@@ -113,6 +117,16 @@ pub struct GltfArgs {
     pub tangents: TangentPolicy,
     #[arg(long, value_name = "TYPE", default_value = "same", value_parser = one_of::<NormalFormat>())]
     pub normal_format: NormalFormat,
+    #[arg(long, value_name = "WHICH", default_value = "default", value_parser = one_of::<MaterialFallback>())]
+    pub material: MaterialFallback,
+}
+
+/// A factor for coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Scale {
+    Factor(f64),
+    /// The unit of the file that is not glTF, in metres.
+    Unit(f64),
 }
 
 /// Which vertices are merged.
@@ -151,6 +165,8 @@ choices! { TangentPolicy: "drop" => Drop, "keep" => Keep, "regenerate" => Regene
 
 choices! { NormalFormat: "same" => Same, "f32" => F32, "i16" => I16, "i8" => I8 }
 
+choices! { MaterialFallback: "default" => Plastic, "none" => Omit }
+
 fn weld(text: &str) -> Result<Weld, String> {
     exact_off_or(text, Weld::Exact, Weld::Off, Weld::Relative)
 }
@@ -165,6 +181,17 @@ fn exact_off_or<T>(text: &str, exact: T, off: T, near: fn(f64) -> T) -> Result<T
         ("off", _) => Ok(off),
         (_, Ok(fraction)) if fraction > 0.0 && fraction < 1.0 => Ok(near(fraction)),
         _ => Err("expected `exact`, `off` or a fraction above 0 and below 1 (such as 1e-6)".into()),
+    }
+}
+
+fn scale(text: &str) -> Result<Scale, String> {
+    match (text, text.parse()) {
+        ("mm", _) => Ok(Scale::Unit(0.001)),
+        ("cm", _) => Ok(Scale::Unit(0.01)),
+        ("m", _) => Ok(Scale::Unit(1.0)),
+        ("in", _) => Ok(Scale::Unit(0.0254)),
+        (_, Ok(factor)) if factor > 0.0 && f64::is_finite(factor) => Ok(Scale::Factor(factor)),
+        _ => Err("expected a factor above 0, or a unit: mm, cm, m, in".into()),
     }
 }
 

@@ -30,6 +30,10 @@ merge = Vertices to merge in the output. Default: in a new file, those of meshes
     needs another format than that of the input. `off`: none
 slivers = Use of slivers: faces with a height below the rounding of their coordinates
 precision = Precision of the computation
+up = Up axis of the file that is not glTF: z for most CAD files. A new glTF is rotated so that this axis becomes y; a new file
+    from glTF is rotated back. Normals keep their bits
+scale = Unit of the file that is not glTF (mm, cm, m, in), converted to or from metres; or a factor that multiplies coordinates
+    of a new file
 degenerate = Treatment of faces without area
 flip = Reverse every face, and its normals with it
 orient = Reverse faces so that neighbours agree, or also outward. Stored normals that --when keeps stay unchanged
@@ -37,6 +41,7 @@ confidence = Minimum confidence for --orient outward to reverse an open componen
     escaping rays: from 0.5 to 1; 1 reverses none
 force = Drop faces whose positions are infinite or not a number, instead of refusing the file
 tangents = Treatment of tangents when normals change
+material = Material of faces without one in a new glTF
 normal-format = Storage of normals in glTF; other formats have no choice, and a warning says so
 
 ## What `-h` shows.

@@ -2,6 +2,8 @@
 
 /// Options.
 pub mod args;
+/// Axes and units.
+mod conversion;
 /// The report as JSON.
 mod json;
 /// Options made into jobs.

@@ -1,6 +1,7 @@
 //! Runs `crease normals`: all inputs one after the other. A bad one does not stop the others.
 
 use super::args::NormalsArgs;
+use super::conversion::{Conversion, axes_note, conversion};
 use super::json::{Part, Report};
 use super::request::{Job, Request};
 use super::text;
@@ -91,6 +92,11 @@ fn run(
         }
         _ => Movement::default(),
     };
+    let conversion = match target {
+        Some(target) => conversion(&request.args.mesh, loaded.format, target)?,
+        None => None,
+    };
+    report.notes.extend(target.and_then(|to| axes_note(conversion.as_ref(), loaded.format, to)));
     let revision = compute(&loaded, request, target, progress);
     report.seconds.compute = start.elapsed().as_secs_f64();
     let parts = revision.parts.into_iter().zip(&revision.edits);
@@ -101,13 +107,20 @@ fn run(
     let start = Instant::now();
     let place = place(job);
     let (stem, folder) = (place.and_then(stem), place.map(folder_of));
-    let options = io::WriteOptions { stem, folder, ..request.write.clone() };
+    let map = conversion.as_ref().map(|conversion| conversion.map).filter(|map| !map.is_identity());
+    let options = io::WriteOptions { stem, folder, conversion: map, ..request.write.clone() };
     let written = io::write(&loaded, revision.edits, format, &options).map_err(Failure::output)?;
     let unchanged = loaded.document.is_unchanged(&written.bytes);
     // A large input takes as long to give back as its output to write.
     rayon::spawn(move || drop(loaded));
     report.notes.extend_from_slice(&written.notes);
-    report.output = Some(MeshOutput::new(job.target.as_ref(), format, unchanged, &written).with_moved(moved));
+    let output = MeshOutput::new(job.target.as_ref(), format, unchanged, &written).with_moved(moved);
+    report.output = Some(match conversion {
+        Some(Conversion { text, .. }) => {
+            MeshOutput { matrix: map.map(|map| map.matrix().to_cols_array()), conversion: text, ..output }
+        }
+        None => output,
+    });
     report.notes.extend(put(job, store, written, unchanged)?);
     report.seconds.write = start.elapsed().as_secs_f64();
     Ok(())

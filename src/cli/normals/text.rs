@@ -359,6 +359,9 @@ fn written(output: &MeshOutput, dry_run: bool) -> String {
         let vertices = count_of(moved.vertices, "vertex", "vertices");
         let _ = write!(text, ", {vertices} moved by at most {:.3e}", moved.longest);
     }
+    if !output.conversion.is_empty() {
+        let _ = write!(text, ", {}", output.conversion);
+    }
     if !output.companions.is_empty() {
         let names: Vec<String> = output.companions.iter().map(|name| escaped(name)).collect();
         let _ = write!(text, ", with {}", names.join(", "));

@@ -7,6 +7,7 @@ use crate::cli::common::options::{RunArgs, crease_angle};
 use crate::cli::common::options::{colour, not_negative, vector};
 use clap::Args;
 use crease::io::Format;
+use crease::mesh::UpAxis;
 use crease::normals::{Weight, When};
 use crease::num::{Degrees, LinearRgb, Transfer};
 use crease::raster::{Bits, Cull, FlatSample, Interpolation, Samples, Shading, Show};
@@ -94,6 +95,8 @@ pub struct ShadingArgs {
 pub struct SceneArgs {
     #[arg(long, value_name = "CAMERA", value_parser = fields::camera)]
     pub camera: Option<CameraChange>,
+    #[arg(long, value_name = "AXIS", value_parser = one_of::<UpAxis>())]
+    pub up: Option<UpAxis>,
     #[arg(long, value_name = "LIGHT", value_parser = fields::light)]
     pub light: Vec<Light>,
     #[arg(long, exclusive = true)]

@@ -5,6 +5,7 @@ use super::request::{Request, Subject};
 use super::values::{FileKind, ReflectionChoice, Variant};
 use super::warnings::contrast;
 use crate::cli::common::failure::Failure;
+use crease::mesh::{AxisConversion, UpAxis};
 use crease::num::{Degrees, LinearRgb, Transfer, UnitVec3};
 use crease::raster::{Bits, Camera, RenderError, Samples, SceneFile, Show, default_lights, rotation};
 use crease::shade::{Guards, Light, Place, Reflection, ShadeError};
@@ -37,10 +38,7 @@ pub fn change(request: &Request, file: &mut SceneFile) -> Result<(), Failure> {
     }
     // From here on the camera is fixed, even if objects rotate.
     let framed = if file.camera.is_none() { file.scene().bounds() } else { None };
-    let camera = match request.subject {
-        Subject::Turntable(_) => turned_camera(file),
-        _ => file.scene().camera,
-    };
+    let camera = automatic_camera(file, &request.subject, scene.up)?;
     let camera = scene.camera.map_or(camera, |change| change.apply(&camera, framed));
     if scene.camera.is_some() {
         camera.check().map_err(|error| Failure::usage(format!("--camera: {error}")))?;
@@ -194,6 +192,34 @@ pub fn about(axis: DVec3, Degrees(degrees): Degrees) -> DMat4 {
 pub fn pivot(file: &SceneFile) -> DVec3 {
     let scene = file.scene();
     scene.bounds().map_or(scene.camera.target, |(low, high)| low * 0.5 + high * 0.5)
+}
+
+/// The file's camera, or one that shows the scene with an axis upwards.
+///
+/// # Errors
+/// If the file has a camera, which determines what is up, and an axis is given.
+fn automatic_camera(file: &mut SceneFile, subject: &Subject, up: Option<UpAxis>) -> Result<Camera, Failure> {
+    let Some(up) = up else { return Ok(upright_camera(file, subject)) };
+    if file.camera.is_some() {
+        return Err(Failure::usage(
+            "--up is for files without a camera, but this one has a camera\nhelp: --camera up=X,Y,Z changes it",
+        ));
+    }
+    let to_y_up = AxisConversion::to_y_up(up);
+    let placed: Vec<DMat4> = file.objects.iter().map(|object| object.transform).collect();
+    turn(file, to_y_up.matrix(), DVec3::ZERO);
+    let camera = upright_camera(file, subject);
+    file.objects.iter_mut().zip(placed).for_each(|(object, transform)| object.transform = transform);
+    let back = to_y_up.inverse();
+    let [eye, target, up] = [camera.eye, camera.target, camera.up].map(|v| back.rotate(v));
+    Ok(Camera { eye, target, up, ..camera })
+}
+
+fn upright_camera(file: &SceneFile, subject: &Subject) -> Camera {
+    match subject {
+        Subject::Turntable(_) => turned_camera(file),
+        _ => file.scene().camera,
+    }
 }
 
 /// The file's camera, or one that holds the objects however they are turned about their upright axis.

@@ -42,6 +42,7 @@ scene-help = Print the keys of scene files and exit
 ambient = Ambient light, in place of that of the scene
 material = Material of all objects
 background = Background colour; the wireframe of a mesh is black on a bright one [default: black]
+up = Up axis of the mesh, for the automatic camera [default: y]
 rotate = Rotate the objects about the centre of their bounding box, in degrees: about x, then y, then z; camera and lights
     stay
 weight = Weight of each face at a corner [default: angle]

@@ -12,8 +12,8 @@ use crate::io::mesh_checks::{beyond_f32, displacement_note, unsupported_notes};
 use crate::io::split_mesh::SplitMesh;
 use crate::io::text::counted;
 use crate::io::{
-    FileMaterial, Format, Merge, NormalFormat, Note, OutputContent, OutputFile, Part, WriteError,
-    WriteOptions, Written,
+    FileMaterial, FileReflection, Format, MaterialFallback, Merge, NormalFormat, Note, OutputContent,
+    OutputFile, Part, WriteError, WriteOptions, Written,
 };
 use crate::mesh::{Column, FaceLabels, Mesh, NONE, PositionsRef, Storage};
 use glam::DVec3;
@@ -36,8 +36,8 @@ pub(in crate::io) fn write(
 ) -> Result<Written, WriteError> {
     let (pieces, unused) = pieces(parts);
     let known = materials.iter().map(|material| (material.name.as_str(), material)).collect();
-    let mut file =
-        File { known, normal_format: options.normal_format, merge: options.merge, ..File::default() };
+    let WriteOptions { normal_format, merge, material, .. } = *options;
+    let mut file = File { known, normal_format, merge, fallback: material, ..File::default() };
     for part in &pieces {
         file.part(part)?;
     }
@@ -73,6 +73,9 @@ struct File<'a> {
     materials: Vec<String>,
     material_numbers: FxHashMap<&'a str, usize>,
     known: FxHashMap<&'a str, &'a FileMaterial>,
+    fallback: MaterialFallback,
+    /// The numbers of the fallback materials, without and with colours of vertices.
+    fallback_numbers: [Option<usize>; 2],
     textures: usize,
     normal_format: NormalFormat,
     merge: Merge,
@@ -130,8 +133,12 @@ impl<'a> File<'a> {
             let indices = self.indices(indices, vertices);
             let list = if group.flat { &attributes.flat } else { &attributes.full };
             let mut json = format!("{{\"attributes\":{{{list}}},\"indices\":{indices}");
-            if let (Some(labels), true) = (&mesh.columns().materials, group.label != NONE) {
-                let _ = write!(json, ",\"material\":{}", self.material(labels, group.label));
+            let material = match &mesh.columns().materials {
+                Some(labels) if group.label != NONE => Some(self.material(labels, group.label)),
+                _ => self.fallback_material(mesh.columns().colors.is_some()),
+            };
+            if let Some(number) = material {
+                let _ = write!(json, ",\"material\":{number}");
             }
             json.push('}');
             primitives.push(json);
@@ -230,6 +237,27 @@ impl<'a> File<'a> {
             self.materials.push(format!("{{\"name\":{}{members}}}", quoted(name)));
             self.materials.len() - 1
         })
+    }
+
+    /// The material of faces without one. Colours of vertices multiply its base colour.
+    fn fallback_material(&mut self, is_coloured: bool) -> Option<usize> {
+        if self.fallback == MaterialFallback::Omit {
+            return None;
+        }
+        let next = self.materials.len();
+        let number = *self.fallback_numbers[usize::from(is_coloured)].get_or_insert(next);
+        if number == next {
+            let (name, grey) = if is_coloured { ("default, coloured", 1.0) } else { ("default", 0.8) };
+            let reflection = FileReflection::MetallicRoughness {
+                base_colour: [grey; 3],
+                metallic: 0.0,
+                roughness: 0.6,
+                unlit: false,
+            };
+            let plastic = FileMaterial { name: name.into(), reflection, opacity: None, textures: 0 };
+            self.materials.push(format!("{{\"name\":{}{}}}", quoted(name), material_members(&plastic)));
+        }
+        Some(number)
     }
 
     /// Stores indices in the smallest type of two or four bytes that has room; the largest value of each is forbidden.

@@ -40,6 +40,7 @@ struct Output {
     added_vertices: u64,
     merged_vertices: u64,
     moved: Option<Moved>,
+    matrix: Option<[f64; 16]>,
     unchanged: bool,
     companions: Vec<String>,
 }
