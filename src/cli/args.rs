@@ -4,6 +4,7 @@ use super::artefact::args::ArtefactArgs;
 use super::common::choice::one_of;
 use super::common::options::Color;
 use super::inspect::args::InspectArgs;
+use super::journal::args::JournalArgs;
 use super::normals::args::NormalsArgs;
 use super::plan::args::PlanArgs;
 use super::render::args::RenderArgs;
@@ -33,6 +34,7 @@ pub enum Verb {
     Trade(Box<TradeArgs>),
     Stress(Box<StressArgs>),
     Plan(Box<PlanArgs>),
+    Journal(Box<JournalArgs>),
     Completions { shell: clap_complete::Shell },
     Man { verb: Option<String> },
 }

@@ -11,7 +11,7 @@ use std::ffi::OsString;
 static SHARED: Catalogue = english(include_str!("help.en.ftl"));
 
 /// The texts of each verb, and what its long help begins with.
-static VERBS: [(&str, Catalogue, &str); 8] = [
+static VERBS: [(&str, Catalogue, &str); 9] = [
     ("normals", english(include_str!("normals/help.en.ftl")), ""),
     ("inspect", english(include_str!("inspect/help.en.ftl")), ""),
     ("render", english(include_str!("render/help.en.ftl")), include_str!("render/syntax.txt")),
@@ -20,6 +20,7 @@ static VERBS: [(&str, Catalogue, &str); 8] = [
     ("trade", english(include_str!("trade/help.en.ftl")), ""),
     ("stress", english(include_str!("stress/help.en.ftl")), ""),
     ("plan", english(include_str!("plan/help.en.ftl")), ""),
+    ("journal", english(include_str!("journal/help.en.ftl")), ""),
 ];
 
 const EXIT_CODES: &str = include_str!("exit_codes.txt");
@@ -137,6 +138,7 @@ mod tests {
             include_str!("trade/help.en.ftl"),
             include_str!("stress/help.en.ftl"),
             include_str!("plan/help.en.ftl"),
+            include_str!("journal/help.en.ftl"),
         ];
         for key in sources.into_iter().flat_map(keys).filter(|key| !key.starts_with("example-")) {
             assert!(known.contains(key.trim_end_matches("-short")), "{key} is no option");

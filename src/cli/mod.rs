@@ -12,6 +12,8 @@ mod docs;
 mod help;
 /// Find what is wrong with normals.
 mod inspect;
+/// Summarise journals of batches.
+mod journal;
 /// Compute normals and write them.
 mod normals;
 /// Find the cheapest model that a scene requires.

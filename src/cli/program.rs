@@ -3,7 +3,7 @@
 use super::args::{Cli, Verb};
 use super::common::failure::Exit;
 use super::common::output::forgive_broken_pipe;
-use super::{artefact, docs, help, inspect, normals, plan, render, stress, surface, trade, usage};
+use super::{artefact, docs, help, inspect, journal, normals, plan, render, stress, surface, trade, usage};
 use clap::error::ErrorKind;
 use clap::{Command, Parser};
 use std::ffi::OsString;
@@ -24,6 +24,7 @@ pub fn main() -> ExitCode {
         Verb::Artefact(ref args) => artefact::run::main(args, cli.color),
         Verb::Normals(ref args) => normals::run::main(args, cli.color),
         Verb::Inspect(ref args) => inspect::run::main(args, cli.color),
+        Verb::Journal(ref args) => journal::run::main(args, cli.color),
         Verb::Plan(ref args) => plan::run::main(args, cli.color),
         Verb::Render(ref args) => render::run::main(args, cli.color),
         Verb::Stress(ref args) => stress::run::main(args, cli.color),

@@ -68,7 +68,11 @@ pub(super) fn find(
     if !allowed.any(|folder| folder.canonicalize().is_ok_and(|folder| path.starts_with(folder))) {
         return Err(Refusal::Outside);
     }
-    if path.is_file() { Ok(path) } else { Err(Refusal::NoFile) }
+    if !path.is_file() {
+        return Err(Refusal::NoFile);
+    }
+    options.companions.add(&path);
+    Ok(path)
 }
 
 /// The file that a name refers to from the folder `base`, in which it must lie, or else within the root of the options.

@@ -46,7 +46,7 @@ pub use format::Format;
 pub(crate) use gltf::NodeTree;
 pub use loaded::{Document, Loaded};
 pub use options::{
-    Emit, Limits, MaterialFallback, Merge, NonFinite, NormalFormat, ReadOptions, TangentPolicy,
+    CompanionLog, Emit, Limits, MaterialFallback, Merge, NonFinite, NormalFormat, ReadOptions, TangentPolicy,
 };
 pub use options::{OutputContent, OutputFile, WriteOptions, Written};
 pub use part::{FileNode, Part, PartEdit};

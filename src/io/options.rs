@@ -2,7 +2,9 @@
 
 use super::Note;
 use crate::mesh::{AxisConversion, Mesh};
-use std::path::PathBuf;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
 
 /// What a reader may do and how much it may take.
 #[derive(Clone, Debug, Default)]
@@ -16,6 +18,25 @@ pub struct ReadOptions {
     pub allowed_extensions: Vec<String>,
     /// Bounds on the resources that a file may use.
     pub limits: Limits,
+    /// Receives the companion files that are found, if the caller keeps a copy.
+    pub companions: CompanionLog,
+}
+
+/// The companion files that were found while files were read. Copies share one list.
+#[derive(Clone, Debug, Default)]
+pub struct CompanionLog(Arc<Mutex<BTreeSet<PathBuf>>>);
+
+impl CompanionLog {
+    /// The files since the last call.
+    pub fn take(&self) -> BTreeSet<PathBuf> {
+        self.0.lock().map(|mut found| std::mem::take(&mut *found)).unwrap_or_default()
+    }
+
+    pub(super) fn add(&self, path: &Path) {
+        if let Ok(mut found) = self.0.lock() {
+            found.insert(path.to_owned());
+        }
+    }
 }
 
 /// What to do with positions that are infinite or not a number.

@@ -5,6 +5,7 @@
 mod artefact;
 mod artefact_sweep;
 mod axes;
+mod batch;
 mod cli;
 mod colours;
 mod convert;

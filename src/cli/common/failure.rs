@@ -2,7 +2,7 @@
 
 use super::console::{Console, HELP, escaped};
 use super::numbers::count;
-use crease::io::{Place, ReadError};
+use crease::io::{Place, Problem, ReadError};
 use crease::report::ReportError;
 use serde::{Serialize, Serializer};
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
@@ -26,7 +26,7 @@ pub struct Failure {
     #[serde(serialize_with = "in_one_line")]
     pub message: String,
     #[serde(flatten)]
-    read: Option<ReadError>,
+    pub read: Option<ReadError>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -70,6 +70,15 @@ impl Failure {
             _ => format!("in {path}: {}", error.found),
         };
         ReadError { found, ..error }.into()
+    }
+
+    /// Whether another try may succeed: the input or the output could not be reached.
+    pub fn may_pass(&self) -> bool {
+        self.kind == FailureKind::Output
+            || self
+                .read
+                .as_ref()
+                .is_some_and(|error| matches!(error.problem, Problem::Io | Problem::Companion))
     }
 
     pub fn exit(&self) -> Exit {
@@ -120,12 +129,18 @@ pub fn exit_code(result: Result<Exit, Failure>, console: &Console) -> Exit {
 #[derive(Debug)]
 pub struct Batch {
     inputs: usize,
+    skipped: usize,
     failed: Vec<(String, Failure)>,
 }
 
 impl Batch {
     pub fn new(inputs: usize) -> Self {
-        Self { inputs, failed: Vec::new() }
+        Self { inputs, skipped: 0, failed: Vec::new() }
+    }
+
+    /// Counts an input that an earlier run has done.
+    pub fn skip(&mut self) {
+        self.skipped += 1;
     }
 
     pub fn record(&mut self, path: &str, failure: Failure) {
@@ -149,10 +164,14 @@ impl Batch {
         let (files, failed) = (count(self.inputs, "file"), self.failed.len());
         let found = |failure: &Failure| escaped(failure.message.split(HELP).next().unwrap_or_default());
         let lines = self.failed.iter().map(|(path, why)| format!("  {}: {}\n", escaped(path), found(why)));
+        let before = match self.skipped {
+            0 => String::new(),
+            skipped => format!(" ({skipped} of them before)"),
+        };
         match failed {
-            0 => format!("{files} done\n"),
+            0 => format!("{files} done{before}\n"),
             _ => format!(
-                "{} of {files} done, {failed} failed:\n{}",
+                "{} of {files} done{before}, {failed} failed:\n{}",
                 self.inputs - failed,
                 lines.collect::<String>()
             ),

@@ -64,6 +64,8 @@ pub struct Input {
     pub source: Source,
     /// The path of its output below an output folder: its path within the given folder, or its file name.
     pub place: PathBuf,
+    /// The output that a manifest names for it.
+    pub output: Option<PathBuf>,
 }
 
 /// Turns arguments into inputs, in the order given; what a folder holds is sorted by path.
@@ -79,7 +81,7 @@ pub fn expand(args: &[PathBuf], recursive: bool, out_dir: Option<&Path>) -> Resu
             if inputs.iter().any(|input: &Input| input.source == Source::Standard) {
                 return Err(Failure::usage("standard input can be read only once\nhelp: give `-` once"));
             }
-            inputs.push(Input { source: Source::Standard, place: PathBuf::from("-") });
+            inputs.push(Input { source: Source::Standard, place: PathBuf::from("-"), output: None });
         } else if arg.is_dir() {
             if !recursive {
                 let advice =
@@ -97,7 +99,7 @@ pub fn expand(args: &[PathBuf], recursive: bool, out_dir: Option<&Path>) -> Resu
             }
         } else {
             let place = arg.file_name().map(PathBuf::from).unwrap_or_else(|| arg.clone());
-            inputs.push(Input { source: Source::File(arg.clone()), place });
+            inputs.push(Input { source: Source::File(arg.clone()), place, output: None });
         }
     }
     Ok(inputs)
@@ -119,7 +121,7 @@ fn search(folder: &Path, out_dir: Option<&Path>, inputs: &mut Vec<Input>) -> Res
         let path = entry.into_path();
         if Format::from_path(&path).is_some() && !path.is_dir() {
             let place = path.strip_prefix(folder).unwrap_or(&path).to_path_buf();
-            inputs.push(Input { source: Source::File(path), place });
+            inputs.push(Input { source: Source::File(path), place, output: None });
         }
     }
     Ok(())

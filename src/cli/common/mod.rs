@@ -1,5 +1,7 @@
 //! What several verbs share.
 
+/// Inputs from a list, and a share of them.
+pub mod batch;
 /// Option values out of a fixed list.
 pub mod choice;
 /// Streams, colours and verbosity.
@@ -8,6 +10,8 @@ pub mod console;
 pub mod failure;
 /// Files and standard input.
 pub mod input;
+/// What a batch has done.
+pub mod journal;
 /// The known name that is most similar to an unknown one.
 pub mod nearest;
 /// Numbers with the words that belong to them.

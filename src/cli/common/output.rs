@@ -30,6 +30,8 @@ pub struct Store {
     /// Do everything but write.
     dry_run: bool,
     companions: BTreeMap<PathBuf, u64>,
+    /// The files of the last output: its companions, then the main one.
+    pub last: Vec<PathBuf>,
 }
 
 /// Identifies the content of a companion, without keeping its bytes.
@@ -64,7 +66,7 @@ impl Store {
     /// With `sync`, each output is on the disk before its name is. With `dry_run` nothing is written, but errors that can be
     /// known in advance are reported.
     pub fn new(sync: bool, dry_run: bool) -> Self {
-        Self { sync, dry_run, companions: BTreeMap::new() }
+        Self { sync, dry_run, ..Self::default() }
     }
 
     /// Stores an output and its companion files. Returns a note for each of these that replaces a file with other content.
@@ -72,6 +74,7 @@ impl Store {
     /// # Errors
     /// If anything cannot be written; nothing half-written remains then.
     pub fn store(&mut self, written: Written, target: &Target) -> Result<Vec<Note>> {
+        self.last.clear();
         match target {
             Target::Standard => {
                 // A copied companion exists where the input refers to it; standard output has no folder for new ones.
@@ -137,6 +140,7 @@ impl Store {
                 file.put(self.sync)?;
             }
         }
+        self.last = claimed.iter().map(|claim| claim.place.clone()).chain([path]).collect();
         self.companions.extend(claimed.into_iter().map(|claim| (claim.place, claim.mark)));
         Ok(replaced)
     }

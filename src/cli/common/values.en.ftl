@@ -45,6 +45,10 @@ normalformat-f32 = 32-bit floats
 normalformat-i16 = 16-bit integers (KHR_mesh_quantization)
 normalformat-i8 = 8-bit integers (KHR_mesh_quantization)
 
+action-summary = counts of files, errors, bytes and seconds
+action-failed = the inputs that failed, one on each line
+action-merge = all entries as one journal
+
 sight-auto = from the side that most of the worst positions face
 sight-front = from +z
 sight-back = from −z

@@ -1,5 +1,6 @@
 //! The options of `crease normals`.
 
+use crate::cli::common::batch::BatchArgs;
 use crate::cli::common::choice::{Choose, as_name, choices, one_of};
 use crate::cli::common::options::{RunArgs, confidence, crease_angle};
 use clap::{ArgGroup, Args};
@@ -14,7 +15,7 @@ use std::path::PathBuf;
 #[derive(Args)]
 #[command(group = ArgGroup::new("destination").args(["output", "out_dir", "in_place"]))]
 pub struct NormalsArgs {
-    #[arg(value_name = "INPUT", required = true)]
+    #[arg(value_name = "INPUT", required_unless_present = "manifest")]
     pub inputs: Vec<PathBuf>,
 
     #[command(flatten)]
@@ -25,6 +26,8 @@ pub struct NormalsArgs {
     pub mesh: MeshArgs,
     #[command(flatten)]
     pub gltf: GltfArgs,
+    #[command(flatten)]
+    pub batch: BatchArgs,
     #[command(flatten)]
     pub run: RunArgs,
 }

@@ -1,6 +1,7 @@
 //! Options made into jobs. All errors of the command line are found here, before anything is read or written.
 
 use super::args::{HardEdge, Merging, NormalsArgs, RecipeArgs};
+use crate::cli::common::batch;
 use crate::cli::common::failure::Failure;
 use crate::cli::common::input::{Input, Source, check_root, expand};
 use crate::cli::common::output::{Target, file_target, resolve_parent};
@@ -37,13 +38,20 @@ impl<'a> Request<'a> {
     /// Checks the options, also against existing files.
     pub fn resolve(args: &'a NormalsArgs) -> Result<Self, Failure> {
         let rows = args.normals.emit == Emit::Face && args.run.json && !has_destination(args);
-        if !has_destination(args) && !rows && !args.output.dry_run {
+        // A manifest may name its outputs.
+        if !has_destination(args) && !rows && !args.output.dry_run && args.batch.manifest.is_none() {
             return usage(
                 "one of --output, --out-dir and --in-place is required\nhelp: --dry-run and --emit face --json need none",
             );
         }
         check_root(args.output.root.as_ref())?;
-        let found = expand(&args.inputs, args.output.recursive, args.output.out_dir.as_deref())?;
+        let mut found = match &args.batch.manifest {
+            Some(manifest) => batch::manifest(manifest)?,
+            None => expand(&args.inputs, args.output.recursive, args.output.out_dir.as_deref())?,
+        };
+        if let Some(shard) = args.batch.shard {
+            found.retain(|input| shard.takes(&input.source.name()));
+        }
         if args.output.output.is_some() && found.len() > 1 {
             return usage(format!(
                 "--output takes one input, not {}\nhelp: --out-dir takes several",
@@ -128,7 +136,8 @@ fn read_options(args: &NormalsArgs) -> ReadOptions {
 fn job(input: &Input, args: &NormalsArgs) -> Result<Job, Failure> {
     let output = &args.output;
     let format = output.format.or_else(|| Format::from_path(input.source.path()?));
-    let (target, to) = if let Some(path) = &output.output {
+    let named = input.output.as_ref().or(output.output.as_ref());
+    let (target, to) = if let Some(path) = named {
         let (target, to) = file_target(path, output.to).map_err(Failure::usage)?;
         (Some(target), to)
     } else if let Some(folder) = &output.out_dir {
@@ -136,6 +145,11 @@ fn job(input: &Input, args: &NormalsArgs) -> Result<Job, Failure> {
         (Some(Target::File(folder.join(place))), output.to)
     } else if output.in_place {
         (Some(in_place_target(input, format, output.to)?), output.to)
+    } else if args.batch.manifest.is_some() && !output.dry_run {
+        return usage(format!(
+            "no output for {}\nhelp: give --out-dir or --in-place, or name an `output` in the manifest",
+            input.source.name()
+        ));
     } else {
         (None, output.to)
     };

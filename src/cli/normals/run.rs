@@ -3,6 +3,7 @@
 use super::args::NormalsArgs;
 use super::conversion::{Conversion, axes_note, conversion};
 use super::json::{Part, Report};
+use super::ledger::Ledger;
 use super::request::{Job, Request};
 use super::text;
 use crate::cli::common::console::{Console, Verbosity, escaped};
@@ -26,6 +27,11 @@ pub fn main(args: &NormalsArgs, color: Color) -> Exit {
         Err(failure) => return refused("normals", &failure, &console),
     };
     args.run.use_threads();
+    let mut ledger = match Ledger::open(&request) {
+        Ok(ledger) => ledger,
+        Err(failure) => return refused("normals", &failure, &console),
+    };
+    ledger.note(&console);
     let progress = Progress::of_inputs(&console, request.jobs.iter().map(|job| &job.source));
     let mut store = Store::new(args.output.sync, args.output.dry_run);
     let mut batch = Batch::new(request.jobs.len());
@@ -33,15 +39,27 @@ pub fn main(args: &NormalsArgs, color: Color) -> Exit {
         let mut report = Report::new(job, &request);
         let start = Instant::now();
         let file = progress.begin(&job.source);
-        let done = guarded(|| run(job, &request, &mut store, &file, &mut report));
+        if ledger.has(job) {
+            report.head.status = "skipped";
+            batch.skip();
+            progress.suspended(|| print(&report, &request, &console));
+            continue;
+        }
+        let done = ledger.retried(|| guarded(|| run(job, &request, &mut store, &file, &mut report)));
         drop(file);
         report.seconds.total = start.elapsed().as_secs_f64();
         report.head.record(&done);
+        let recorded = ledger.record(job, &report, &store);
         if let Err(failure) = done {
             batch.record(&report.input.path, failure);
             report.output = None;
         }
         progress.suspended(|| print(&report, &request, &console));
+        if let Err(failure) = recorded {
+            drop(progress);
+            console.error(&failure.message);
+            return failure.exit();
+        }
     }
     drop(progress);
     batch.finish(Exit::Done, &console)
@@ -57,6 +75,7 @@ fn print(report: &Report, request: &Request, console: &Console) {
         console.notes(&report.input.path, &report.notes, brief);
         match brief {
             _ if report.head.error.is_some() => String::new(),
+            _ if report.head.status == "skipped" => text::skipped(report),
             true => text::line(report, console.report_style),
             false => text::block(report, request.args.output.dry_run, console),
         }

@@ -34,6 +34,10 @@ pub fn line(report: &Report, style: Style) -> String {
     line
 }
 
+pub fn skipped(report: &Report) -> String {
+    format!("{}: done before, unchanged\n", escaped(&report.input.path))
+}
+
 pub fn block(report: &Report, dry_run: bool, console: &Console) -> String {
     let verbose = console.verbosity == Verbosity::Verbose;
     let parts = &report.parts[..];

@@ -1,0 +1,151 @@
+//! Options of large batches: inputs from a list, a share of them, and a journal of what is done.
+
+use super::failure::Failure;
+use super::input::{Input, Source};
+use clap::Args;
+use crease::io::{Place, Problem, ReadError};
+use serde::Deserialize;
+use std::io::Read;
+use std::path::{Component, Path, PathBuf};
+
+#[derive(Args, Default)]
+#[command(next_help_heading = "Batches")]
+pub struct BatchArgs {
+    #[arg(long, value_name = "FILE", conflicts_with = "inputs")]
+    pub manifest: Option<PathBuf>,
+    #[arg(long, value_name = "I/N", value_parser = shard)]
+    pub shard: Option<Shard>,
+    #[arg(long, value_name = "FILE")]
+    pub journal: Option<PathBuf>,
+    #[arg(long, value_name = "N", default_value = "0", value_parser = clap::value_parser!(u8).range(0..=10))]
+    pub retries: u8,
+}
+
+/// One of several shares of the inputs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shard {
+    number: u64,
+    shards: u64,
+}
+
+impl Shard {
+    /// Whether an input belongs to this share. It depends on the name alone, so that all machines agree.
+    pub fn takes(self, name: &str) -> bool {
+        fnv1a(name.as_bytes()) % self.shards == self.number
+    }
+}
+
+fn shard(text: &str) -> Result<Shard, String> {
+    let numbers = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
+    match numbers {
+        Some((number, shards)) if number < shards => Ok(Shard { number, shards }),
+        _ => Err(format!("{text:?} is not I/N with I from 0 to N − 1, such as 0/4")),
+    }
+}
+
+/// The hash FNV-1a of 64 bits (Fowler, Noll, Vo): a byte is combined by exclusive or, then multiplied.
+fn fnv1a(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
+}
+
+/// A line of a manifest that is an object.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Line {
+    input: PathBuf,
+    output: Option<PathBuf>,
+}
+
+/// The largest manifest, in bytes.
+const MOST: u64 = 1 << 30;
+
+/// The inputs of a manifest: a path for each line, or a JSON object with `input` and perhaps `output`. Empty lines are skipped.
+///
+/// # Errors
+/// If the manifest cannot be read, or the first line that is neither.
+pub fn manifest(path: &Path) -> Result<Vec<Input>, Failure> {
+    let name = Source::of(path).name();
+    let fail = |place, found: String, advice: &str| {
+        Failure::read(&name, ReadError::new(Problem::Syntax, place, found, advice))
+    };
+    let mut text = String::new();
+    let read = match Source::of(path) {
+        Source::Standard => std::io::stdin().lock().take(MOST).read_to_string(&mut text),
+        Source::File(path) => {
+            std::fs::File::open(path).and_then(|file| file.take(MOST).read_to_string(&mut text))
+        }
+    };
+    read.map_err(|error| fail(Place::File, error.to_string(), "check the path of the manifest"))?;
+    if text.len() as u64 == MOST {
+        return Err(fail(Place::File, format!("the manifest has more than {MOST} bytes"), "divide it"));
+    }
+    let mut inputs = Vec::new();
+    for (number, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
+        let Line { input, output } = if line.starts_with('{') {
+            serde_json::from_str(line).map_err(|error| {
+                fail(
+                    Place::Line(number as u64 + 1),
+                    format!("not an object with `input` and perhaps `output`: {error}"),
+                    "write a path, or {\"input\": \"…\", \"output\": \"…\"}",
+                )
+            })?
+        } else {
+            Line { input: PathBuf::from(line), output: None }
+        };
+        inputs.push(Input { place: below(&input), source: Source::File(input), output });
+    }
+    if inputs.is_empty() {
+        return Err(fail(Place::File, "the manifest names no file".into(), "write a path on each line"));
+    }
+    Ok(inputs)
+}
+
+/// The path below an output folder: the same folders, without the root and steps upwards.
+fn below(path: &Path) -> PathBuf {
+    path.components().filter(|part| matches!(part, Component::Normal(_))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_input_is_in_one_shard_and_shards_are_stable() {
+        // Published values of FNV-1a.
+        assert_eq!(fnv1a(b""), 0xcbf2_9ce4_8422_2325);
+        assert_eq!(fnv1a(b"foobar"), 0x8594_4171_f739_67e8);
+        for name in ["a.obj", "b/c.stl", "ä.ply"] {
+            let takers = (0..5).filter(|i| shard(&format!("{i}/5")).unwrap().takes(name));
+            assert_eq!(takers.count(), 1, "{name}");
+        }
+        for wrong in ["", "1", "4/4", "-1/4", "0/0", "a/b", "1/2/3"] {
+            assert!(shard(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_manifest_has_paths_and_objects() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("list");
+        std::fs::write(&file, "a/b.obj\n\n{\"input\": \"../c.stl\", \"output\": \"d.glb\"}\r\n").unwrap();
+        let inputs = manifest(&file).unwrap();
+        assert_eq!(inputs.len(), 2);
+        assert_eq!(inputs[0].place, Path::new("a/b.obj"));
+        assert_eq!(
+            (&*inputs[1].place, inputs[1].output.as_deref()),
+            (Path::new("c.stl"), Some(Path::new("d.glb")))
+        );
+        for (text, found) in [
+            ("a.obj\n{\"input\": 7}\n", "line 2"),
+            ("{\"input\": \"a\", \"to\": \"glb\"}", "unknown field `to`"),
+            ("\n \n", "names no file"),
+        ] {
+            std::fs::write(&file, text).unwrap();
+            let message = manifest(&file).unwrap_err().message;
+            assert!(message.contains(found), "{message}");
+        }
+        assert!(manifest(&folder.path().join("missing")).unwrap_err().message.contains("check the path"));
+    }
+}

@@ -1,0 +1,209 @@
+//! A journal of a batch: a line of JSON for each file that is done or failed. A later run with the same journal skips what is
+//! done and unchanged. Each line is written at once, so that a killed run loses at most the file in work.
+
+use super::failure::Failure;
+use anyhow::{Context, Result};
+use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, HashMap};
+use std::fs::{File, OpenOptions};
+use std::io::{BufRead, BufReader, Read, Seek, SeekFrom, Write};
+use std::path::Path;
+use xxhash_rust::xxh3::Xxh3;
+
+/// A line of a journal.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Entry {
+    pub input: String,
+    pub bytes: u64,
+    /// Where the output went, if there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub output: Option<String>,
+    pub status: Status,
+    /// Version of the program.
+    pub crease: String,
+    /// Hash of all options that affect the output.
+    pub options: String,
+    /// Hashes of the files that were read: the input and its companions.
+    pub read: BTreeMap<String, String>,
+    /// Hashes of the files that were written.
+    pub written: BTreeMap<String, String>,
+    /// Normals that are fallbacks.
+    pub faults: u64,
+    pub seconds: f64,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub error: Option<String>,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Status {
+    #[default]
+    Done,
+    Failed,
+}
+
+impl Entry {
+    /// Whether the same work need not be done again: all files that were read and written are the same. A file that was replaced
+    /// in place is now what was written.
+    pub fn is_valid(&self, options: &str) -> bool {
+        let is_same =
+            |path: &String, expected: &String| hash_of(Path::new(path)).is_ok_and(|it| it == *expected);
+        self.status == Status::Done
+            && self.crease == env!("CARGO_PKG_VERSION")
+            && self.options == options
+            && self.written.iter().all(|(path, hash)| is_same(path, hash))
+            && self.read.iter().all(|(path, hash)| self.written.contains_key(path) || is_same(path, hash))
+    }
+}
+
+/// The entries of a journal: the last one for each input and output. Also the number of lines that are no entries, which a killed
+/// run leaves.
+///
+/// # Errors
+/// If the file cannot be read.
+pub fn entries(path: &Path) -> Result<(Vec<Entry>, usize)> {
+    let context = || format!("could not read the journal {}", path.display());
+    let mut last = HashMap::new();
+    let mut bad = 0;
+    for (number, line) in BufReader::new(File::open(path).with_context(context)?).split(b'\n').enumerate() {
+        let line = line.with_context(context)?;
+        match serde_json::from_slice::<Entry>(&line) {
+            Ok(entry) => {
+                last.insert((entry.input.clone(), entry.output.clone()), (number, entry));
+            }
+            Err(_) => bad += usize::from(!line.trim_ascii().is_empty()),
+        }
+    }
+    let mut entries: Vec<_> = last.into_values().collect();
+    entries.sort_by_key(|(number, _)| *number);
+    Ok((entries.into_iter().map(|(_, entry)| entry).collect(), bad))
+}
+
+/// A journal that is written.
+#[derive(Debug)]
+pub struct Journal {
+    file: File,
+    sync: bool,
+    done: HashMap<(String, Option<String>), Entry>,
+    /// Lines that are no entries.
+    pub bad: usize,
+}
+
+impl Journal {
+    /// Opens a journal, or makes one.
+    ///
+    /// # Errors
+    /// If the file cannot be read or written.
+    pub fn open(path: &Path, sync: bool) -> Result<Self> {
+        let context = || format!("could not open the journal {}", path.display());
+        let mut file =
+            OpenOptions::new().read(true).append(true).create(true).open(path).with_context(context)?;
+        let (old, bad) = entries(path)?;
+        // A killed run may have written half a line.
+        if file.seek(SeekFrom::End(0)).with_context(context)? > 0 {
+            file.seek(SeekFrom::End(-1)).with_context(context)?;
+            let mut last = [0];
+            file.read_exact(&mut last).with_context(context)?;
+            if last != *b"\n" {
+                file.write_all(b"\n").with_context(context)?;
+            }
+        }
+        let done =
+            old.into_iter().map(|entry| ((entry.input.clone(), entry.output.clone()), entry)).collect();
+        Ok(Self { file, sync, done, bad })
+    }
+
+    /// Whether this work is done, and everything is as it was then.
+    pub fn has(&self, input: &str, output: Option<&str>, options: &str) -> bool {
+        let key = (input.to_owned(), output.map(str::to_owned));
+        self.done.get(&key).is_some_and(|entry| entry.is_valid(options))
+    }
+
+    /// Adds an entry.
+    ///
+    /// # Errors
+    /// If it cannot be written: the batch must stop then, as the journal would lack what is done.
+    pub fn add(&mut self, entry: &Entry) -> Result<(), Failure> {
+        let mut line = serde_json::to_vec(entry).expect("an entry has string keys");
+        line.push(b'\n');
+        let written = self.file.write_all(&line);
+        let written = written.and_then(|()| if self.sync { self.file.sync_data() } else { Ok(()) });
+        written.map_err(|error| Failure::output(format!("the journal could not be written: {error}")))
+    }
+}
+
+/// The hash of a file's content: XXH3 of 128 bits.
+///
+/// # Errors
+/// If it cannot be read.
+pub fn hash_of(path: &Path) -> std::io::Result<String> {
+    let mut file = File::open(path)?;
+    let mut hash = Xxh3::new();
+    let mut piece = vec![0; 1 << 20];
+    loop {
+        match file.read(&mut piece)? {
+            0 => return Ok(format!("{:032x}", hash.digest128())),
+            read => hash.update(&piece[..read]),
+        }
+    }
+}
+
+/// The hash of a text, such as that of all options.
+pub fn hash_of_text(text: &str) -> String {
+    format!("{:032x}", xxhash_rust::xxh3::xxh3_128(text.as_bytes()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_entry_is_valid_until_a_file_an_option_or_the_version_changes() {
+        let folder = tempfile::tempdir().unwrap();
+        let [input, output] = ["in.obj", "out.glb"].map(|name| folder.path().join(name));
+        std::fs::write(&input, "v 0 0 0").unwrap();
+        std::fs::write(&output, "glTF").unwrap();
+        let named = |path: &Path| (path.to_str().unwrap().to_owned(), hash_of(path).unwrap());
+        let entry = Entry {
+            input: input.to_str().unwrap().into(),
+            crease: env!("CARGO_PKG_VERSION").into(),
+            options: hash_of_text("a"),
+            read: [named(&input)].into(),
+            written: [named(&output)].into(),
+            ..Entry::default()
+        };
+        assert!(entry.is_valid(&hash_of_text("a")) && !entry.is_valid(&hash_of_text("b")));
+        assert!(!Entry { crease: "0".into(), ..entry.clone() }.is_valid(&entry.options));
+        assert!(!Entry { status: Status::Failed, ..entry.clone() }.is_valid(&entry.options));
+        // Replaced in place: what was read is gone, what was written is there.
+        let in_place = Entry {
+            written: [named(&input)].into(),
+            read: [(entry.input.clone(), "old".into())].into(),
+            ..entry.clone()
+        };
+        assert!(in_place.is_valid(&entry.options));
+        std::fs::write(&output, "glTG").unwrap();
+        assert!(!entry.is_valid(&entry.options), "the output changed");
+        std::fs::write(&output, "glTF").unwrap();
+        std::fs::remove_file(&input).unwrap();
+        assert!(!entry.is_valid(&entry.options), "the input is gone");
+    }
+
+    #[test]
+    fn half_a_line_stays_separate_from_the_next_entry() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("journal");
+        let entry = |input: &str| Entry { input: input.into(), ..Entry::default() };
+        Journal::open(&path, false).unwrap().add(&entry("a")).unwrap();
+        let mut text = std::fs::read_to_string(&path).unwrap();
+        text.push_str("{\"input\": \"b\", \"by");
+        std::fs::write(&path, text).unwrap();
+        let mut journal = Journal::open(&path, false).unwrap();
+        assert_eq!(journal.bad, 1);
+        journal.add(&entry("c")).unwrap();
+        let again = Entry { seconds: 2.0, ..entry("a") };
+        journal.add(&again).unwrap();
+        let (found, bad) = entries(&path).unwrap();
+        assert_eq!((found, bad), (vec![entry("c"), again], 1), "the last entry of each input, in order");
+    }
+}

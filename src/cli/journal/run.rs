@@ -1,0 +1,111 @@
+//! Runs `crease journal`.
+
+use super::args::{Action, JournalArgs};
+use crate::cli::common::console::Console;
+use crate::cli::common::failure::{Exit, Failure, exit_code};
+use crate::cli::common::journal::{Entry, Status, entries};
+use crate::cli::common::numbers::{count, size};
+use crate::cli::common::options::Color;
+use crate::cli::usage::refused;
+use serde::Serialize;
+use std::collections::{BTreeMap, HashMap};
+
+pub fn main(args: &JournalArgs, color: Color) -> Exit {
+    let console = Console::new(&args.run, color, None);
+    let (found, incomplete) = match all(args) {
+        Ok(found) => found,
+        Err(failure) => return refused("journal", &failure, &console),
+    };
+    match args.action {
+        Action::Summary => {
+            let summary = Summary::new(&found, incomplete);
+            console.print(&summary, || summary.text());
+        }
+        Action::Failed => {
+            let failed = found.iter().filter(|entry| entry.status == Status::Failed);
+            failed.for_each(|entry| console.report(&(entry.input.clone() + "\n")));
+        }
+        Action::Merge => {
+            let lines = found.iter().map(|entry| serde_json::to_string(entry).expect("string keys") + "\n");
+            console.report(&lines.collect::<String>());
+        }
+    }
+    exit_code(Ok(Exit::Done), &console)
+}
+
+/// The entries of all journals: the last one for each input and output, in the order of their lines.
+fn all(args: &JournalArgs) -> Result<(Vec<Entry>, usize), Failure> {
+    let (mut last, mut incomplete, mut number) = (HashMap::new(), 0, 0);
+    for path in &args.journals {
+        let (found, bad) = entries(path).map_err(|error| Failure::input(format!("{error:#}")))?;
+        incomplete += bad;
+        for entry in found {
+            last.insert((entry.input.clone(), entry.output.clone()), (number, entry));
+            number += 1;
+        }
+    }
+    let mut all: Vec<_> = last.into_values().collect();
+    all.sort_by_key(|(number, _)| *number);
+    Ok((all.into_iter().map(|(_, entry)| entry).collect(), incomplete))
+}
+
+#[derive(Serialize)]
+struct Summary {
+    schema: &'static str,
+    files: usize,
+    done: usize,
+    failed: usize,
+    /// Files with fallback normals.
+    with_faults: usize,
+    bytes: u64,
+    /// Of work, summed over files.
+    seconds: f64,
+    /// Failed files by the first line of their error, without names of files.
+    errors: BTreeMap<String, usize>,
+    incomplete_lines: usize,
+}
+
+impl Summary {
+    fn new(entries: &[Entry], incomplete_lines: usize) -> Self {
+        let failed = || entries.iter().filter(|entry| entry.status == Status::Failed);
+        let mut errors = BTreeMap::new();
+        for entry in failed() {
+            let first = entry.error.as_deref().and_then(|error| error.lines().next()).unwrap_or_default();
+            *errors.entry(first.to_owned()).or_default() += 1;
+        }
+        Self {
+            schema: "crease-journal/1",
+            files: entries.len(),
+            done: entries.len() - failed().count(),
+            failed: failed().count(),
+            with_faults: entries.iter().filter(|entry| entry.faults > 0).count(),
+            bytes: entries.iter().map(|entry| entry.bytes).sum(),
+            seconds: entries.iter().map(|entry| entry.seconds).sum(),
+            errors,
+            incomplete_lines,
+        }
+    }
+
+    fn text(&self) -> String {
+        let rate = if self.seconds > 0.0 { self.files as f64 / self.seconds } else { 0.0 };
+        let mut text = format!(
+            "{}: {} done, {} failed; {} with fallback normals\n{} read in {:.1} s of work ({rate:.1} files/s)\n",
+            count(self.files, "file"),
+            self.done,
+            self.failed,
+            self.with_faults,
+            size(self.bytes),
+            self.seconds,
+        );
+        let mut errors: Vec<_> = self.errors.iter().collect();
+        errors.sort_by_key(|(_, count)| std::cmp::Reverse(**count));
+        errors.into_iter().for_each(|(error, count)| text += &format!("  {count} failed: {error}\n"));
+        if self.incomplete_lines > 0 {
+            text += &format!(
+                "{} ignored: the run was stopped while it wrote them\n",
+                count(self.incomplete_lines, "incomplete line")
+            );
+        }
+        text
+    }
+}

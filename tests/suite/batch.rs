@@ -1,0 +1,173 @@
+//! Batches from a manifest, in shards, with a journal.
+
+use crate::cli::{code, crease, data, folder, path, succeed, text};
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+use std::time::Duration;
+
+/// A folder with so many copies of a small mesh, and a manifest that names them.
+fn files(count: usize) -> tempfile::TempDir {
+    let work = folder(&[]);
+    fs::create_dir(work.path().join("in")).unwrap();
+    let names: Vec<String> = (0..count).map(|number| format!("in/{number:04}.obj")).collect();
+    for (number, name) in names.iter().enumerate() {
+        // Each has other positions.
+        let text = format!("v 0 0 0\nv {} 0 0\nv 0 1 0\nf 1 2 3\n", number + 1);
+        fs::write(work.path().join(name), text).unwrap();
+    }
+    fs::write(work.path().join("list"), names.join("\n")).unwrap();
+    work
+}
+
+/// Runs `crease normals` in a folder.
+fn run(folder: &Path, args: &[&str]) -> (i32, String, String) {
+    let output = crease().arg("normals").args(args).current_dir(folder).output().unwrap();
+    (code(&output), text(&output.stdout).to_owned(), text(&output.stderr).to_owned())
+}
+
+fn outputs(folder: &Path) -> BTreeSet<String> {
+    let Ok(list) = fs::read_dir(folder.join("out/in")) else { return BTreeSet::new() };
+    list.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+}
+
+fn statuses(json: &str, status: &str) -> usize {
+    json.lines().filter(|line| line.contains(&format!("\"status\":\"{status}\""))).count()
+}
+
+const TO_OUT: [&str; 4] = ["--manifest", "list", "--out-dir", "out"];
+
+#[test]
+fn shards_together_do_all_and_none_twice() {
+    let work = files(20);
+    let mut all = BTreeSet::new();
+    for shard in ["0/3", "1/3", "2/3"] {
+        let before = outputs(work.path());
+        let (status, _, errors) = run(work.path(), &[&TO_OUT[..], &["--shard", shard, "-q"]].concat());
+        assert_eq!(status, 0, "{errors}");
+        let new: BTreeSet<_> = outputs(work.path()).difference(&before).cloned().collect();
+        assert!(!new.is_empty() && all.is_disjoint(&new), "{shard}: {new:?}");
+        all.extend(new);
+    }
+    assert_eq!(all.len(), 20);
+}
+
+#[test]
+fn a_journal_skips_what_is_done_and_redoes_what_changed() {
+    let work = files(6);
+    let args = [&TO_OUT[..], &["--journal", "journal", "--json"]].concat();
+    let statuses_of = |args: &[&str]| {
+        let (status, json, errors) = run(work.path(), args);
+        assert_eq!(status, 0, "{errors}");
+        ["ok", "skipped"].map(|status| statuses(&json, status))
+    };
+    assert_eq!(statuses_of(&args), [6, 0]);
+    assert_eq!(statuses_of(&args), [0, 6]);
+    // An input, an output, and an output that is gone.
+    fs::write(work.path().join("in/0001.obj"), "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n").unwrap();
+    fs::write(work.path().join("out/in/0002.obj"), "damaged").unwrap();
+    fs::remove_file(work.path().join("out/in/0003.obj")).unwrap();
+    assert_eq!(statuses_of(&args), [3, 3]);
+    assert_eq!(statuses_of(&args), [0, 6]);
+    let other = [&args[..], &["--weight", "area"]].concat();
+    assert_eq!(statuses_of(&other), [6, 0], "other options");
+    // The end of the report for people.
+    let (_, report, _) =
+        run(work.path(), &[&TO_OUT[..], &["--journal", "journal", "--weight", "area"]].concat());
+    assert!(report.contains("6 files done (6 of them before)"), "{report}");
+}
+
+#[test]
+fn a_buffer_that_changed_is_noticed() {
+    let work = folder(&[]);
+    let gltf = path(work.path().join("a.gltf"));
+    succeed([&*path(data("part.stl")), "-o", &gltf, "-q"]);
+    let args = ["a.gltf", "--out-dir", "out", "--journal", "journal", "--json", "--to", "glb"];
+    assert_eq!(statuses(&run(work.path(), &args).1, "ok"), 1);
+    assert_eq!(statuses(&run(work.path(), &args).1, "skipped"), 1);
+    let buffer = work.path().join("a.bin");
+    let mut bytes = fs::read(&buffer).unwrap();
+    bytes[2] ^= 1;
+    fs::write(&buffer, bytes).unwrap();
+    assert_eq!(statuses(&run(work.path(), &args).1, "ok"), 1);
+}
+
+#[test]
+fn files_replaced_in_place_are_done_once() {
+    let work = files(3);
+    let args = ["--manifest", "list", "--in-place", "--journal", "journal", "--json"];
+    assert_eq!(statuses(&run(work.path(), &args).1, "ok"), 3);
+    assert_eq!(statuses(&run(work.path(), &args).1, "skipped"), 3);
+}
+
+#[test]
+fn failures_are_in_the_journal_and_are_tried_again() {
+    let work = files(3);
+    fs::write(work.path().join("in/0001.obj"), "v 0 0 nan\nf 1 1 1\n").unwrap();
+    let args = [&TO_OUT[..], &["--journal", "journal", "-q"]].concat();
+    assert_eq!(run(work.path(), &args).0, 5);
+    let journal = |action: &str| {
+        let output = crease().args(["journal", action, "journal"]).current_dir(work.path()).output().unwrap();
+        assert_eq!(code(&output), 0);
+        text(&output.stdout).to_owned()
+    };
+    assert_eq!(journal("failed"), "in/0001.obj\n");
+    let summary = journal("summary");
+    assert!(summary.starts_with("3 files: 2 done, 1 failed") && summary.contains("1 failed: "), "{summary}");
+    fs::write(work.path().join("in/0001.obj"), "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n").unwrap();
+    let (status, json, _) = run(work.path(), &[&args[..4], &["--journal", "journal", "--json"]].concat());
+    assert_eq!((status, statuses(&json, "ok"), statuses(&json, "skipped")), (0, 1, 2));
+    assert_eq!(journal("failed"), "");
+    assert_eq!(journal("merge").lines().count(), 3, "the last entry of each file");
+}
+
+/// Killed at any moment, a batch leaves whole outputs and a journal that the next run goes on from.
+#[test]
+fn a_killed_batch_goes_on() {
+    let work = files(150);
+    let args = [&TO_OUT[..], &["--journal", "journal", "--json"]].concat();
+    let mut ok = 0;
+    for try_number in 1..=5 {
+        let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_crease"))
+            .arg("normals")
+            .args(&args)
+            .current_dir(work.path())
+            .stdout(std::process::Stdio::piped())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(Duration::from_millis(37 * try_number));
+        child.kill().unwrap();
+        let output = child.wait_with_output().unwrap();
+        ok += statuses(&String::from_utf8_lossy(&output.stdout), "ok");
+    }
+    let (status, json, errors) = run(work.path(), &args);
+    assert_eq!(status, 0, "{errors}");
+    ok += statuses(&json, "ok");
+    // Each kill loses at most the file in work; its report may be lost although its entry is there.
+    assert!((145..=155).contains(&ok), "{ok} files were done");
+    assert_eq!(outputs(work.path()).iter().filter(|name| name.ends_with(".obj")).count(), 150);
+    // The same bytes as in one go.
+    let (status, ..) = run(work.path(), &["--manifest", "list", "--out-dir", "again", "-q"]);
+    assert_eq!(status, 0);
+    for name in outputs(work.path()).iter().filter(|name| name.ends_with(".obj")) {
+        let [a, b] =
+            ["out/in", "again/in"].map(|folder| fs::read(work.path().join(folder).join(name)).unwrap());
+        assert!(a == b, "{name}");
+    }
+}
+
+#[test]
+fn wrong_lists_and_shares_are_refused_before_work() {
+    let work = files(2);
+    for (args, expected, found) in [
+        (vec!["--manifest", "list"], 2, "no output for in/0000.obj"),
+        (vec!["--manifest", "nowhere", "--out-dir", "out"], 3, "check the path of the manifest"),
+        (vec!["--manifest", "list", "in/0000.obj", "--out-dir", "out"], 2, "--manifest"),
+        (vec!["in/0000.obj", "--out-dir", "out", "--shard", "3/3"], 2, "from 0 to N − 1"),
+        (vec!["in/0000.obj", "--out-dir", "out", "--journal", "in"], 4, "journal"),
+    ] {
+        let (status, _, errors) = run(work.path(), &args);
+        assert!(status == expected && errors.contains(found), "{args:?}: {status}: {errors}");
+    }
+    assert!(outputs(work.path()).is_empty());
+}
