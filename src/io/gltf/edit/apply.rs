@@ -14,7 +14,8 @@ use crate::io::gltf::glb::Glb;
 use crate::io::gltf::json::{Json, Value, quoted};
 use crate::io::gltf::splice::{Splices, changed_object};
 use crate::io::{
-    Format, Loaded, Note, OutputContent, OutputFile, Part, PartEdit, Place, WriteError, WriteOptions, Written,
+    Format, Loaded, Note, OutputContent, OutputFile, Part, PartEdit, Place, Severity, WriteError,
+    WriteOptions, Written,
 };
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -52,6 +53,7 @@ pub fn edit(
         }
     }
     let remarks = std::mem::take(&mut store.remarks).into_iter();
+    let warnings = std::mem::take(&mut store.warnings).into_iter();
     if store.is_quantized {
         store.require(QUANTIZATION);
     }
@@ -78,8 +80,15 @@ pub fn edit(
     let vertices: usize = loaded.parts.iter().map(|part: &Part| part.mesh.vertex_count()).sum();
     written.vertices = vertices.saturating_add_signed(added as isize) as u64;
     written.count_change(vertices);
-    let note = |(remark, count): (Remark, usize)| Note::counted(count, remark.1, remark.2);
+    let note = |(remark, count): (Remark, usize)| {
+        let note = Note::counted(count, remark.1, remark.2)?;
+        Some(if remark.is_expected() { Note { severity: Severity::Note, ..note } } else { note })
+    };
     written.notes.extend(remarks.filter_map(note));
+    let warning = |(text, places): (String, Vec<Place>)| {
+        Note::for_all(Severity::Warning, places.len() as u64, places, text)
+    };
+    written.notes.extend(warnings.filter_map(warning));
     let drops = edits.iter().any(|edit| !edit.faces.dropped.is_empty());
     if (added != 0 || drops) && document.lists("extensionsUsed", "FB_geometry_metadata") {
         let text = "FB_geometry_metadata still has the vertex and face counts of the input";
