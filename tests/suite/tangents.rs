@@ -78,7 +78,7 @@ impl Made {
         let materials = json!([if self.material.is_null() { plain } else { self.material.clone() }, brushed]);
         let document = json!({
             "asset": {"version": "2.0"}, "meshes": [{"primitives": [primitive]}], "materials": materials,
-            "textures": [{}], "accessors": accessors, "bufferViews": views,
+            "textures": [{"source": 0}], "images": [{"uri": "data:image/png;base64,AAAA"}], "accessors": accessors, "bufferViews": views,
             "buffers": [{"byteLength": bin.len(), "uri": uri}],
         });
         serde_json::to_vec(&document).unwrap()

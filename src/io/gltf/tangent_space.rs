@@ -23,19 +23,45 @@ impl TangentUse {
         }
     }
 
-    /// The property of a material, and the reference to its texture.
-    fn find(self, json: &Json, material: Value) -> Option<(Value, Option<Value>)> {
+    /// Whether a material has this property, and the reference to its texture.
+    fn find(self, json: &Json, material: Value) -> Option<Option<Value>> {
         let extension = |name: &str| json.member(json.member(material, "extensions")?, name);
-        let is_texture = |texture: Value| (texture, Some(texture));
         match self {
-            Self::NormalTexture => json.member(material, "normalTexture").map(is_texture),
-            Self::Anisotropy => extension("KHR_materials_anisotropy")
-                .map(|anisotropy| (anisotropy, json.member(anisotropy, "anisotropyTexture"))),
+            Self::NormalTexture => json.member(material, "normalTexture").map(Some),
+            Self::Anisotropy => {
+                let anisotropy = extension("KHR_materials_anisotropy")?;
+                Some(json.member(anisotropy, "anisotropyTexture"))
+            }
             Self::ClearcoatNormalTexture => {
                 let coat = extension("KHR_materials_clearcoat")?;
-                json.member(coat, "clearcoatNormalTexture").map(is_texture)
+                json.member(coat, "clearcoatNormalTexture").map(Some)
             }
         }
+    }
+}
+
+/// The properties of a material that need tangents. Many primitives may have one material, which is searched once.
+pub struct MaterialUses {
+    pub name: String,
+    /// One entry for each of [`TangentUse::ALL`].
+    found: [Option<Option<Value>>; 3],
+}
+
+impl MaterialUses {
+    /// Those of all materials of a document.
+    pub fn all(records: &Records) -> Vec<Self> {
+        let of_material = |(number, &material): (usize, &Value)| {
+            let name = records.fields(material).name().unwrap_or_default();
+            Self {
+                name: if name.is_empty() {
+                    format!("material {number}")
+                } else {
+                    format!("material {name:?}")
+                },
+                found: TangentUse::ALL.map(|it| it.find(&records.json, material)),
+            }
+        };
+        records.materials.iter().enumerate().map(of_material).collect()
     }
 }
 
@@ -93,15 +119,14 @@ pub struct TangentSpace {
 }
 
 impl TangentSpace {
-    pub fn new(records: &Records, primitive: &Primitive) -> Self {
-        let json = &records.json;
+    /// `materials` are [those of the document](MaterialUses::all).
+    pub fn new(records: &Records, materials: &[MaterialUses], primitive: &Primitive) -> Self {
         let mut space = Self { uses: Vec::new(), is_required: false, coordinates: Coordinates::default() };
         let mut texture = None;
-        for material in materials(records, primitive) {
-            let material = records.materials[material];
-            let found = TangentUse::ALL.map(|it| it.find(json, material).map(|found| (it, found.1)));
+        for found in numbers(records, primitive).filter_map(|number| Some(materials.get(number)?.found)) {
             space.is_required |= found[0].is_none() && found[1..].iter().any(Option::is_some);
-            for (it, reference) in found.into_iter().flatten() {
+            for (it, reference) in TangentUse::ALL.into_iter().zip(found) {
+                let Some(reference) = reference else { continue };
                 texture = texture.or(reference);
                 if !space.uses.contains(&it) {
                     space.uses.push(it);
@@ -109,21 +134,19 @@ impl TangentSpace {
             }
         }
         if let Some(texture) = texture {
-            space.coordinates = Coordinates::of_texture(json, texture);
+            space.coordinates = Coordinates::of_texture(&records.json, texture);
         }
         space
     }
 }
 
-/// The materials of a primitive: its own, then those of its variants.
-fn materials(records: &Records, primitive: &Primitive) -> impl Iterator<Item = usize> {
+/// The numbers of a primitive's materials: its own, then those of its variants.
+fn numbers(records: &Records, primitive: &Primitive) -> impl Iterator<Item = usize> {
     let json = &records.json;
     let variants = records.fields(primitive.object).extension("KHR_materials_variants");
     let mappings = variants.into_iter().flat_map(|variants| json.items(variants, "mappings"));
     let others = mappings.filter_map(|mapping| json.integer(json.member(mapping, "material")?));
-    let count = records.materials.len();
-    let others = others.filter_map(|number| usize::try_from(number).ok());
-    primitive.material.into_iter().chain(others).filter(move |&number| number < count)
+    primitive.material.into_iter().chain(others.filter_map(|number| usize::try_from(number).ok()))
 }
 
 #[cfg(test)]

@@ -13,6 +13,7 @@ use crate::io::gltf::glb;
 use crate::io::gltf::glb::Glb;
 use crate::io::gltf::json::{Json, Value, quoted};
 use crate::io::gltf::splice::{Splices, changed_object};
+use crate::io::gltf::tangent_space::MaterialUses;
 use crate::io::{
     Format, Loaded, Note, OutputContent, OutputFile, Part, PartEdit, Place, Severity, WriteError,
     WriteOptions, Written,
@@ -38,6 +39,7 @@ pub fn edit(
 ) -> Result<Written, WriteError> {
     let mut store = Store::new(document);
     let source = document.accessors();
+    let materials = MaterialUses::all(&document.records);
     let mut tables = Tables::default();
     let mut groups: BTreeMap<(usize, bool), Vec<Member<'_>>> = BTreeMap::new();
     for member in Member::all(document, loaded, edits) {
@@ -45,7 +47,8 @@ pub fn edit(
     }
     let mut added = 0;
     for ((number, new_normals), members) in &groups {
-        let group = Group { vertices: document.vertex_accessors(*number), members, source: &source, options };
+        let vertices = document.vertex_accessors(*number);
+        let group = Group { vertices, members, source: &source, materials: &materials, options };
         if *new_normals {
             added += group.write(&mut store, &mut tables)?;
         } else {

@@ -8,6 +8,7 @@ use crate::io::gltf::accessor::{Elements, Source};
 use crate::io::gltf::data::Target;
 use crate::io::gltf::json::Value;
 use crate::io::gltf::records::{Component, Format, VertexAccessors};
+use crate::io::gltf::tangent_space::MaterialUses;
 use crate::io::{ReadError, WriteError, WriteOptions};
 use crate::mesh::{VertexSplit, split_vertices};
 use std::borrow::Cow;
@@ -17,6 +18,8 @@ pub struct Group<'g, 'a> {
     pub vertices: &'g VertexAccessors,
     pub members: &'g [Member<'a>],
     pub source: &'g Source<'a>,
+    /// What the materials of the document need tangents for.
+    pub materials: &'g [MaterialUses],
     pub options: &'g WriteOptions,
 }
 

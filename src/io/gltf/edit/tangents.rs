@@ -78,16 +78,23 @@ impl NewTangents {
         tangent
     }
 
-    /// Appends the row of a corner with these tangents, one a shape.
-    fn push(&mut self, shapes: &[Vec<[f32; 4]>], corner: usize) {
-        let start = self.rows.bytes.len();
-        let [x, y, z, w] = shapes[0][corner];
-        push_tangent(Vec3::new(x, y, z).as_dvec3(), w, self.format, &mut self.rows.bytes);
-        let [x, y, z, _] = self.decode(&self.rows.bytes[start..]);
-        for shape in &shapes[1..] {
-            let moved = Vec3::from_slice(&shape[corner]).as_dvec3();
-            push_floats(moved - Vec3::new(x, y, z).as_dvec3(), &mut self.rows.bytes);
-        }
+    /// Replaces the tangent of a corner in a shape, that of the base first.
+    fn set(&mut self, corner: usize, shape: usize, [x, y, z, w]: [f32; 4]) {
+        let tangent = Vec3::new(x, y, z).as_dvec3();
+        let (start, mut bytes) = (corner * self.rows.size, Vec::new());
+        let at = match shape.checked_sub(1) {
+            None => {
+                push_tangent(tangent, w, self.format, &mut bytes);
+                start
+            }
+            Some(number) => {
+                // What readers add the displacement to.
+                let base = Vec3::from_slice(&self.decode(&self.rows.bytes[start..]));
+                push_floats(tangent - base.as_dvec3(), &mut bytes);
+                start + self.format.size() + DELTA * number
+            }
+        };
+        self.rows.bytes[at..at + bytes.len()].copy_from_slice(&bytes);
     }
 }
 
@@ -111,9 +118,9 @@ impl Group<'_, '_> {
             TangentPolicy::Auto => true,
             TangentPolicy::Regenerate => false,
         };
-        let spaces =
-            self.members.iter().map(|member| TangentSpace::new(self.source.records, member.primitive));
-        let spaces: Vec<TangentSpace> = spaces.collect();
+        let space =
+            |member: &Member<'_>| TangentSpace::new(self.source.records, self.materials, member.primitive);
+        let spaces: Vec<TangentSpace> = self.members.iter().map(space).collect();
         if !has_tangents && !spaces.iter().any(|space| space.is_required) {
             return Ok(Tangents::Stay);
         }
@@ -133,15 +140,15 @@ impl Group<'_, '_> {
         if !is_changed {
             return Ok(Tangents::Stay);
         }
-        let shapes = (0..=new.sets.len()).map(|shape| {
+        let rows_of = locals.iter().flat_map(|&vertex| new.stored.get(vertex as usize));
+        new.rows.bytes = rows_of.copied().collect();
+        for shape in 0..=new.sets.len() {
             let coordinates = uvs.iter().copied().zip(spaces.iter().map(|space| space.coordinates));
-            self.shape_tangents(&new, shape, rows, locals, coordinates)
-        });
-        let shapes = shapes.collect::<Result<Vec<_>, WriteError>>()?;
-        for (corner, &vertex) in locals.iter().enumerate() {
-            match keeps(corner, vertex as usize) {
-                true => new.rows.bytes.extend_from_slice(new.stored.get(vertex as usize)),
-                false => new.push(&shapes, corner),
+            let values = self.shape_tangents(&new, shape, rows, locals, coordinates)?;
+            for (corner, (&vertex, value)) in locals.iter().zip(values).enumerate() {
+                if !keeps(corner, vertex as usize) {
+                    new.set(corner, shape, value);
+                }
             }
         }
         new.of_corner = self.number(store, &new.rows, rows, locals);
@@ -258,22 +265,19 @@ impl Group<'_, '_> {
 
     /// Warns for each primitive that its material loses tangents.
     fn report_loss(&self, store: &mut Store<'_>, spaces: &[TangentSpace]) {
-        let records = self.source.records;
+        let why = match self.options.tangents {
+            TangentPolicy::Regenerate => String::new(),
+            _ if self.vertices.get("NORMAL").is_none() => "they had no normals, and ".to_owned(),
+            _ => format!("normals turned by {}° or more, and ", LARGEST_TURN.0),
+        };
         for (member, space) in self.members.iter().zip(spaces) {
-            let name = member.primitive.material.map(|material| {
-                let name = records.fields(records.materials[material]).name().unwrap_or_default();
-                if name.is_empty() { format!("material {material}") } else { format!("material {name:?}") }
-            });
-            let name = name.unwrap_or("the default material".into());
+            let material = member.primitive.material.and_then(|number| self.materials.get(number));
+            let name = material.map_or("the default material", |material| &material.name);
             let uses: Vec<&str> = space.uses.iter().map(|it| it.words()).collect();
             let what = if uses.is_empty() {
                 "tangents, which it does not use".to_owned()
             } else {
                 format!("the tangents of {}", uses.join(" and "))
-            };
-            let why = match self.options.tangents {
-                TangentPolicy::Regenerate => String::new(),
-                _ => format!("normals turned by {}° or more, and ", LARGEST_TURN.0),
             };
             let text = format!(
                 "{name} lost {what}: {why}there are no texture coordinates to compute new ones from (see --tangents)"
