@@ -3,7 +3,7 @@
 use super::member::{Member, drop_draco, rewrite_indices};
 use super::rows::{CornerRows, Rows, Stored, Tables};
 use super::store::{NewData, Remark, Store};
-use super::tangents::Tangents;
+use super::tangent_rows::Tangents;
 use crate::io::gltf::accessor::{Elements, Source};
 use crate::io::gltf::data::Target;
 use crate::io::gltf::json::Value;
