@@ -5,8 +5,7 @@
 //     node .ci/validate.mjs --clean FILE...
 //
 // Fails, naming file, code and JSON pointer, on every code that occurs more often after than before as an error or
-// a warning. MESH_PRIMITIVE_GENERATED_TANGENT_SPACE is allowed where the edit dropped tangents: there the standard
-// makes viewers generate them. With --clean each file stands alone and must have no error and no warning.
+// a warning. With --clean each file is alone and must have no error and no warning.
 
 import { existsSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -17,7 +16,6 @@ const { validateBytes } = require('gltf-validator');
 
 const ERROR = 0;
 const WARNING = 1;
-const TANGENT_SPACE = 'MESH_PRIMITIVE_GENERATED_TANGENT_SPACE';
 
 async function issues(path) {
   const report = await validateBytes(new Uint8Array(readFileSync(path)), {
@@ -37,27 +35,16 @@ async function issues(path) {
     entry.count += 1;
     counts.set(code, entry);
   }
-  return { counts, tangents: usesTangents(path) };
-}
-
-function usesTangents(path) {
-  const bytes = readFileSync(path);
-  const glb = bytes.subarray(0, 4).toString('latin1') === 'glTF';
-  const text = glb ? bytes.subarray(20, 20 + bytes.readUInt32LE(12)) : bytes;
-  const document = JSON.parse(text.toString('utf8').replace(/^\uFEFF/, ''));
-  const primitives = (document.meshes ?? []).flatMap((mesh) => mesh.primitives ?? []);
-  return primitives.filter((primitive) => 'TANGENT' in (primitive.attributes ?? {})).length;
+  return counts;
 }
 
 async function compare(before, after) {
-  const none = { counts: new Map(), tangents: 0 };
-  const old = before === null ? none : await issues(before);
+  const old = before === null ? new Map() : await issues(before);
   const now = await issues(after);
   const worse = [];
-  for (const [code, { count, severity, pointer }] of now.counts) {
-    const allowed = old.counts.get(code)?.count ?? 0;
-    const dropped = Math.max(0, old.tangents - now.tangents);
-    if (count <= allowed + (code === TANGENT_SPACE ? dropped : 0)) continue;
+  for (const [code, { count, severity, pointer }] of now) {
+    const allowed = old.get(code)?.count ?? 0;
+    if (count <= allowed) continue;
     const kind = severity === ERROR ? 'error' : 'warning';
     worse.push(`${after}: ${kind} ${code} ×${count} (before: ${allowed}), first at ${pointer ?? 'the file'}`);
   }

@@ -81,12 +81,16 @@ pub enum Emit {
 /// What happens to tangents when normals change.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TangentPolicy {
-    /// Leave them out, with a note; glTF readers then generate them.
+    /// Compute them anew by MikkTSpace from the texture coordinates of the material's normal or anisotropy texture, also where the
+    /// material needs tangents and there are none. Corners whose normals do not change keep theirs. Without coordinates they are
+    /// made perpendicular to normals that turned by less than 30°, and otherwise removed with a warning.
     #[default]
+    Auto,
+    /// Leave them out, with a note; glTF readers then generate them, if there is a normal texture.
     Drop,
     /// Keep them unchanged.
     Keep,
-    /// Compute them anew by MikkTSpace where texture coordinates allow.
+    /// Compute all of them anew by MikkTSpace, also where normals do not change. Without coordinates they are removed with a warning.
     Regenerate,
 }
 

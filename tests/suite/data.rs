@@ -1,5 +1,6 @@
 //! The files of `data/`: they are what the generator makes, and they are geometrically right.
 
+mod brushed;
 mod shapes;
 mod stage;
 mod write;

@@ -369,7 +369,8 @@ fn morph_targets_get_the_difference_of_normals() {
     let morph_normals: Vec<Vec<DVec3>> =
         (0..targets).map(|t| vec![[DVec3::X, DVec3::Y][t % 2]; base.len()]).collect();
     let edit = PartEdit { normals: Some(Column::per_vertex(base)), morph_normals, ..PartEdit::default() };
-    for tangents in [TangentPolicy::Drop, TangentPolicy::Keep, TangentPolicy::Regenerate] {
+    for tangents in [TangentPolicy::Auto, TangentPolicy::Drop, TangentPolicy::Keep, TangentPolicy::Regenerate]
+    {
         let options = WriteOptions { tangents, ..WriteOptions::default() };
         let written = change(&loaded, std::slice::from_ref(&edit), Format::Gltf, &options).unwrap();
         let gltf = gltf::Gltf::from_slice(&written.bytes).unwrap();

@@ -38,6 +38,7 @@ mod shade;
 mod stl;
 mod stress;
 mod surface;
+mod tangents;
 mod theory;
 mod trade;
 mod triangulate;

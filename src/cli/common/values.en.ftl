@@ -29,9 +29,11 @@ orient-consistent = neighbours agree; in each component the minority is reversed
 orient-outward = closed components face outward, cavities inward, rooms as their stored normals; open components face their
     outer side, if it is certain
 
-tangentpolicy-drop = omitted, with a note; viewers then generate them
+tangentpolicy-auto = computed by MikkTSpace where normals change, from the texture coordinates of the normal or anisotropy
+    texture. Without coordinates they stay if normals turn by less than 30°, else they are omitted with a warning
+tangentpolicy-drop = omitted, with a note; viewers then generate them if there is a normal texture
 tangentpolicy-keep = kept unchanged
-tangentpolicy-regenerate = computed by MikkTSpace where texture coordinates allow
+tangentpolicy-regenerate = computed by MikkTSpace, also where normals do not change; omitted without coordinates
 
 materialfallback-default = light grey, not metallic, roughness 0.6; white if vertices have colours
 materialfallback-none = none: viewers then show a rough metal

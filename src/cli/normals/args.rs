@@ -116,7 +116,7 @@ pub struct MeshArgs {
 #[derive(Args)]
 #[command(next_help_heading = "glTF")]
 pub struct GltfArgs {
-    #[arg(long, value_name = "HOW", default_value = "drop", value_parser = one_of::<TangentPolicy>())]
+    #[arg(long, value_name = "HOW", default_value = "auto", value_parser = one_of::<TangentPolicy>())]
     pub tangents: TangentPolicy,
     #[arg(long, value_name = "TYPE", default_value = "same", value_parser = one_of::<NormalFormat>())]
     pub normal_format: NormalFormat,
@@ -164,7 +164,7 @@ choices! { Degenerate: "keep" => Keep, "drop" => Drop }
 
 choices! { Orient: "keep" => Keep, "consistent" => Consistent, "outward" => Outward }
 
-choices! { TangentPolicy: "drop" => Drop, "keep" => Keep, "regenerate" => Regenerate }
+choices! { TangentPolicy: "auto" => Auto, "drop" => Drop, "keep" => Keep, "regenerate" => Regenerate }
 
 choices! { NormalFormat: "same" => Same, "f32" => F32, "i16" => I16, "i8" => I8 }
 

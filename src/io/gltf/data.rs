@@ -129,6 +129,16 @@ pub fn push_normal(normal: DVec3, format: Format, out: &mut Vec<u8>) {
     }
 }
 
+/// Appends a unit vector and its handedness.
+pub fn push_tangent(tangent: DVec3, handedness: f32, format: Format, out: &mut Vec<u8>) {
+    push_normal(tangent, format, out);
+    match format.component {
+        Component::I8 => out.push((127.0 * handedness) as i8 as u8),
+        Component::I16 => out.extend(((32767.0 * handedness) as i16).to_le_bytes()),
+        _ => out.extend(handedness.to_le_bytes()),
+    }
+}
+
 pub fn push_floats(vector: DVec3, out: &mut Vec<u8>) {
     out.extend(vector.as_vec3().to_array().iter().flat_map(|x| (x + 0.0).to_le_bytes()));
 }

@@ -33,6 +33,8 @@ mod columns;
 mod nodes;
 // Materials, cameras and lights.
 mod appearance;
+// What materials need tangents for.
+mod tangent_space;
 // What the geometry takes, and how normals are stored.
 mod geometry;
 // Reading a file.

@@ -175,7 +175,7 @@ impl FileModel {
                     // Nothing is missing, but another storage is written.
                     *edit = as_stored(part);
                 }
-                let tangents = if keeps_normals { TangentPolicy::Keep } else { TangentPolicy::Drop };
+                let tangents = if keeps_normals { TangentPolicy::Keep } else { TangentPolicy::Auto };
                 let normal_format = normals.format.and_then(|format| format.in_gltf()).unwrap_or_default();
                 (edits, WriteOptions { emit, tangents, normal_format, ..options })
             }

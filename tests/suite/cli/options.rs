@@ -28,7 +28,7 @@ fn every_value_of_every_option_runs_on_every_format() {
         ("--degenerate", &["keep", "drop"]),
         ("--orient", &["keep", "consistent", "outward"]),
         ("--precision", &["faithful", "fast"]),
-        ("--tangents", &["drop", "keep", "regenerate"]),
+        ("--tangents", &["auto", "drop", "keep", "regenerate"]),
         ("--normal-format", &["same", "f32", "i16", "i8"]),
         ("--material", &["default", "none"]),
         ("--threads", &["1", "3"]),

@@ -37,7 +37,7 @@ const OPTIONS: &[(&str, &[&str])] = &[
     ("--flip", &[]),
     ("--orient", &["keep", "consistent", "outward", "[default: keep]"]),
     ("--precision", &["faithful", "fast", "[default: faithful]"]),
-    ("--tangents", &["drop", "keep", "regenerate", "[default: drop]"]),
+    ("--tangents", &["auto", "drop", "keep", "regenerate", "[default: auto]"]),
     ("--normal-format", &["same", "f32", "i16", "i8", "[default: same]"]),
     ("--root", &[]),
     ("--threads", &[]),

@@ -1,5 +1,6 @@
 //! The files of `data/`, written from their shapes by code that shares nothing with the crate's own writers.
 
+use super::brushed::brushed;
 use super::shapes::{self, GEAR_PARTS, Shape};
 use super::stage::stage;
 use base64::Engine;
@@ -22,6 +23,7 @@ pub fn files() -> Vec<(&'static str, Vec<u8>)> {
         ("mirrored.gltf", mirrored().into_bytes()),
         ("morph.gltf", morph().into_bytes()),
         ("sphere-seam.glb", sphere_seam()),
+        ("brushed.glb", brushed()),
         ("scenes/stage.gltf", stage().into_bytes()),
     ]
 }
@@ -328,10 +330,8 @@ fn sphere_seam() -> Vec<u8> {
     let uvs: Vec<u8> = uvs.as_flattened().iter().flat_map(|&x| (x as f32).to_le_bytes()).collect();
     let indices = index_bytes(&triangles);
     let (a, b, c) = (positions.len(), uvs.len(), indices.len());
-    let mut bin = [positions, uvs, indices, CHECKER.to_vec()].concat();
-    let length = bin.len();
-    bin.resize(length.next_multiple_of(4), 0);
-    let mut json = format!(
+    let bin = [positions, uvs, indices, CHECKER.to_vec()].concat();
+    let json = format!(
         concat!(
             r#"{{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{{"mesh":0}}],"#,
             r#""meshes":[{{"name":"sphere","primitives":[{{"attributes":{{"POSITION":0,"TEXCOORD_0":1}},"indices":2,"#,
@@ -355,9 +355,14 @@ fn sphere_seam() -> Vec<u8> {
         c = c,
         abc = a + b + c,
         d = CHECKER.len(),
-        length = length,
-    )
-    .into_bytes();
+        length = bin.len(),
+    );
+    glb(json, bin)
+}
+
+pub fn glb(json: String, mut bin: Vec<u8>) -> Vec<u8> {
+    bin.resize(bin.len().next_multiple_of(4), 0);
+    let mut json = json.into_bytes();
     json.resize(json.len().next_multiple_of(4), b' ');
     let chunk =
         |kind: &[u8; 4], content: &[u8]| [&(content.len() as u32).to_le_bytes(), &kind[..], content].concat();
@@ -366,7 +371,7 @@ fn sphere_seam() -> Vec<u8> {
 }
 
 /// A PNG of 2 × 2 grey pixels.
-const CHECKER: &[u8] = &[
+pub const CHECKER: &[u8] = &[
     0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00,
     0x00, 0x00, 0x02, 0x00, 0x00, 0x00, 0x02, 0x08, 0x00, 0x00, 0x00, 0x00, 0x57, 0xdd, 0x52, 0xf8, 0x00,
     0x00, 0x00, 0x0e, 0x49, 0x44, 0x41, 0x54, 0x78, 0xda, 0x63, 0x78, 0x90, 0xc0, 0x90, 0xf0, 0x00, 0x00,

@@ -13,8 +13,10 @@ use crate::io::gltf::glb;
 use crate::io::gltf::glb::Glb;
 use crate::io::gltf::json::{Json, Value, quoted};
 use crate::io::gltf::splice::{Splices, changed_object};
+use crate::io::gltf::tangent_space::MaterialUses;
 use crate::io::{
-    Format, Loaded, Note, OutputContent, OutputFile, Part, PartEdit, Place, WriteError, WriteOptions, Written,
+    Format, Loaded, Note, OutputContent, OutputFile, Part, PartEdit, Place, Severity, WriteError,
+    WriteOptions, Written,
 };
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -37,6 +39,7 @@ pub fn edit(
 ) -> Result<Written, WriteError> {
     let mut store = Store::new(document);
     let source = document.accessors();
+    let materials = MaterialUses::all(&document.records);
     let mut tables = Tables::default();
     let mut groups: BTreeMap<(usize, bool), Vec<Member<'_>>> = BTreeMap::new();
     for member in Member::all(document, loaded, edits) {
@@ -44,7 +47,8 @@ pub fn edit(
     }
     let mut added = 0;
     for ((number, new_normals), members) in &groups {
-        let group = Group { vertices: document.vertex_accessors(*number), members, source: &source, options };
+        let vertices = document.vertex_accessors(*number);
+        let group = Group { vertices, members, source: &source, materials: &materials, options };
         if *new_normals {
             added += group.write(&mut store, &mut tables)?;
         } else {
@@ -52,6 +56,7 @@ pub fn edit(
         }
     }
     let remarks = std::mem::take(&mut store.remarks).into_iter();
+    let warnings = std::mem::take(&mut store.warnings).into_iter();
     if store.is_quantized {
         store.require(QUANTIZATION);
     }
@@ -78,8 +83,15 @@ pub fn edit(
     let vertices: usize = loaded.parts.iter().map(|part: &Part| part.mesh.vertex_count()).sum();
     written.vertices = vertices.saturating_add_signed(added as isize) as u64;
     written.count_change(vertices);
-    let note = |(remark, count): (Remark, usize)| Note::counted(count, remark.1, remark.2);
+    let note = |(remark, count): (Remark, usize)| {
+        let note = Note::counted(count, remark.1, remark.2)?;
+        Some(if remark.is_expected() { Note { severity: Severity::Note, ..note } } else { note })
+    };
     written.notes.extend(remarks.filter_map(note));
+    let warning = |(text, places): (String, Vec<Place>)| {
+        Note::for_all(Severity::Warning, places.len() as u64, places, text)
+    };
+    written.notes.extend(warnings.filter_map(warning));
     let drops = edits.iter().any(|edit| !edit.faces.dropped.is_empty());
     if (added != 0 || drops) && document.lists("extensionsUsed", "FB_geometry_metadata") {
         let text = "FB_geometry_metadata still has the vertex and face counts of the input";

@@ -14,13 +14,13 @@ use std::collections::hash_map::Entry;
 const TEXT_OF_INDICES: usize = 200;
 
 impl Group<'_, '_> {
-    /// The vertices of a split, of which those that agree in their row and in all other attributes are one: the first of them.
+    /// The vertices of a split, of which those that agree in their rows and in all other attributes are one: the first of them.
     /// `None` unless that saves bytes or is [wanted](Merge::Exact), and if an extension may refer to vertices by number.
     pub fn merged(
         &self,
         store: &Store<'_>,
         split: &VertexSplit,
-        rows: Option<&Rows>,
+        rows: &[&Rows],
         others: &[Attribute<'_>],
     ) -> Result<Option<VertexSplit>, WriteError> {
         let is_ordered = || self.members.iter().any(|member| member.has_ordered_vertices(store.document));
@@ -45,18 +45,20 @@ impl Group<'_, '_> {
     fn keys(
         &self,
         split: &VertexSplit,
-        rows: Option<&Rows>,
+        rows: &[&Rows],
         others: &[Attribute<'_>],
     ) -> Result<(Vec<u8>, usize), WriteError> {
         let elements = others.iter().map(|other| self.source.elements(other.accessor).map_err(unreadable));
         let elements = elements.collect::<Result<Vec<_>, _>>()?;
-        let mut at = rows.map_or(0, |rows| rows.size);
-        let size = at + elements.iter().map(|elements| elements.format.size()).sum::<usize>();
+        let of_rows = rows.iter().map(|rows| rows.size);
+        let size = of_rows.chain(elements.iter().map(|elements| elements.format.size())).sum();
         let mut keys = vec![0; size * split.source.len()];
-        if let Some(rows) = rows {
+        let mut at = 0;
+        for rows in rows {
             for (vertex, key) in keys.chunks_exact_mut(size).enumerate() {
-                key[..at].copy_from_slice(rows.get(vertex));
+                key[at..at + rows.size].copy_from_slice(rows.get(vertex));
             }
+            at += rows.size;
         }
         for elements in elements {
             let (raw, width) = (elements.raw(), elements.format.size());
@@ -73,7 +75,7 @@ impl Group<'_, '_> {
         &self,
         store: &Store<'_>,
         (split, merged): (&VertexSplit, &VertexSplit),
-        rows: Option<&Rows>,
+        rows: &[&Rows],
         others: &[Attribute<'_>],
     ) -> i64 {
         let (before, after) = (split.source.len(), merged.source.len());
@@ -82,7 +84,8 @@ impl Group<'_, '_> {
         }
         let records = &store.document.records;
         let is_copied = !split.is_identity(self.members[0].block.count as usize);
-        let mut saved = rows.map_or(0, |rows| ((before - after) * rows.size) as i64);
+        let size: usize = rows.iter().map(|rows| rows.size).sum();
+        let mut saved = ((before - after) * size) as i64;
         for other in others {
             let stride = records.accessors[other.accessor].format.map_or(0, |format| padded(format.size()));
             // The old values stay if something else uses them.

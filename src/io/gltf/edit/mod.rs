@@ -8,9 +8,15 @@ mod store;
 mod member;
 // The values of vertices.
 mod rows;
+// Tangents by MikkTSpace.
+mod mikktspace;
+// The tangents that vertices can have.
+mod tangent_rows;
+// Tangents that go with new normals.
+mod tangents;
 // Vertices that agree in everything.
 mod merge;
-// New normals and tangents for primitives that share vertices.
+// New normals for primitives that share vertices.
 mod group;
 // An edit as a whole, and the files that it becomes.
 pub mod apply;

@@ -3,7 +3,7 @@
 use super::member::Member;
 use crate::io::gltf::accessor::{Source, float};
 use crate::io::gltf::data::{LENGTH_TOLERANCE, normal_format, push_floats, push_normal};
-use crate::io::gltf::records::{Format, VertexAccessors};
+use crate::io::gltf::records::{Component, Format, VertexAccessors};
 use crate::io::{NormalFormat, ReadError};
 use crate::mesh::{Column, NONE, VertexSplit};
 use glam::{DVec3, Vec3};
@@ -11,7 +11,7 @@ use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 
 pub struct Rows {
-    bytes: Vec<u8>,
+    pub bytes: Vec<u8>,
     pub size: usize,
 }
 
@@ -32,7 +32,7 @@ impl Rows {
         self.column(stored.format.size() + DELTA * target, DELTA)
     }
 
-    fn column(&self, start: usize, size: usize) -> Vec<u8> {
+    pub fn column(&self, start: usize, size: usize) -> Vec<u8> {
         let mut column = Vec::with_capacity(self.bytes.len() / self.size * size);
         let rows = self.bytes.chunks_exact(self.size);
         rows.for_each(|row| column.extend_from_slice(&row[start..start + size]));
@@ -49,6 +49,7 @@ pub struct Stored {
     pub targets: usize,
     /// The row of each vertex: +Z where there are no normals, and zeros where a target has none.
     rows: Rows,
+    had_normals: bool,
     /// Whether the normals are stored in this format already.
     is_same: bool,
 }
@@ -96,7 +97,8 @@ impl Stored {
             }
             bytes
         };
-        Ok(Self { format, targets: deltas.len(), rows: Rows { bytes, size }, is_same })
+        let rows = Rows { bytes, size };
+        Ok(Self { format, targets: deltas.len(), rows, had_normals: base.is_some(), is_same })
     }
 
     pub fn is_stored(&self, rows: &Rows) -> bool {
@@ -199,8 +201,29 @@ impl<'a> CornerRows<'a> {
         CornerRows { stored, rows: Rows { bytes, size: stored.rows.size }, of_corner, missing }
     }
 
-    pub fn normal(&self, corner: usize) -> Vec3 {
-        self.stored.decode(self.rows.get(self.of_corner[corner] as usize))
+    fn row(&self, corner: usize) -> &[u8] {
+        self.rows.get(self.of_corner[corner] as usize)
+    }
+
+    /// The normal of a corner, or that of a morph target's shape.
+    pub fn normal(&self, corner: usize, target: Option<usize>) -> Vec3 {
+        let row = self.row(corner);
+        let normal = self.stored.decode(row);
+        let Some(target) = target.filter(|&target| target < self.stored.targets) else { return normal };
+        let delta = row[self.stored.format.size() + DELTA * target..].chunks_exact(4);
+        let mut moved = normal.to_array();
+        delta.zip(&mut moved).for_each(|(delta, x)| *x += float(delta, Component::F32, false));
+        Vec3::from_array(moved).normalize_or(normal)
+    }
+
+    /// The normal that a vertex had.
+    pub fn stored_normal(&self, vertex: usize) -> Vec3 {
+        self.stored.decode(self.stored.rows.get(vertex))
+    }
+
+    /// Whether a corner's row is the one that its vertex had.
+    pub fn is_as_stored(&self, corner: usize, vertex: usize) -> bool {
+        self.stored.had_normals && self.row(corner) == self.stored.rows.get(vertex)
     }
 
     /// The rows of the vertices of a split: as stored where no corner uses the vertex.

@@ -1,6 +1,7 @@
 //! New data for accessors, in the least invasive place: over the old bytes, or appended.
 
 use super::refs::References;
+use crate::io::Place;
 use crate::io::gltf::accessor::number;
 use crate::io::gltf::buffers::Storage;
 use crate::io::gltf::data::{Bounds, Target, accessor_json, number_list, view_json};
@@ -18,6 +19,8 @@ pub struct Store<'a> {
     pub is_quantized: bool,
     /// How often each remark applies.
     pub remarks: BTreeMap<Remark, usize>,
+    /// Where each warning applies.
+    pub warnings: BTreeMap<String, Vec<Place>>,
     refs: References,
     patches: Vec<Patch>,
     appended: Vec<u8>,
@@ -118,6 +121,7 @@ impl<'a> Store<'a> {
             splices: Splices::new(&document.records.json),
             is_quantized: false,
             remarks: BTreeMap::new(),
+            warnings: BTreeMap::new(),
             refs: References::new(document),
             patches: Vec::new(),
             appended: Vec::new(),
@@ -285,6 +289,10 @@ impl<'a> Store<'a> {
         *self.remarks.entry(remark).or_default() += count;
     }
 
+    pub fn warn(&mut self, place: Place, text: String) {
+        self.warnings.entry(text).or_default().push(place);
+    }
+
     pub fn require(&mut self, name: &str) {
         for list in ["extensionsUsed", "extensionsRequired"] {
             if !self.document.lists(list, name) {
@@ -354,6 +362,13 @@ fn bounds(bytes: &[u8], format: Format) -> Bounds {
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Remark(u8, pub [&'static str; 2], pub &'static str);
 
+impl Remark {
+    /// Whether the change is one that an edit of normals is meant to make.
+    pub fn is_expected(self) -> bool {
+        self == Self::TANGENTS_COMPUTED
+    }
+}
+
 const HAVE: [&str; 2] = ["primitive has", "primitives have"];
 const LOST: [&str; 2] = ["primitive lost", "primitives lost"];
 
@@ -361,10 +376,9 @@ impl Remark {
     pub const WITHOUT_NORMAL: Self =
         Self(0, ["corner has", "corners have"], "no new normal; the stored one was kept, or +Z written");
     pub const STALE_DELTAS: Self = Self(1, HAVE, "morph targets with normals that belong to the old normals");
-    pub const TANGENTS_REMOVED: Self =
-        Self(2, LOST, "the tangents of the old normals; viewers generate them (see --tangents)");
-    pub const TANGENT_DELTAS_REMOVED: Self =
-        Self(3, LOST, "the tangents of morph targets, which belong to the old tangents");
+    pub const TANGENTS_REMOVED: Self = Self(2, LOST, "the tangents of the old normals (see --tangents)");
+    pub const TANGENTS_COMPUTED: Self =
+        Self(3, HAVE, "new tangents, which go with the new normals (see --tangents)");
     pub const EMPTIED: Self =
         Self(4, HAVE, "no faces left; one triangle without area was written, because glTF needs one");
     pub const DRACO_REMOVED: Self = Self(5, LOST, "the Draco copy; the plain data were kept");
