@@ -45,7 +45,9 @@ pub use error::{Note, Place, Problem, ReadError, Severity, WriteError};
 pub use format::Format;
 pub(crate) use gltf::NodeTree;
 pub use loaded::{Document, Loaded};
-pub use options::{Emit, Limits, Merge, NonFinite, NormalFormat, ReadOptions, TangentPolicy, WriteOptions};
+pub use options::{
+    Emit, Limits, Merge, MeshCompression, NonFinite, NormalFormat, ReadOptions, TangentPolicy, WriteOptions,
+};
 pub use options::{OutputContent, OutputFile, Written};
 pub use part::{FileNode, Part, PartEdit};
 pub(crate) use read::read_whole;

@@ -6,6 +6,7 @@ mod artefact;
 mod artefact_sweep;
 mod cli;
 mod colours;
+mod compressed;
 mod convert;
 mod data;
 mod docs;

@@ -3,7 +3,7 @@
 use crate::cli::common::choice::{Choose, as_name, choices, one_of};
 use crate::cli::common::options::{RunArgs, confidence, crease_angle};
 use clap::{ArgGroup, Args};
-use crease::io::{Emit, Format, NormalFormat, TangentPolicy};
+use crease::io::{Emit, Format, MeshCompression, NormalFormat, TangentPolicy};
 use crease::mesh::{Confidence, Orient, Weld};
 use crease::normals::{CreaseRule, Groups, Precision, Slivers, Weight, When};
 use crease::num::Degrees;
@@ -113,6 +113,8 @@ pub struct GltfArgs {
     pub tangents: TangentPolicy,
     #[arg(long, value_name = "TYPE", default_value = "same", value_parser = one_of::<NormalFormat>())]
     pub normal_format: NormalFormat,
+    #[arg(long, value_name = "HOW", default_value = "none", value_parser = one_of::<MeshCompression>())]
+    pub compress: MeshCompression,
 }
 
 /// Which vertices are merged.
@@ -148,6 +150,8 @@ choices! { Degenerate: "keep" => Keep, "drop" => Drop }
 choices! { Orient: "keep" => Keep, "consistent" => Consistent, "outward" => Outward }
 
 choices! { TangentPolicy: "drop" => Drop, "keep" => Keep, "regenerate" => Regenerate }
+
+choices! { MeshCompression: "none" => None, "meshopt" => Meshopt }
 
 choices! { NormalFormat: "same" => Same, "f32" => F32, "i16" => I16, "i8" => I8 }
 

@@ -38,6 +38,7 @@ confidence = Minimum confidence for --orient outward to reverse an open componen
 force = Drop faces whose positions are infinite or not a number, instead of refusing the file
 tangents = Treatment of tangents when normals change
 normal-format = Storage of normals in glTF; other formats have no choice, and a warning says so
+compress = Compression of a GLB. Files that meshopt or Draco compressed are read, and written without compression by default
 
 ## What `-h` shows.
 

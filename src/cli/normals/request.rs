@@ -61,6 +61,7 @@ impl<'a> Request<'a> {
                 emit: args.normals.emit,
                 tangents: args.gltf.tangents,
                 normal_format: args.gltf.normal_format,
+                compression: args.gltf.compress,
                 merge: match args.mesh.merge {
                     None => Merge::FacetWise,
                     Some(Merging::Off) => Merge::Off,

@@ -30,6 +30,7 @@ fn every_value_of_every_option_runs_on_every_format() {
         ("--precision", &["faithful", "fast"]),
         ("--tangents", &["drop", "keep", "regenerate"]),
         ("--normal-format", &["same", "f32", "i16", "i8"]),
+        ("--compress", &["none"]),
         ("--threads", &["1", "3"]),
     ];
     let inputs =

@@ -109,3 +109,36 @@ fn failure(error: Error, name: &str, extension: &Fields<'_>) -> ReadError {
     }
     out_of_range(extension.place(), format!("the data compressed by {name} are damaged: {error}"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use meshoptimizer_rs::codec::{VertexEncoding, encode_vertex_buffer};
+
+    /// One element of each filter, computed by the formulas of the specification.
+    #[test]
+    fn filters_are_those_of_the_specification() {
+        let cases: [(&str, &[u8], &[u8]); 7] = [
+            ("NONE", &[1, 2, 3, 4], &[1, 2, 3, 4]),
+            // 3 · 2¹ and −1 · 2⁻¹.
+            ("EXPONENTIAL", &[3, 0, 0, 1], &6.0_f32.to_le_bytes()),
+            ("EXPONENTIAL", &[0xFF; 4], &(-0.5_f32).to_le_bytes()),
+            ("OCTAHEDRAL", &[0, 0, 127, 5], &[0, 0, 127, 5]),
+            // The sum of |x| and |y| is beyond 1: z is negative.
+            ("OCTAHEDRAL", &[127, 127, 127, 5], &[0, 0, 129, 5]),
+            // The last component is the largest and not stored.
+            ("QUATERNION", &[0, 0, 0, 0, 0, 0, 0xFF, 7], &[0, 0, 0, 0, 0, 0, 0xFF, 0x7F]),
+            ("COLOR", &[100, 0, 0, 0xFF], &[100, 100, 100, 0xFF]),
+        ];
+        for (filter, stored, expected) in cases {
+            for version in [0, 1] {
+                let encoding = VertexEncoding::new(version, 2).unwrap();
+                let workspace = &mut Workspace::default();
+                let source = encode_vertex_buffer(stored, 1, stored.len(), encoding, workspace).unwrap();
+                let (mode, filter) = ("ATTRIBUTES".to_owned(), filter.to_owned());
+                let stream = Stream { source: &source, mode, filter, count: 1, stride: stored.len() };
+                assert_eq!(stream.decode().unwrap(), expected, "{}", stream.filter);
+            }
+        }
+    }
+}

@@ -17,6 +17,7 @@ use super::glb::{Glb, unpadded};
 use super::json::Json;
 use super::records::Records;
 use crate::io::{Note, OutputContent, Place, Problem, ReadError, ReadOptions, Written};
+pub use rebuild::copy_views;
 use rebuild::{Rebuild, Rebuilt};
 use std::sync::Arc;
 
@@ -113,8 +114,8 @@ impl Compression {
         self.files.iter().any(|file| file == name)
     }
 
-    /// How much larger the output is. Copies of images do not count, other buffers do.
-    pub fn note(&self, written: &Written, buffers: &Buffers) -> Note {
+    /// How much larger the output is, which is compressed anew or not. Copies of images do not count, other buffers do.
+    pub fn note(&self, written: &Written, buffers: &Buffers, is_compressed: bool) -> Note {
         let copied = |path| {
             buffers.list.iter().find(|buffer| buffer.storage.file().is_some_and(|file| file.1 == path))
         };
@@ -128,6 +129,7 @@ impl Compression {
             None => format!("{} fewer", before - now),
         };
         let names = self.names.join(" and ");
-        Note::remark(format!("written without {names}: {now} bytes, {change} than the input"))
+        let how = if is_compressed { "compressed anew instead of by" } else { "written without" };
+        Note::remark(format!("{how} {names}: {now} bytes, {change} than the input"))
     }
 }

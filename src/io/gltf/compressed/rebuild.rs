@@ -187,24 +187,11 @@ impl<'a> Rebuild<'a> {
             }
             plain.push((number, *view));
         }
-        plain.sort_by_key(|(number, view)| (view.buffer, view.offset, view.length, *number));
-        let mut reach = 0;
-        let overlap = |(_, before): &(usize, View), (_, next): &(usize, View)| {
-            reach = if before.buffer == next.buffer { reach.max(end(before)) } else { 0 };
-            next.offset < reach
-        };
         let mut content: Vec<u8> = Vec::new();
-        for cluster in plain.chunk_by(overlap) {
-            let first = cluster[0].1;
-            let last = cluster.iter().map(|(_, view)| end(view)).max().unwrap_or(first.offset);
-            // Elements keep their alignment.
-            let base = padded(content.len()) as u64 + first.offset % 4;
-            content.resize(base as usize, 0);
-            let bytes = self.buffers.bytes(first.buffer).unwrap_or_default();
-            content.extend_from_slice(&bytes[first.offset as usize..last as usize]);
-            for (_, view) in cluster {
-                self.move_view(view, base + view.offset - first.offset, view.length);
-            }
+        let bytes = |buffer| self.buffers.bytes(buffer).unwrap_or_default();
+        for (number, offset) in copy_views(plain, bytes, &mut content) {
+            let view = self.records.views[number];
+            self.move_view(&view, offset, view.length);
         }
         for (number, bytes) in std::mem::take(&mut self.views) {
             let view = self.records.views[number];
@@ -241,6 +228,31 @@ impl<'a> Rebuild<'a> {
             }
         }
     }
+}
+
+/// Copies the bytes of views, those that several of them share once, and returns where each then is.
+pub fn copy_views<'a>(
+    mut views: Vec<(usize, View)>,
+    bytes: impl Fn(usize) -> &'a [u8],
+    content: &mut Vec<u8>,
+) -> Vec<(usize, u64)> {
+    views.sort_by_key(|(number, view)| (view.buffer, view.offset, view.length, *number));
+    let mut reach = 0;
+    let overlap = |(_, before): &(usize, View), (_, next): &(usize, View)| {
+        reach = if before.buffer == next.buffer { reach.max(end(before)) } else { 0 };
+        next.offset < reach
+    };
+    let mut places = Vec::with_capacity(views.len());
+    for cluster in views.chunk_by(overlap) {
+        let first = cluster[0].1;
+        let last = cluster.iter().map(|(_, view)| end(view)).max().unwrap_or(first.offset);
+        // Elements keep their alignment.
+        let base = padded(content.len()) as u64 + first.offset % 4;
+        content.resize(base as usize, 0);
+        content.extend_from_slice(&bytes(first.buffer)[first.offset as usize..last as usize]);
+        places.extend(cluster.iter().map(|(number, view)| (*number, base + view.offset - first.offset)));
+    }
+    places
 }
 
 fn end(view: &View) -> u64 {

@@ -1,6 +1,7 @@
 //! An edit of a document, and the files that it becomes: in the same spelling, or `.gltf` as `.glb` and the other way round.
 
 use super::compact::compact;
+use super::compress::compress_as;
 use super::group::Group;
 use super::member::Member;
 use super::rows::Tables;
@@ -75,8 +76,9 @@ pub fn edit(
             )),
         }
     }
+    let is_compressed = compress_as(options.compression, to, &mut written)?;
     if let Some(compression) = &document.compression {
-        let note = compression.note(&written, &document.buffers);
+        let note = compression.note(&written, &document.buffers, is_compressed);
         written.notes.push(note);
     }
     let vertices: usize = loaded.parts.iter().map(|part: &Part| part.mesh.vertex_count()).sum();
