@@ -153,7 +153,7 @@ fn contents(records: &Records) -> Vec<Content> {
         let (Some(view), Some(format)) = (record.view, record.format) else { continue };
         let is_whole = record.offset == 0
             && records.views[view].length == record.count.saturating_mul(format.size() as u64);
-        let is_list = primitive.mode == u64::from(TRIANGLES) && record.count % 3 == 0 && !is_fixed;
+        let is_list = primitive.mode == u64::from(TRIANGLES) && record.count.is_multiple_of(3) && !is_fixed;
         let is_wide = matches!(format.component, Component::U16 | Component::U32) && format.width == 1;
         let content =
             if is_whole && is_wide { Content::Indices(format.size(), is_list) } else { Content::Other };
@@ -173,8 +173,8 @@ fn encode(bytes: &[u8], content: Content) -> Option<Vec<u8>> {
     let workspace = &mut Workspace::new(Limits { max_bytes: usize::MAX, max_work: u64::MAX });
     let encoded: Result<Vec<u8>, Error> = match content {
         Content::Elements(stride) => {
-            let is_allowed = stride > 0 && stride % 4 == 0 && stride <= LARGEST_STRIDE;
-            if !is_allowed || bytes.is_empty() || bytes.len() % stride != 0 {
+            let is_allowed = stride > 0 && stride.is_multiple_of(4) && stride <= LARGEST_STRIDE;
+            if !is_allowed || bytes.is_empty() || !bytes.len().is_multiple_of(stride) {
                 return None;
             }
             // All readers know this version.
