@@ -1,5 +1,6 @@
 //! Errors and notes, with the places that they are about.
 
+use super::Format;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -189,6 +190,11 @@ pub enum WriteError {
 }
 
 impl WriteError {
+    /// Compression was asked for in another format than GLB.
+    pub(super) fn not_compressible(format: Format) -> Self {
+        Self::Unsupported(format!("meshopt compression needs a GLB, but the output is {format}"))
+    }
+
     /// What was read, or kept of it, is not there to edit.
     pub(super) fn no_document() -> Self {
         Self::Unsupported("the file was not kept for editing; write another format".to_owned())

@@ -157,7 +157,7 @@ impl Document {
         match self {
             Document::None | Document::Forgotten(_) => false,
             Document::Obj(document) => document.source() == Some(bytes),
-            Document::Gltf(document) => document.source() == bytes,
+            Document::Gltf(document) => document.is_read_from(bytes),
             Document::Ply(document) => document.bytes == bytes,
             Document::Stl(document) => document.bytes == bytes,
         }

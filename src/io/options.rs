@@ -108,6 +108,16 @@ pub enum NormalFormat {
     I8,
 }
 
+/// How vertices and indices are compressed in a GLB.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum MeshCompression {
+    /// Not at all: every program can read them.
+    #[default]
+    None,
+    /// Without loss by meshopt (`EXT_meshopt_compression`), which readers must know.
+    Meshopt,
+}
+
 /// Which vertices are merged if they agree in everything that is stored of them. The first of equal ones stays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Merge {
@@ -157,6 +167,8 @@ pub struct WriteOptions {
     pub material: MaterialFallback,
     /// Other axes and units of a new file; files that are edited keep theirs.
     pub conversion: Option<AxisConversion>,
+    /// Compression of the output (GLB).
+    pub compression: MeshCompression,
     /// Omit normals where neither tangents nor normals of morph targets need them: such faces are flat (glTF).
     pub omit_normals: bool,
     /// Merge vertices that agree in everything that is stored of them, where that saves bytes. In a GLB also remove accessors, views

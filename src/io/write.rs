@@ -2,8 +2,8 @@
 
 use super::text::counted;
 use super::{
-    Document, Emit, FileMaterial, Format, Loaded, Merge, NormalFormat, Note, Part, PartEdit, Place,
-    WriteError, WriteOptions, Written, gltf, obj, ply, stl,
+    Document, Emit, FileMaterial, Format, Loaded, Merge, MeshCompression, NormalFormat, Note, Part, PartEdit,
+    Place, WriteError, WriteOptions, Written, gltf, obj, ply, stl,
 };
 use crate::mesh::{AxisConversion, Column, FaceLabels, Mesh, TransformFault};
 use glam::DMat4;
@@ -34,6 +34,9 @@ pub fn write<'a>(
     if !format.is_gltf() && options.normal_format != NormalFormat::Same {
         let text = format!("{format} has no choice of normal formats; only glTF has one");
         notes.push(Note::warning(Place::File, text));
+    }
+    if options.compression != MeshCompression::None && format != Format::Glb {
+        return Err(WriteError::not_compressible(format));
     }
     if options.merge == Merge::Exact && format.edits(loaded.format) && !format.is_gltf() {
         let text = format!("{format} keeps the vertices of an input in its own format; none were merged");

@@ -45,6 +45,7 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     ("clap_complete", &["cli"]),
     ("clap_mangen", &["cli"]),
     ("dashu", &["trade"]),
+    ("draco_core", &["io"]),
     ("fast_float2", &["io"]),
     ("fluent_bundle", &["text"]),
     (
@@ -67,6 +68,7 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     ),
     ("maud", &["report"]),
     ("memchr", &["io"]),
+    ("meshoptimizer_rs", &["io"]),
     ("mimalloc", &["cli"]),
     ("png", &["report"]),
     ("pulldown_latex", &["report"]),

@@ -68,13 +68,8 @@ fn good_files_load_with_the_counts_of_the_manifest() {
     for entry in entries("gltf/") {
         let loaded = load(&entry.path);
         if entry.expect.starts_with("reject") {
-            let error = loaded.unwrap_err();
-            let name = if entry.name.contains("Draco") {
-                "KHR_draco_mesh_compression"
-            } else {
-                "EXT_meshopt_compression"
-            };
-            assert!(error.to_string().contains(name), "{}: {error}", entry.name);
+            // The manifest is older than the decoders of Draco and meshopt: both are boxes.
+            assert_eq!(faces(&loaded.unwrap().parts), 12, "{}", entry.name);
             continue;
         }
         if entry.expect.starts_with("either") && loaded.is_err() {

@@ -272,15 +272,16 @@ fn required_extensions_are_known_harmless_or_refused() {
         "KHR_animation_pointer",
         "EXT_texture_webp",
         "MSFT_lod",
+        // Decompressed, or not used.
+        "KHR_draco_mesh_compression",
+        "EXT_meshopt_compression",
         // Refused only where a split would move what they number.
         "CESIUM_primitive_outline",
         "EXT_mesh_manifold",
     ] {
         assert!(with(harmless).is_ok(), "{harmless}");
     }
-    for unknown in
-        ["KHR_draco_mesh_compression", "EXT_mesh_primitive_restart", "KHR_gaussian_splatting", "X_new"]
-    {
+    for unknown in ["EXT_mesh_primitive_restart", "KHR_gaussian_splatting", "X_new"] {
         let error = with(unknown).unwrap_err();
         assert!(error.found.contains(unknown), "{error}");
         let allowed = ReadOptions { allowed_extensions: vec![unknown.to_owned()], ..ReadOptions::default() };

@@ -8,6 +8,7 @@ mod axes;
 mod batch;
 mod cli;
 mod colours;
+mod compressed;
 mod convert;
 mod data;
 mod docs;

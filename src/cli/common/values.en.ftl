@@ -29,6 +29,9 @@ orient-consistent = neighbours agree; in each component the minority is reversed
 orient-outward = closed components face outward, cavities inward, rooms as their stored normals; open components face their
     outer side, if it is certain
 
+meshcompression-none = none: every program reads it
+meshcompression-meshopt = without loss by meshopt (EXT_meshopt_compression), which readers must know
+
 tangentpolicy-auto = computed by MikkTSpace where normals change, from the texture coordinates of the normal or anisotropy
     texture. Without coordinates they stay if normals turn by less than 30°, else they are omitted with a warning
 tangentpolicy-drop = omitted, with a note; viewers then generate them if there is a normal texture

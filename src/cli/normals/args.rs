@@ -4,7 +4,7 @@ use crate::cli::common::batch::BatchArgs;
 use crate::cli::common::choice::{Choose, as_name, choices, one_of};
 use crate::cli::common::options::{RunArgs, confidence, crease_angle};
 use clap::{ArgGroup, Args};
-use crease::io::{Emit, Format, MaterialFallback, NormalFormat, TangentPolicy};
+use crease::io::{Emit, Format, MaterialFallback, MeshCompression, NormalFormat, TangentPolicy};
 use crease::mesh::{Confidence, Orient, UpAxis, Weld};
 use crease::normals::{CreaseRule, Groups, Precision, Slivers, Weight, When};
 use crease::num::Degrees;
@@ -122,6 +122,8 @@ pub struct GltfArgs {
     pub normal_format: NormalFormat,
     #[arg(long, value_name = "WHICH", default_value = "default", value_parser = one_of::<MaterialFallback>())]
     pub material: MaterialFallback,
+    #[arg(long, value_name = "HOW", default_value = "none", value_parser = one_of::<MeshCompression>())]
+    pub compress: MeshCompression,
 }
 
 /// A factor for coordinates.
@@ -165,6 +167,8 @@ choices! { Degenerate: "keep" => Keep, "drop" => Drop }
 choices! { Orient: "keep" => Keep, "consistent" => Consistent, "outward" => Outward }
 
 choices! { TangentPolicy: "auto" => Auto, "drop" => Drop, "keep" => Keep, "regenerate" => Regenerate }
+
+choices! { MeshCompression: "none" => None, "meshopt" => Meshopt }
 
 choices! { NormalFormat: "same" => Same, "f32" => F32, "i16" => I16, "i8" => I8 }
 

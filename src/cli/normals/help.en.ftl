@@ -43,6 +43,7 @@ force = Drop faces whose positions are infinite or not a number, instead of refu
 tangents = Treatment of tangents when normals change
 material = Material of faces without one in a new glTF
 normal-format = Storage of normals in glTF; other formats have no choice, and a warning says so
+compress = Compression of a GLB. Files that meshopt or Draco compressed are read, and written without compression by default
 
 ## What `-h` shows.
 

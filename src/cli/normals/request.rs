@@ -70,6 +70,7 @@ impl<'a> Request<'a> {
                 tangents: args.gltf.tangents,
                 normal_format: args.gltf.normal_format,
                 material: args.gltf.material,
+                compression: args.gltf.compress,
                 merge: match args.mesh.merge {
                     None => Merge::FacetWise,
                     Some(Merging::Off) => Merge::Off,

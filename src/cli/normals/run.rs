@@ -13,7 +13,7 @@ use crate::cli::common::output::{Store, folder_of, stem};
 use crate::cli::common::progress::{FileProgress, Progress, Stage};
 use crate::cli::common::report::MeshOutput;
 use crate::cli::usage::refused;
-use crease::io::{self, Format, Loaded, Written};
+use crease::io::{self, Format, Loaded, MeshCompression, Written};
 use crease::mesh::Movement;
 use crease::pipeline;
 use std::path::Path;
@@ -100,6 +100,13 @@ fn run(
     progress.stage(Stage::Compute);
     let start = Instant::now();
     let target = (!request.rows).then(|| job.to.unwrap_or(loaded.format));
+    if let Some(target) =
+        target.filter(|&target| request.write.compression != MeshCompression::None && target != Format::Glb)
+    {
+        return Err(Failure::usage(format!(
+            "--compress meshopt needs a GLB, but the output is {target}\nhelp: name an output that ends in .glb, or use --to glb"
+        )));
+    }
     pipeline::forget_unused(&mut loaded, &request.task, target);
     let moved = match (request.merge_distance, target) {
         (Some(fraction), Some(target)) if !target.edits(loaded.format) => loaded.move_together(fraction),

@@ -22,6 +22,11 @@ pub enum Storage {
         path: PathBuf,
         bytes: Arc<Vec<u8>>,
     },
+    /// What was decompressed when the document was read, and whether the compressed data were in a file of their own.
+    Decompressed {
+        bytes: Arc<Vec<u8>>,
+        is_external: bool,
+    },
     /// No data: only a compressed copy exists.
     Absent,
 }
@@ -31,9 +36,16 @@ impl Storage {
     fn bytes<'a>(&'a self, file: &'a [u8]) -> Option<&'a [u8]> {
         match self {
             Storage::Bin(range) => Some(&file[range.clone()]),
-            Storage::Embedded(bytes) | Storage::File { bytes, .. } => Some(bytes),
+            Storage::Embedded(bytes) | Storage::File { bytes, .. } | Storage::Decompressed { bytes, .. } => {
+                Some(bytes)
+            }
             Storage::Absent => None,
         }
+    }
+
+    /// Whether it is, or was before it was decompressed, a file of its own.
+    pub fn is_external(&self) -> bool {
+        matches!(self, Storage::File { .. } | Storage::Decompressed { is_external: true, .. })
     }
 
     pub fn file(&self) -> Option<(&str, &Path)> {

@@ -1,6 +1,6 @@
 //! New binary data, and the JSON that describes them.
 
-use super::accessor::float;
+use super::accessor::{float, number};
 use super::glb::padded;
 use super::records::{Component, Format, SHAPES};
 use crate::io::NormalFormat;
@@ -73,6 +73,20 @@ pub fn accessor_json(view: usize, format: Format, count: usize, bounds: Option<&
 pub struct Bounds {
     pub low: Vec<f64>,
     pub high: Vec<f64>,
+}
+
+/// Bounds in the units of the storage, as `min` and `max` are.
+pub fn bounds(bytes: &[u8], format: Format) -> Bounds {
+    let (size, width) = (format.component.size(), format.width * format.columns);
+    let (mut low, mut high) = (vec![f64::INFINITY; width], vec![f64::NEG_INFINITY; width]);
+    for element in bytes.chunks_exact(format.size()) {
+        for (axis, bytes) in element.chunks_exact(size).take(width).enumerate() {
+            let value = number(bytes, format.component);
+            low[axis] = low[axis].min(value);
+            high[axis] = high[axis].max(value);
+        }
+    }
+    Bounds { low, high }
 }
 
 /// A list of numbers, each in the shortest spelling that reads back as the same double.

@@ -2,6 +2,7 @@
 
 use super::accessor::Source;
 use super::buffers::Buffers;
+use super::compressed::Compression;
 use super::extensions::{DRACO, QUANTIZATION};
 use super::glb::Glb;
 use super::nodes::NodeTree;
@@ -27,6 +28,8 @@ pub struct GltfDocument {
     pub(in crate::io::gltf) materials: BTreeMap<String, usize>,
     /// Image files that the document refers to and that are there: relative name and path.
     pub(in crate::io::gltf) images: Vec<(String, PathBuf)>,
+    /// How its data were compressed in the file, if they were.
+    pub(in crate::io::gltf) compression: Option<Compression>,
 }
 
 impl GltfDocument {
@@ -40,6 +43,11 @@ impl GltfDocument {
             Some(_) => &self.buffers.file,
             None => self.records.json.text().as_bytes(),
         }
+    }
+
+    /// Whether these bytes are those of the file that it was read from.
+    pub(in crate::io) fn is_read_from(&self, bytes: &[u8]) -> bool {
+        self.compression.is_none() && self.source() == bytes
     }
 
     /// Bytes of the document and its buffers.

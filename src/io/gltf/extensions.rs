@@ -27,14 +27,14 @@ const REGISTRY: &[(&str, Holds, &str)] = &[
     ("KHR_audio", Nothing, "sound"),
     ("KHR_character", Nothing, "roles of nodes and animations"),
     ("KHR_collision_shapes", Nothing, "spheres, boxes and other analytic shapes"),
-    (DRACO, Data, "compressed vertices and indices"),
+    // What is compressed was decompressed before, unless there are plain data too.
+    (DRACO, Nothing, "compressed vertices and indices"),
     ("KHR_gaussian_splatting", Data, "another meaning of point primitives"),
     ("KHR_implicit_shapes", Nothing, "spheres, boxes and other analytic shapes"),
     ("KHR_interactivity", Nothing, "behaviour graphs"),
     ("KHR_lights_", Nothing, "lights"),
     ("KHR_materials_", Nothing, "materials"),
     (QUANTIZATION, Nothing, "integer attributes, which crease reads"),
-    // Readable if the plain data are there too, which accessors find out.
     ("KHR_meshopt_compression", Nothing, "compressed buffer views"),
     ("KHR_node_", Nothing, "visibility and selection of nodes"),
     ("KHR_physics_rigid_bodies", Nothing, "masses, joints and colliders of nodes and whole meshes"),
@@ -98,9 +98,6 @@ pub fn check(root: &Fields<'_>, allowed: &[String], notes: &mut Vec<Note>) -> Re
         let (what, advice) = match holds(name) {
             Some(Nothing | VertexOrder | TriangleOrder) => continue,
             _ if allowed.iter().any(|allowed| allowed == name) => continue,
-            Some(Data) if name == DRACO => {
-                ("", "decompress the file first, for example with `gltf-transform copy`".to_owned())
-            }
             Some(Data) => ("", "convert the file to plain glTF 2.0 first".to_owned()),
             None => (
                 ", which crease does not know",

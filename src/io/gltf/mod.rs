@@ -17,6 +17,8 @@ mod splice;
 mod glb;
 // The bytes of buffers, and their addresses.
 mod buffers;
+// Compressed data to plain ones.
+mod compressed;
 // Known extensions.
 mod extensions;
 // The typed records that geometry needs.

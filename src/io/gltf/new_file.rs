@@ -3,6 +3,7 @@
 use super::appearance::material_members;
 use super::buffers::address;
 use super::data::{Blob, Bounds, Bytes, Target, accessor_json, normal_format, steps, view_json};
+use super::edit::compress::compress_as;
 use super::extensions::QUANTIZATION;
 use super::glb;
 use super::json::quoted;
@@ -59,6 +60,7 @@ pub(in crate::io) fn write(
         let companion = name.map(|name| OutputFile { name, content: OutputContent::Bytes(data) });
         written.companions.extend(companion);
     }
+    compress_as(options.compression, to, &mut written)?;
     Ok(written)
 }
 

@@ -2,6 +2,7 @@
 
 use super::accessor::Source;
 use super::buffers::{check_images, load};
+use super::compressed::decompress;
 use super::document::GltfDocument;
 use super::fields::Fields;
 use super::glb::{Glb, is_glb};
@@ -39,10 +40,11 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
     };
     let input = file.len().max(json.text().len()) as u64;
     let records = Records::new(json, &mut notes)?;
-    let json = &records.json;
-    extensions::check(&Fields::root(json), &options.allowed_extensions, &mut notes)?;
+    extensions::check(&Fields::root(&records.json), &options.allowed_extensions, &mut notes)?;
     let bin = glb.as_ref().and_then(Glb::bin);
-    let buffers = load(json, &records.buffers, file, bin, base, options)?;
+    let buffers = load(&records.json, &records.buffers, file, bin, base, options)?;
+    let (records, buffers, glb, compression) = decompress(records, buffers, glb, options)?;
+    let json = &records.json;
     let images = check_images(json, base, options, &mut notes)?;
     let bytes = input + buffers.total();
     let count: u64 = records.meshes.iter().map(|mesh| mesh.primitives.len().max(1) as u64).sum();
@@ -69,6 +71,6 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
     let Assembler { source, sources, materials, .. } = assembler;
     let notes = source.notes.into_inner();
     let format = if glb.is_some() { Format::Glb } else { Format::Gltf };
-    let document = GltfDocument { records, buffers, glb, sources, layouts, materials, images };
+    let document = GltfDocument { records, buffers, glb, sources, layouts, materials, images, compression };
     Ok(Loaded { format, parts, nodes, notes, document: Document::Gltf(Box::new(document)) })
 }

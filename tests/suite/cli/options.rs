@@ -31,6 +31,7 @@ fn every_value_of_every_option_runs_on_every_format() {
         ("--tangents", &["auto", "drop", "keep", "regenerate"]),
         ("--normal-format", &["same", "f32", "i16", "i8"]),
         ("--material", &["default", "none"]),
+        ("--compress", &["none"]),
         ("--threads", &["1", "3"]),
     ];
     let inputs =

@@ -39,6 +39,7 @@ const OPTIONS: &[(&str, &[&str])] = &[
     ("--precision", &["faithful", "fast", "[default: faithful]"]),
     ("--tangents", &["auto", "drop", "keep", "regenerate", "[default: auto]"]),
     ("--normal-format", &["same", "f32", "i16", "i8", "[default: same]"]),
+    ("--compress", &["none", "meshopt", "[default: none]"]),
     ("--root", &[]),
     ("--threads", &[]),
     ("--json", &[]),

@@ -1,6 +1,7 @@
 //! An edit of a document, and the files that it becomes: in the same spelling, or `.gltf` as `.glb` and the other way round.
 
 use super::compact::compact;
+use super::compress::compress_as;
 use super::group::Group;
 use super::member::Member;
 use super::rows::Tables;
@@ -80,6 +81,11 @@ pub fn edit(
             )),
         }
     }
+    let is_compressed = compress_as(options.compression, to, &mut written)?;
+    if let Some(compression) = &document.compression {
+        let note = compression.note(&written, &document.buffers, is_compressed);
+        written.notes.push(note);
+    }
     let vertices: usize = loaded.parts.iter().map(|part: &Part| part.mesh.vertex_count()).sum();
     written.vertices = vertices.saturating_add_signed(added as isize) as u64;
     written.count_change(vertices);
@@ -112,6 +118,13 @@ impl Package<'_> {
     fn settle_buffers(&mut self, store: &mut Store<'_>) {
         let document = self.document;
         for (buffer, &object) in document.buffers.list.iter().zip(&document.records.buffers) {
+            if let Storage::Decompressed { bytes, is_external } = &buffer.storage {
+                let stem = self.options.stem.as_ref().filter(|_| *is_external);
+                let name = stem.map(|stem| self.free_name(stem, ".bin"));
+                store.splices.set(object, "uri", quoted(&address(name.as_deref(), bytes)));
+                let content = || OutputContent::Bytes(bytes.to_vec());
+                self.written.companions.extend(name.map(|name| OutputFile { name, content: content() }));
+            }
             let Storage::File { name, path, bytes } = &buffer.storage else { continue };
             let Some(stem) = &self.options.stem else {
                 store.splices.set(object, "uri", quoted(&encode_data(bytes)));
@@ -166,7 +179,7 @@ impl Package<'_> {
     fn same_gltf(&mut self, store: Store<'_>) {
         let document = self.document;
         // A document that is one file stays one.
-        let external = document.buffers.list.iter().any(|buffer| buffer.storage.file().is_some());
+        let external = document.buffers.list.iter().any(|buffer| buffer.storage.is_external());
         let stem = self.options.stem.as_ref().filter(|_| external);
         let name = stem.map(|stem| self.free_name(stem, "normals.bin"));
         let stale = stem.and_then(|stem| self.own_earlier(stem));
@@ -200,6 +213,7 @@ impl Package<'_> {
             let mut of_input = self.document.buffers.list.iter().filter_map(|buffer| buffer.storage.file());
             of_input.any(|(other, _)| output_name(Path::new(""), other).as_ref() == Some(name))
                 || self.written.companions.iter().any(|file| file.name == *name)
+                || self.document.compression.as_ref().is_some_and(|compression| compression.has_file(name))
         };
         let (front, extension) = name.rsplit_once('.').unwrap_or((name, "bin"));
         let front = if front.is_empty() { stem.to_owned() } else { format!("{stem}.{front}") };

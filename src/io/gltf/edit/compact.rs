@@ -31,7 +31,7 @@ pub fn compact(bytes: &[u8]) -> Result<Option<Vec<u8>>, WriteError> {
 }
 
 /// A member of an object that refers to an accessor.
-type Reference = (Value, String, usize);
+pub type Reference = (Value, String, usize);
 
 struct Compaction<'a> {
     records: &'a Records,
@@ -213,7 +213,7 @@ fn numbers(is_kept: &[bool]) -> Vec<usize> {
 }
 
 /// All references to accessors, where no extension has any: of primitives, animations and skins.
-fn references(records: &Records) -> Vec<Reference> {
+pub fn references(records: &Records) -> Vec<Reference> {
     let json: &Json = &records.json;
     let mut references = Vec::new();
     for primitive in records.meshes.iter().flat_map(|mesh| &mesh.primitives) {

@@ -24,3 +24,5 @@ pub mod apply;
 mod compact;
 // Rows and columns of a buffer view that are in use.
 mod view_table;
+// A GLB compressed by meshopt.
+pub mod compress;

@@ -2,9 +2,8 @@
 
 use super::refs::References;
 use crate::io::Place;
-use crate::io::gltf::accessor::number;
 use crate::io::gltf::buffers::Storage;
-use crate::io::gltf::data::{Bounds, Target, accessor_json, number_list, view_json};
+use crate::io::gltf::data::{Target, accessor_json, bounds, number_list, view_json};
 use crate::io::gltf::document::GltfDocument;
 use crate::io::gltf::glb::padded;
 use crate::io::gltf::json::{Value, quoted};
@@ -342,20 +341,6 @@ impl<'a> Store<'a> {
         let bin = Some(bin).filter(|bin| !bin.appended.is_empty() || !bin.patches.is_empty());
         Changed { json: self.splices.apply(), bin, extra, replaced }
     }
-}
-
-/// Bounds in the units of the storage, as `min` and `max` are.
-fn bounds(bytes: &[u8], format: Format) -> Bounds {
-    let (size, width) = (format.component.size(), format.width * format.columns);
-    let (mut low, mut high) = (vec![f64::INFINITY; width], vec![f64::NEG_INFINITY; width]);
-    for element in bytes.chunks_exact(format.size()) {
-        for (axis, bytes) in element.chunks_exact(size).take(width).enumerate() {
-            let value = number(bytes, format.component);
-            low[axis] = low[axis].min(value);
-            high[axis] = high[axis].max(value);
-        }
-    }
-    Bounds { low, high }
 }
 
 /// What an edit changes besides normals: its rank among the notes, the noun for its count, and its text.
