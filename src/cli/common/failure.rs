@@ -26,7 +26,7 @@ pub struct Failure {
     #[serde(serialize_with = "in_one_line")]
     pub message: String,
     #[serde(flatten)]
-    read: Option<ReadError>,
+    pub read: Option<ReadError>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
