@@ -5,8 +5,8 @@ use crease::mesh::{Faces, Positions};
 use crease::normals::Coordinate;
 use glam::DVec3;
 use numpy::{
-    BorrowError, Element, PyArray1, PyArray2, PyArrayDescr, PyArrayDescrMethods, PyArrayMethods, PyReadonlyArray1,
-    PyReadonlyArray2, PyReadwriteArray2, PyUntypedArray, PyUntypedArrayMethods, dtype,
+    BorrowError, Element, PyArray1, PyArray2, PyArrayDescr, PyArrayDescrMethods, PyArrayMethods,
+    PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray2, PyUntypedArray, PyUntypedArrayMethods, dtype,
 };
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -96,7 +96,9 @@ pub fn check_finite<T: Number + Into<f64>>(points: &[[T; 3]]) -> Result<(), Stri
         return Ok(());
     };
     let [x, y, z] = points[row].map(Into::into);
-    Err(format!("vertices[{row}] is ({x}, {y}, {z}), which is not finite; remove it and the faces that use it"))
+    Err(format!(
+        "vertices[{row}] is ({x}, {y}, {z}), which is not finite; remove it and the faces that use it"
+    ))
 }
 
 /// Indices in their array, or converted.
@@ -126,7 +128,8 @@ impl<'py> FaceArrays<'py> {
         let found = match given.cast::<PyTuple>() {
             Ok(pair) if pair.len() == 2 => Self::polygons(&pair.get_item(0)?, &pair.get_item(1)?)?,
             Ok(other) => {
-                let text = format!("faces is a tuple of {}; use an array, or (indices, offsets)", other.len());
+                let text =
+                    format!("faces is a tuple of {}; use an array, or (indices, offsets)", other.len());
                 return Err(wrong(text));
             }
             Err(_) => Self::triangles(given)?,
@@ -150,7 +153,10 @@ impl<'py> FaceArrays<'py> {
         let one_dimension = |given: &Bound<'py, PyAny>, name: &str| {
             let array = as_array(given)?;
             if array.ndim() != 1 {
-                let text = format!("the {name} of faces have the shape {}; one dimension was expected", shape(&array));
+                let text = format!(
+                    "the {name} of faces have the shape {}; one dimension was expected",
+                    shape(&array)
+                );
                 return Err(wrong(text));
             }
             indices(&array, name, false)
@@ -163,7 +169,10 @@ impl<'py> FaceArrays<'py> {
         }
         if let Some(face) = starts.windows(2).position(|pair| pair[1] < pair[0].saturating_add(3)) {
             let (start, end) = (starts[face], starts[face + 1]);
-            return Err(wrong(format!("offsets[{face}] is {start} and offsets[{}] is {end}; a face needs 3 corners", face + 1)));
+            return Err(wrong(format!(
+                "offsets[{face}] is {start} and offsets[{}] is {end}; a face needs 3 corners",
+                face + 1
+            )));
         }
         Ok(Self { corners, offsets: Some(offsets) })
     }
@@ -209,7 +218,11 @@ impl<'py> FaceArrays<'py> {
     }
 
     /// These faces with other vertices; polygons keep their offsets.
-    pub fn with_corners(&self, given: &Bound<'py, PyAny>, corners: Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    pub fn with_corners(
+        &self,
+        given: &Bound<'py, PyAny>,
+        corners: Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyAny>> {
         if self.offsets.is_none() {
             return Ok(corners);
         }
@@ -276,7 +289,11 @@ fn borrowed<'py, T: Element>(array: Bound<'py, PyAny>, name: &str) -> PyResult<P
 }
 
 /// The numbers of an array as unsigned 32-bit ones.
-fn indices<'py>(array: &Bound<'py, PyUntypedArray>, name: &str, is_triangles: bool) -> PyResult<Indices<'py>> {
+fn indices<'py>(
+    array: &Bound<'py, PyUntypedArray>,
+    name: &str,
+    is_triangles: bool,
+) -> PyResult<Indices<'py>> {
     let py = array.py();
     let kind = array.dtype().kind();
     if !matches!(kind, b'i' | b'u') {
@@ -287,7 +304,8 @@ fn indices<'py>(array: &Bound<'py, PyUntypedArray>, name: &str, is_triangles: bo
     if kind == b'u' && array.dtype().itemsize() == 4 {
         let flat = flat(dtype::<u32>(py))?.cast_into::<PyArray1<u32>>()?;
         let readonly = flat.try_readonly();
-        let readonly = readonly.map_err(|_| wrong(format!("another thread writes to {name}; wait until it ends")));
+        let readonly =
+            readonly.map_err(|_| wrong(format!("another thread writes to {name}; wait until it ends")));
         return Ok(Indices::Borrowed(readonly?));
     }
     let converted = match array.dtype().itemsize() {
@@ -309,7 +327,10 @@ fn converted<T: Element + Copy + Into<i64> + Send + Sync>(
     let readonly = array.try_readonly().map_err(|error| wrong(error.to_string()))?;
     let numbers = readonly.as_slice()?;
     let indices: Vec<u32> = numbers.iter().map(|&number| number.into() as u32).collect();
-    let is_same = numbers.iter().zip(&indices).fold(true, |all, (&number, &index)| all & (number.into() == i64::from(index)));
+    let is_same = numbers
+        .iter()
+        .zip(&indices)
+        .fold(true, |all, (&number, &index)| all & (number.into() == i64::from(index)));
     if is_same {
         return Ok(Ok(indices));
     }

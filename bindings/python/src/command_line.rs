@@ -12,8 +12,24 @@ use std::path::Path;
 
 /// Options that name outputs, streams or threads: functions have arguments for these, or return the result.
 const EXCLUDED: [&str; 18] = [
-    "output", "out_dir", "in_place", "to", "dry_run", "recursive", "json", "quiet", "verbose", "threads", "color", "help",
-    "compare", "turntable", "probe", "html", "heatmap", "explain",
+    "output",
+    "out_dir",
+    "in_place",
+    "to",
+    "dry_run",
+    "recursive",
+    "json",
+    "quiet",
+    "verbose",
+    "threads",
+    "color",
+    "help",
+    "compare",
+    "turntable",
+    "probe",
+    "html",
+    "heatmap",
+    "explain",
 ];
 
 /// The line of a verb about a file.
@@ -27,7 +43,9 @@ impl Line {
         for (name, value) in options.into_iter().flatten() {
             let name: String = name.extract()?;
             if EXCLUDED.contains(&name.as_str()) {
-                return Err(usage(&format!("unexpected option {name}{HELP}use the program for it: python -m crease_normals {verb}")));
+                return Err(usage(&format!(
+                    "unexpected option {name}{HELP}use the program for it: python -m crease_normals {verb}"
+                )));
             }
             push(&mut line, &name, &value)?;
         }

@@ -22,7 +22,8 @@ pub fn fault_array<'py>(py: Python<'py>, faults: &Faults) -> PyResult<Bound<'py,
     let lists = [&faults.faces, &faults.corners, &faults.vertices];
     let all = || lists.into_iter().flatten();
     let code = |fault: &Fault| REASONS.iter().position(|&reason| reason == fault.reason).unwrap_or_default();
-    let elements = (0_usize..).zip(lists).flat_map(|(element, list)| std::iter::repeat_n(element, list.len()));
+    let elements =
+        (0_usize..).zip(lists).flat_map(|(element, list)| std::iter::repeat_n(element, list.len()));
     let elements = PyArray1::from_iter(py, elements);
     let reasons = PyArray1::from_iter(py, all().map(code));
     let named = |names: Vec<&str>, codes| numpy.call_method1("array", (names,))?.get_item(codes);

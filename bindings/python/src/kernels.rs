@@ -256,7 +256,11 @@ struct Smoothing {
     threads: Option<usize>,
 }
 
-fn with_faults<'py>(normals: Bound<'py, PyAny>, faults: &Faults, wanted: bool) -> PyResult<Bound<'py, PyAny>> {
+fn with_faults<'py>(
+    normals: Bound<'py, PyAny>,
+    faults: &Faults,
+    wanted: bool,
+) -> PyResult<Bound<'py, PyAny>> {
     if !wanted {
         return Ok(normals);
     }
@@ -346,8 +350,7 @@ fn of_faces<'py, T: Number + Into<f64>>(
     let faults = match faces.as_triangles() {
         Some(triangles) => without_lock(py, threads, || {
             check_finite(points)?;
-            normals::face_normals(points, triangles, &mut Scratch::new(), normals)
-                .map_err(Refusal::from)
+            normals::face_normals(points, triangles, &mut Scratch::new(), normals).map_err(Refusal::from)
         })?
         .map_err(|refusal| refusal.exception(faces, points.len()))?,
         None => {

@@ -58,7 +58,8 @@ pub fn read(
 ) -> PyResult<Mesh> {
     let format = format.map(format_of).transpose()?;
     let non_finite = if force { NonFinite::DropFaces } else { NonFinite::Refuse };
-    let options = ReadOptions { root, non_finite, allowed_extensions: allow_extension, ..ReadOptions::default() };
+    let options =
+        ReadOptions { root, non_finite, allowed_extensions: allow_extension, ..ReadOptions::default() };
     let file = path.clone();
     let loaded = interruptible(py, threads, move |_| io::read(&file, format, &options))?;
     let loaded = loaded.map_err(|error| read_error(py, &path, &error))?;
@@ -205,13 +206,19 @@ impl Mesh {
         threads: Option<usize>,
     ) -> PyResult<Vec<String>> {
         let to = format.map(format_of).transpose()?;
+        if path.is_dir() {
+            return Err(wrong(format!("{} is a folder; name a file in it", path.display())));
+        }
         let (target, named) = file_target(&path, to).map_err(|message| usage(&message))?;
         let (loaded, computed) = self.state();
         let format = named.unwrap_or(loaded.format);
         if computed.as_ref().is_some_and(|computed| computed.has_moved) && format.edits(loaded.format) {
-            return Err(usage("merge with a fraction moves vertices, but an edited file keeps its positions\nhelp: write another format"));
+            return Err(usage(
+                "merge with a fraction moves vertices, but an edited file keeps its positions\nhelp: write another format",
+            ));
         }
-        let result = interruptible(py, threads, move |_| store(&loaded, computed.as_deref(), format, &target, sync))?;
+        let result =
+            interruptible(py, threads, move |_| store(&loaded, computed.as_deref(), format, &target, sync))?;
         result.map_err(|error| failure(py, &self.path, error))
     }
 
@@ -226,7 +233,9 @@ impl Mesh {
 
 /// The task, the options of the writer and how far vertices move, from a command line.
 fn requested(line: &Line) -> Result<(Task, WriteOptions, Option<f64>), Failure> {
-    let Verb::Normals(args) = line.parse().map_err(Failure::usage)? else { unreachable!("the verb is normals") };
+    let Verb::Normals(args) = line.parse().map_err(Failure::usage)? else {
+        unreachable!("the verb is normals")
+    };
     let Request { task, write, merge_distance, .. } = Request::resolve(&args)?;
     Ok((task, write, merge_distance))
 }
@@ -247,7 +256,8 @@ fn store(
         None => vec![PartEdit::default(); loaded.parts.len()],
     };
     let options = computed.map(|computed| computed.write.clone()).unwrap_or_default();
-    let options = WriteOptions { stem: target.path().and_then(stem), folder: target.path().map(folder_of), ..options };
+    let options =
+        WriteOptions { stem: target.path().and_then(stem), folder: target.path().map(folder_of), ..options };
     let written = io::write(loaded, edits, format, &options).map_err(Failure::output)?;
     let mut notes = written.notes.clone();
     notes.extend(Store::new(sync, false).store(written, target)?);
@@ -281,7 +291,9 @@ impl Part {
     fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         match self.part().mesh.positions() {
             PositionsRef::F32(points) => from_rows(py, points.to_vec()),
-            PositionsRef::F64(points) => from_rows(py, points.iter().map(DVec3::to_array).collect::<Vec<_>>()),
+            PositionsRef::F64(points) => {
+                from_rows(py, points.iter().map(DVec3::to_array).collect::<Vec<_>>())
+            }
         }
     }
 
@@ -304,7 +316,8 @@ impl Part {
     #[getter]
     fn normals<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
         let mesh = &self.part().mesh;
-        let computed = self.computed.as_ref().and_then(|computed| computed.edits[self.number].normals.as_ref());
+        let computed =
+            self.computed.as_ref().and_then(|computed| computed.edits[self.number].normals.as_ref());
         let Some(column) = computed.or(mesh.columns().normals.as_ref()) else { return Ok(None) };
         let index = corner_index(column, mesh.faces().corners());
         let unit = |normal: &DVec3| UnitVec3::new(*normal).map_or(*normal, UnitVec3::get).to_array();

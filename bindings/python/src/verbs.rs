@@ -41,7 +41,9 @@ pub fn inspect(
 }
 
 fn diagnosis(path: &Path, line: &Line, stop: &Stop) -> Result<String, Failure> {
-    let Verb::Inspect(args) = line.parse().map_err(Failure::usage)? else { unreachable!("the verb is inspect") };
+    let Verb::Inspect(args) = line.parse().map_err(Failure::usage)? else {
+        unreachable!("the verb is inspect")
+    };
     let read = ReadOptions {
         root: args.root.clone(),
         allowed_extensions: args.allow_extension.clone(),
@@ -74,8 +76,8 @@ fn diagnosis(path: &Path, line: &Line, stop: &Stop) -> Result<String, Failure> {
 /// threads : int, optional
 /// **options
 ///     The options of `crease render`, with underscores. A tuple is a vector or a colour, a list repeats an option, a dictionary has
-///     fields: camera={"eye": (3, 2, 4), "target": (0, 0, 0)}, light=["directional direction=-1,-1,-1"], samples=4, weight="area",
-///     crease=30, background="#ffffff", overlay="edges", bits=16. `python -m crease_normals render --help` describes them.
+///     fields: camera={"eye": (3, 2, 4), "target": (0, 0, 0)}, light=["directional towards=1,1,1"], samples=4, weight="area",
+///     crease=30, background="#ffffff", overlay=("wire", "creases"), bits=16. `python -m crease_normals render --help` describes them.
 ///
 /// Returns
 /// -------
@@ -103,13 +105,19 @@ pub fn render<'py>(
     let [width, height] = image.size.map(|side| side as usize);
     let shape = [height, width, 3];
     match image.pixels {
-        Pixels::Eight(pixels) => Ok(PyArray1::from_vec(py, pixels.into_flattened()).reshape(shape)?.into_any()),
-        Pixels::Sixteen(pixels) => Ok(PyArray1::from_vec(py, pixels.into_flattened()).reshape(shape)?.into_any()),
+        Pixels::Eight(pixels) => {
+            Ok(PyArray1::from_vec(py, pixels.into_flattened()).reshape(shape)?.into_any())
+        }
+        Pixels::Sixteen(pixels) => {
+            Ok(PyArray1::from_vec(py, pixels.into_flattened()).reshape(shape)?.into_any())
+        }
     }
 }
 
 fn picture(path: &Path, line: &Line) -> Result<Image, Failure> {
-    let Verb::Render(args) = line.parse().map_err(Failure::usage)? else { unreachable!("the verb is render") };
+    let Verb::Render(args) = line.parse().map_err(Failure::usage)? else {
+        unreachable!("the verb is render")
+    };
     let request = request::Request::resolve(&args).map_err(Failure::usage)?;
     let mut file = load(path, request.format, &request.load)?;
     if !request.has_places() {
@@ -139,7 +147,9 @@ pub fn plan(
 fn planned(path: &Path, line: &Line, stop: &Stop) -> Result<(String, String), Failure> {
     let Verb::Plan(args) = line.parse().map_err(Failure::usage)? else { unreachable!("the verb is plan") };
     if args.apply.is_some() || args.picture.is_some() {
-        return Err(Failure::usage("apply and picture write files\nhelp: use the program for it: python -m crease_normals plan"));
+        return Err(Failure::usage(
+            "apply and picture write files\nhelp: use the program for it: python -m crease_normals plan",
+        ));
     }
     let options = args.options().map_err(Failure::usage)?;
     let loading = LoadOptions::default();
