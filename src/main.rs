@@ -10,5 +10,5 @@ use std::process::ExitCode;
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 fn main() -> ExitCode {
-    cli::program::main()
+    ExitCode::from(cli::program::run(std::env::args_os().collect()) as u8)
 }

@@ -1,27 +1,27 @@
 //! The command-line program: one folder for each verb, and what they share.
 
 /// The command line: verbs and options.
-mod args;
+pub mod args;
 /// Run the experiments on shading artefacts.
 mod artefact;
 /// Shared by the verbs.
-mod common;
+pub mod common;
 /// Completion scripts and manual pages.
 mod docs;
 /// The help of the command line.
 mod help;
 /// Find what is wrong with normals.
-mod inspect;
+pub mod inspect;
 /// Summarise journals of batches.
 mod journal;
 /// Compute normals and write them.
-mod normals;
+pub mod normals;
 /// Find the cheapest model that a scene requires.
-mod plan;
+pub mod plan;
 /// From the command line to an exit code.
 pub mod program;
 /// Draw a mesh or a scene.
-mod render;
+pub mod render;
 /// Run the numerical extremes.
 mod stress;
 /// Write an analytic surface as a mesh.
@@ -29,4 +29,4 @@ mod surface;
 /// Measure accuracy against speed.
 mod trade;
 /// The message of wrong usage.
-mod usage;
+pub mod usage;

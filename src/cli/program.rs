@@ -1,6 +1,7 @@
 //! From the command line to an exit code.
 
 use super::args::{Cli, Verb};
+use super::common::command_line;
 use super::common::failure::Exit;
 use super::common::output::forgive_broken_pipe;
 use super::{artefact, docs, help, inspect, journal, normals, plan, render, stress, surface, trade, usage};
@@ -8,10 +9,10 @@ use clap::error::ErrorKind;
 use clap::{Command, Parser};
 use std::ffi::OsString;
 use std::io::Write as _;
-use std::process::ExitCode;
 
-pub fn main() -> ExitCode {
-    let line: Vec<_> = std::env::args_os().collect();
+/// Runs a command line, whose first word is the name of the program. Wrong usage ends the process.
+pub fn run(line: Vec<OsString>) -> Exit {
+    command_line::remember(&line);
     let cli = match Cli::try_parse_from(&line) {
         Ok(cli) => cli,
         Err(error) => {
@@ -20,7 +21,7 @@ pub fn main() -> ExitCode {
             return reported(&error.format(&mut command), &command, &line);
         }
     };
-    let exit = match cli.verb {
+    match cli.verb {
         Verb::Artefact(ref args) => artefact::run::main(args, cli.color),
         Verb::Normals(ref args) => normals::run::main(args, cli.color),
         Verb::Inspect(ref args) => inspect::run::main(args, cli.color),
@@ -32,21 +33,22 @@ pub fn main() -> ExitCode {
         Verb::Trade(ref args) => trade::run::main(args, cli.color),
         Verb::Completions { shell } => docs::completions(shell),
         Verb::Man { ref verb } => docs::manual(verb.as_deref()),
-    };
-    ExitCode::from(exit as u8)
+    }
 }
 
 /// Prints wrong usage, or the help or version that was asked for; the latter can fail as any output can.
-fn reported(error: &clap::Error, command: &Command, line: &[OsString]) -> ExitCode {
+fn reported(error: &clap::Error, command: &Command, line: &[OsString]) -> Exit {
     if error.use_stderr() && error.kind() != ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         let mut words = line.iter().skip(1).filter_map(|word| word.to_str());
         let verb = words.find(|word| command.find_subcommand(word).is_some());
         usage::explain(verb.unwrap_or_default(), error);
-        return ExitCode::from(Exit::Usage as u8);
+        return Exit::Usage;
     }
     let printed = forgive_broken_pipe(error.print().and_then(|()| std::io::stdout().flush()));
     match printed {
-        Err(_) if !error.use_stderr() => ExitCode::from(Exit::OutputFailed as u8),
-        _ => ExitCode::from(error.exit_code() as u8),
+        Err(_) if !error.use_stderr() => Exit::OutputFailed,
+        // A line without a verb prints the help to standard error.
+        _ if error.use_stderr() => Exit::Usage,
+        _ => Exit::Done,
     }
 }

@@ -24,8 +24,13 @@ pub fn refused(verb: &str, failure: &Failure, console: &Console) -> Exit {
 
 /// Prints why clap refuses a command line. The verb is empty if the line has none.
 pub fn explain(verb: &str, error: &Error) {
+    print(verb, &explanation(verb, error));
+}
+
+/// Why clap refuses a command line and, after [`HELP`], the next step if there is one.
+pub fn explanation(verb: &str, error: &Error) -> String {
     let (found, help) = refusal(error, verb);
-    print(verb, &if help.is_empty() { found } else { format!("{found}{HELP}{help}") });
+    if help.is_empty() { found } else { format!("{found}{HELP}{help}") }
 }
 
 /// Prints a message; without a next step of its own, that is the help of the verb.

@@ -93,6 +93,7 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     ("spade", &["mesh", "surface"]),
     ("strsim", &["cli"]),
     ("tempfile", &["cli"]),
+    ("xxhash_rust", &["cli"]),
     (
         "thiserror",
         &[

@@ -4,6 +4,8 @@
 pub mod batch;
 /// Option values out of a fixed list.
 pub mod choice;
+/// The words that the program was called with.
+pub mod command_line;
 /// Streams, colours and verbosity.
 pub mod console;
 /// Why a run failed, and the exit code for that.

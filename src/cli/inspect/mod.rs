@@ -3,7 +3,7 @@
 /// Options.
 pub mod args;
 /// The report as JSON.
-mod json;
+pub mod json;
 /// Reading, diagnosing and drawing.
 pub mod run;
 /// From symptoms to findings.

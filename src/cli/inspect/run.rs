@@ -196,7 +196,7 @@ fn draw(
 }
 
 /// Keeps the findings that were asked for and returns the counts of the others.
-fn keep_wanted(diagnosis: &mut Diagnosis, args: &FindingArgs) -> Counts {
+pub fn keep_wanted(diagnosis: &mut Diagnosis, args: &FindingArgs) -> Counts {
     let all = Counts::of(diagnosis);
     diagnosis.findings.retain(|finding| args.takes(finding));
     all.without(Counts::of(diagnosis))

@@ -3,6 +3,7 @@
 use super::apply::{self, Source};
 use super::args::{PlanArgs, Reference};
 use super::report::{DrawSeconds, EXPLANATION, Report, text};
+use crate::cli::common::command_line;
 use crate::cli::common::console::{Console, escaped};
 use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
 use crate::cli::common::options::Color;
@@ -128,7 +129,7 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
 /// The command line, as a shell takes it.
 fn command() -> String {
     let mut line = "crease".to_owned();
-    for word in std::env::args_os().skip(1) {
+    for word in command_line::words() {
         let word = word.to_string_lossy();
         line.push(' ');
         line += &if word.starts_with('-') { word } else { shell_word(&word).into_owned().into() };

@@ -3,15 +3,15 @@
 /// Options.
 pub mod args;
 /// A scene changed by options.
-mod changes;
+pub mod changes;
 /// Pictures, panels and animations.
-mod draw;
+pub mod draw;
 /// Values of `--camera`, `--light` and `--material`.
 mod fields;
 /// The report as JSON and as text.
 mod report;
 /// Options made into what is drawn.
-mod request;
+pub mod request;
 /// Loading, drawing and storing.
 pub mod run;
 /// Values of options.
