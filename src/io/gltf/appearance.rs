@@ -6,7 +6,7 @@ use super::json::{Json, Value};
 use super::nodes::{NodeTree, Placed};
 use crate::io::appearance::as_written;
 use crate::io::{
-    Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileProjection, FileReflection, Note,
+    Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileOptics, FileProjection, FileReflection, Note,
     Place, Problem, ReadError,
 };
 use glam::DMat4;
@@ -83,9 +83,51 @@ fn material(fields: &Fields<'_>, number: usize, name: &str) -> Result<FileMateri
         name: name.to_owned(),
         reflection: FileReflection::MetallicRoughness { base_colour, metallic, roughness, unlit },
         opacity: Some(opacity),
+        optics: optics(fields, base_colour, metallic, &place)?,
         textures: textures.into_iter().filter(|&is_there| is_there).count(),
     })
 }
+
+/// Transmission with the index and the absorption of the volume. Without a thickness a surface is a thin wall: light passes
+/// straight on.
+fn optics(
+    fields: &Fields<'_>,
+    base_colour: [f64; 3],
+    metallic: f64,
+    place: &impl Fn() -> Place,
+) -> Result<FileOptics, ReadError> {
+    let json = fields.json;
+    let number = |extension: Option<Value>, name: &str, default: f64| {
+        let value = extension.and_then(|object| json.member(object, name));
+        value.map_or(Ok(default), |value| typed::<f32>(json, value, place()).map(as_written))
+    };
+    let transmission = fields.extension("KHR_materials_transmission");
+    let volume = fields.extension("KHR_materials_volume");
+    let factor = number(transmission, "transmissionFactor", 0.0)?;
+    let ior = number(fields.extension("KHR_materials_ior"), "ior", 1.5)?;
+    let thickness = number(volume, "thicknessFactor", 0.0)?;
+    let distance = number(volume, "attenuationDistance", f64::INFINITY)?;
+    let colour = volume.and_then(|object| json.member(object, "attenuationColor"));
+    let colour = colour.map_or(Ok([1.0_f32; 3]), |value| typed::<[f32; 3]>(json, value, place()))?.map(as_written);
+    if !(0.0..=1.0).contains(&factor) {
+        return Err(out_of_range(place(), format!("the transmission factor {factor} is not between 0 and 1")));
+    }
+    if thickness < 0.0 || distance <= 0.0 || !colour.iter().all(|share| (0.0..=1.0).contains(share)) {
+        let found = "the volume has a negative thickness, a distance of 0 or less, or a colour out of 0 to 1";
+        return Err(out_of_range(place(), found));
+    }
+    let lost = factor * (1.0 - metallic);
+    // 0 asks for a surface without Fresnel's share, which the index 1 has.
+    let ior = if thickness > 0.0 && ior != 0.0 { ior } else { 1.0 };
+    let absorb = match thickness > 0.0 && distance.is_finite() {
+        true => colour.map(|share| -libm::log(share.max(LEAST_SHARE)) / distance),
+        false => [0.0; 3],
+    };
+    Ok(FileOptics { transmit: base_colour.map(|c| c * lost), lost, ior, absorb, ..FileOptics::default() })
+}
+
+/// The smallest share of light that a volume leaves: 0 has no logarithm.
+const LEAST_SHARE: f64 = 1e-6;
 
 fn light(node: &Placed<'_>, extension: Value, lights: &[Value]) -> Result<FileLight, ReadError> {
     let json = node.fields.json;
@@ -384,7 +426,7 @@ mod tests {
 
     fn members_of(diffuse: Option<[f64; 3]>, exponent: Option<f64>, opacity: Option<f64>) -> String {
         let reflection = FileReflection::Phong { ambient: None, diffuse, specular: None, exponent };
-        material_members(&FileMaterial { name: "x".into(), reflection, opacity, textures: 1 })
+        material_members(&FileMaterial { name: "x".into(), reflection, opacity, optics: FileOptics::default(), textures: 1 })
     }
 
     #[test]
@@ -406,7 +448,7 @@ mod tests {
             roughness: 0.5,
             unlit: false,
         };
-        let gold = FileMaterial { name: "gold".into(), reflection, opacity: None, textures: 0 };
+        let gold = FileMaterial { name: "gold".into(), reflection, opacity: None, optics: FileOptics::default(), textures: 0 };
         assert_eq!(
             material_members(&gold),
             ",\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.1,0.2,0.3,1],\"metallicFactor\":1,\"roughnessFactor\":0.5}"
