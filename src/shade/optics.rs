@@ -81,7 +81,9 @@ impl Optics {
         place.colour("absorb", self.absorb)?;
         match self.ior >= 1.0 && self.ior.is_finite() {
             true => Ok(()),
-            false => Err(place.error("ior", self.ior.to_string(), "a refractive index, 1 or more and finite")),
+            false => {
+                Err(place.error("ior", self.ior.to_string(), "a refractive index, 1 or more and finite"))
+            }
         }
     }
 }

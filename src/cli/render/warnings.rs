@@ -104,8 +104,9 @@ fn without_effect(args: &RenderArgs, file: &SceneFile, panels: &[RenderSettings]
     let has = |wanted: &[Shading]| panels.iter().any(|panel| wanted.contains(&panel.shading));
     let is_shaded = file.settings.show == Show::Shaded;
     let probes = args.output.probe.is_some();
-    let interpolates =
-        has(&[Shading::Gouraud, Shading::Phong, Shading::Traced]) || !is_shaded && has(&[Shading::Wireframe]) || probes;
+    let interpolates = has(&[Shading::Gouraud, Shading::Phong, Shading::Traced])
+        || !is_shaded && has(&[Shading::Wireframe])
+        || probes;
     let mut texts = Vec::new();
     let mut warn = |options: &[(&str, bool)], why: &str| {
         let typed: Vec<&str> = options.iter().filter(|option| option.1).map(|option| option.0).collect();

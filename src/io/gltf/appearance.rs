@@ -6,8 +6,8 @@ use super::json::{Json, Value};
 use super::nodes::{NodeTree, Placed};
 use crate::io::appearance::as_written;
 use crate::io::{
-    Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileOptics, FileProjection, FileReflection, Note,
-    Place, Problem, ReadError,
+    Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileOptics, FileProjection,
+    FileReflection, Note, Place, Problem, ReadError,
 };
 use glam::DMat4;
 use gltf::json::extensions::scene::khr_lights_punctual::{Light, Type as LightType};
@@ -108,9 +108,13 @@ fn optics(
     let thickness = number(volume, "thicknessFactor", 0.0)?;
     let distance = number(volume, "attenuationDistance", f64::INFINITY)?;
     let colour = volume.and_then(|object| json.member(object, "attenuationColor"));
-    let colour = colour.map_or(Ok([1.0_f32; 3]), |value| typed::<[f32; 3]>(json, value, place()))?.map(as_written);
+    let colour =
+        colour.map_or(Ok([1.0_f32; 3]), |value| typed::<[f32; 3]>(json, value, place()))?.map(as_written);
     if !(0.0..=1.0).contains(&factor) {
-        return Err(out_of_range(place(), format!("the transmission factor {factor} is not between 0 and 1")));
+        return Err(out_of_range(
+            place(),
+            format!("the transmission factor {factor} is not between 0 and 1"),
+        ));
     }
     if thickness < 0.0 || distance <= 0.0 || !colour.iter().all(|share| (0.0..=1.0).contains(share)) {
         let found = "the volume has a negative thickness, a distance of 0 or less, or a colour out of 0 to 1";
@@ -426,7 +430,13 @@ mod tests {
 
     fn members_of(diffuse: Option<[f64; 3]>, exponent: Option<f64>, opacity: Option<f64>) -> String {
         let reflection = FileReflection::Phong { ambient: None, diffuse, specular: None, exponent };
-        material_members(&FileMaterial { name: "x".into(), reflection, opacity, optics: FileOptics::default(), textures: 1 })
+        material_members(&FileMaterial {
+            name: "x".into(),
+            reflection,
+            opacity,
+            optics: FileOptics::default(),
+            textures: 1,
+        })
     }
 
     #[test]
@@ -448,7 +458,13 @@ mod tests {
             roughness: 0.5,
             unlit: false,
         };
-        let gold = FileMaterial { name: "gold".into(), reflection, opacity: None, optics: FileOptics::default(), textures: 0 };
+        let gold = FileMaterial {
+            name: "gold".into(),
+            reflection,
+            opacity: None,
+            optics: FileOptics::default(),
+            textures: 0,
+        };
         assert_eq!(
             material_members(&gold),
             ",\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.1,0.2,0.3,1],\"metallicFactor\":1,\"roughnessFactor\":0.5}"

@@ -4,7 +4,9 @@ use super::cursor::name_text;
 use crate::io::appearance::as_written;
 use crate::io::companion_files::{self, Refusal, output_name};
 use crate::io::text::shown;
-use crate::io::{FileMaterial, FileOptics, FileReflection, Note, OutputContent, OutputFile, Place, ReadOptions};
+use crate::io::{
+    FileMaterial, FileOptics, FileReflection, Note, OutputContent, OutputFile, Place, ReadOptions,
+};
 use rustc_hash::FxHashSet;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -274,7 +276,8 @@ fn optics(material: &tobj::Material, opacity: Option<f64>) -> FileOptics {
         return FileOptics::default();
     }
     let specular = material.specular.unwrap_or([0.0; 3]).map(as_written);
-    let filter = material.unknown_param.get("Tf").map(|value| numbers(value).map(as_written).collect::<Vec<_>>());
+    let filter =
+        material.unknown_param.get("Tf").map(|value| numbers(value).map(as_written).collect::<Vec<_>>());
     let filter = match filter.as_deref() {
         Some(&[r, g, b, ..]) => [r, g, b],
         _ => [1.0; 3],

@@ -7,10 +7,10 @@ use crate::raster::error::{RenderError, Result};
 use crate::raster::scene::{Object, Paint, Scene, Shape};
 use crate::raster::settings::{LARGEST_SIDE, RenderSettings, Shading, Show};
 use crate::raster::shading::surface_colour::{ObjectColour, Shaders};
-use crate::raster::view::project::NOT_FINITE;
-use crate::raster::view::screen_transform::{Rays, View};
 use crate::raster::traced::lamp::Lamp;
 use crate::raster::traced::world::{TracedScene, World};
+use crate::raster::view::project::NOT_FINITE;
+use crate::raster::view::screen_transform::{Rays, View};
 use crate::shade::{Frame, Guards, Optics, ShadeSettings, Terminator, Viewer};
 use crate::surface::Placed;
 use glam::{DMat3, DVec3, Vec3};
@@ -204,7 +204,15 @@ impl<'a> Prepared<'a> {
                 "an analytic surface has no vertex colours; use a material, or a mesh with another shading";
             return Err(RenderError::Lacks { object: number, lack });
         }
-        Ok(Self { settings: *settings, shape: &object.shape, normals, colour, truth, optics: object.optics, is_cast })
+        Ok(Self {
+            settings: *settings,
+            shape: &object.shape,
+            normals,
+            colour,
+            truth,
+            optics: object.optics,
+            is_cast,
+        })
     }
 
     /// The normal at a corner, in the scene's axes.

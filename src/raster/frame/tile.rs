@@ -12,10 +12,10 @@ use crate::raster::lines::{LineJob, LineSet, Segment};
 use crate::raster::picture::with_sample;
 use crate::raster::settings::{Shading, Show};
 use crate::raster::shading::interpolate::VisibleSample;
-use crate::raster::traced::camera_rays::{TileTracer, first_hit};
-use crate::raster::traced::world::TracedScene;
 use crate::raster::shading::ray_cast::{Hits, cast};
 use crate::raster::shading::shade_samples::{Painter, Tile};
+use crate::raster::traced::camera_rays::{TileTracer, first_hit};
+use crate::raster::traced::world::TracedScene;
 use crate::raster::view::fixed_point::ONE;
 
 /// Works on one tile after the other and keeps its memory in between.
@@ -100,7 +100,11 @@ impl Worker {
     ) -> Result<Option<Finished<'_>>> {
         let number = tile[1] * tiles(job.view.size)[0] + tile[0];
         let is_traced = job.traced.is_some();
-        if !is_traced && bins.is_empty(number) && lines.is_empty(number) && job.cast_objects().next().is_none() {
+        if !is_traced
+            && bins.is_empty(number)
+            && lines.is_empty(number)
+            && job.cast_objects().next().is_none()
+        {
             return Ok(None);
         }
         let count = job.settings.samples.count();

@@ -1,8 +1,8 @@
 //! Materials, cameras and lights of mesh files as those of this crate.
 
 use crate::io::{
-    Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileOptics, FileProjection, FileReflection, Note,
-    Place, Problem, ReadError, Severity,
+    Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileOptics, FileProjection,
+    FileReflection, Note, Place, Problem, ReadError, Severity,
 };
 use crate::num::{LinearRgb, Radians};
 use crate::raster::load::scene_file::plain_material;

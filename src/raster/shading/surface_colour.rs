@@ -91,8 +91,8 @@ impl Shaders {
         let mut single = |light: usize| visible(light).map(|share| share as f32);
         self.single.shade_ray(&point, face, seen_from, &mut single).or_else(|rounded| {
             let point = SurfacePoint { position: position.to_array(), normal: wide(normal) };
-            let seen_from = seen_from
-                .map(|from| SeenFrom { view: wide(from.view), distance: f64::from(from.distance) });
+            let seen_from =
+                seen_from.map(|from| SeenFrom { view: wide(from.view), distance: f64::from(from.distance) });
             narrow(self.double.shade_ray(&point, face.map(wide), seen_from, visible)?).ok_or(rounded)
         })
     }

@@ -228,10 +228,7 @@ fn partition(list: &mut [BoxedTriangle], left: impl Fn(&BoxedTriangle) -> bool) 
 
 impl Tree {
     /// A tree of triangles; `corners` returns those of a number.
-    pub(super) fn new(
-        triangles: &mut [BoxedTriangle],
-        corners: &(impl Fn(u32) -> [Vec3; 3] + Sync),
-    ) -> Self {
+    pub(super) fn new(triangles: &mut [BoxedTriangle], corners: &(impl Fn(u32) -> [Vec3; 3] + Sync)) -> Self {
         let mut tree = Self::default();
         if !triangles.is_empty() {
             tree.add(Range::new(triangles), 0, corners);
@@ -247,9 +244,8 @@ impl Tree {
         let mut parts = vec![range];
         while parts.len() < WIDTH {
             let open = parts.iter().enumerate().filter(|(_, part)| part.triangles.len() > WIDTH);
-            let largest = open.max_by(|a, b| {
-                a.1.bounds.area().total_cmp(&b.1.bounds.area()).then(b.0.cmp(&a.0))
-            });
+            let largest =
+                open.max_by(|a, b| a.1.bounds.area().total_cmp(&b.1.bounds.area()).then(b.0.cmp(&a.0)));
             let Some((at, _)) = largest else { break };
             let [left, right] = cut(parts.swap_remove(at), depth);
             parts.extend([left, right]);
@@ -280,12 +276,7 @@ impl Tree {
     }
 
     /// Adds a leaf or node of a range; returns its number, with the mark of leaves.
-    fn add_child(
-        &mut self,
-        range: Range,
-        depth: usize,
-        corners: &(impl Fn(u32) -> [Vec3; 3] + Sync),
-    ) -> u32 {
+    fn add_child(&mut self, range: Range, depth: usize, corners: &(impl Fn(u32) -> [Vec3; 3] + Sync)) -> u32 {
         if range.triangles.len() > WIDTH {
             let number = self.nodes.len() as u32;
             self.add(range, depth + 1, corners);

@@ -34,19 +34,11 @@ const BATCH: usize = 256;
 fn camera_ray(job: &Job, at: [f64; 2]) -> FrameRay {
     let (start, direction) = job.view.ray(at);
     let origin = (job.view.eye - job.view.origin) + (start + direction * job.view.near);
-    FrameRay {
-        origin: origin / job.frame.unit,
-        direction: direction.normalize(),
-        reach: f64::INFINITY,
-    }
+    FrameRay { origin: origin / job.frame.unit, direction: direction.normalize(), reach: f64::INFINITY }
 }
 
 /// What the camera sees at a place on the picture, and the distance along its axis.
-pub(crate) fn first_hit(
-    job: &Job,
-    scene: &TracedScene,
-    at: [f64; 2],
-) -> Option<(FrameRay, SurfaceHit, f64)> {
+pub(crate) fn first_hit(job: &Job, scene: &TracedScene, at: [f64; 2]) -> Option<(FrameRay, SurfaceHit, f64)> {
     let ray = camera_ray(job, at);
     let cull = job.settings.cull;
     let triangles = |hit: &TriangleHit| is_kept(job, cull, &ray, hit);

@@ -36,7 +36,9 @@ pub(crate) struct SurfaceHit {
 impl SurfaceHit {
     pub(crate) fn new(job: &Job, direction: DVec3, distance: f64, met: &Met) -> Self {
         match met {
-            Met::Triangle(hit) => Self::on_triangle(job, direction, distance, hit.id, hit.weights, hit.corners),
+            Met::Triangle(hit) => {
+                Self::on_triangle(job, direction, distance, hit.id, hit.weights, hit.corners)
+            }
             &Met::Solid { object, ref hit } => {
                 let normal = hit.normal.get();
                 let turned = job.objects[object].settings.two_sided && !hit.front;

@@ -22,7 +22,9 @@ impl Tracer<'_> {
         let start = at.off(at.shadow_position, at.facing);
         match lamp {
             Lamp::Everywhere => LinearRgb::WHITE,
-            Lamp::Far(direction) => self.through(&FrameRay { origin: start, direction, reach: f64::INFINITY }),
+            Lamp::Far(direction) => {
+                self.through(&FrameRay { origin: start, direction, reach: f64::INFINITY })
+            }
             Lamp::Point(position) => self.towards(start, position),
             Lamp::Area { centre, across, normal, is_disc } => {
                 let surface_normal = at.normal.as_dvec3().normalize_or_zero();
@@ -62,12 +64,9 @@ impl Tracer<'_> {
         let is_triangle_opaque = |id: u32| !transmits(job.drawn[job.owner(id)].object);
         self.rays += 1;
         let clear = self.scene.transmits;
-        if world.is_blocked(
-            ray,
-            &mut self.stack,
-            |hit| !clear || is_triangle_opaque(hit.id),
-            &|object, _| !clear || !transmits(object),
-        ) {
+        if world.is_blocked(ray, &mut self.stack, |hit| !clear || is_triangle_opaque(hit.id), &|object, _| {
+            !clear || !transmits(object)
+        }) {
             return LinearRgb::BLACK;
         }
         if !clear {
@@ -76,12 +75,10 @@ impl Tracer<'_> {
         let mut share = LinearRgb::WHITE;
         let mut rest = *ray;
         for _ in 0..MOST_SURFACES {
-            let met = world.nearest(
-                &rest,
-                &mut self.stack,
-                |hit| !is_triangle_opaque(hit.id),
-                &|object, _| transmits(object),
-            );
+            let met =
+                world.nearest(&rest, &mut self.stack, |hit| !is_triangle_opaque(hit.id), &|object, _| {
+                    transmits(object)
+                });
             let Some((distance, met)) = met else { return share };
             let object = match &met {
                 Met::Triangle(hit) => job.drawn[job.owner(hit.id)].object,

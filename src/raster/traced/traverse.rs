@@ -261,3 +261,126 @@ fn in_double_precision(ray: &TreeRay, corners: [Vec3; 3], id: u32) -> Option<Tri
     // Also NaN of a triangle seen edge-on.
     (distance > 0.0 && distance.is_finite()).then_some(TriangleHit { distance, id, weights, corners })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::build::BoxedTriangle;
+    use super::*;
+    use crate::num::dispatch;
+    use crate::num::test_numbers::Numbers;
+
+    /// A closed, bumpy ball about the origin: rows of quads between two poles, cut into triangles.
+    fn ball(rows: u32, numbers: &mut Numbers) -> Vec<[Vec3; 3]> {
+        let columns = 2 * rows;
+        let mut points = Vec::new();
+        for row in 0..=rows {
+            for column in 0..columns {
+                let (phi, theta) = (
+                    std::f64::consts::PI * f64::from(row) / f64::from(rows),
+                    std::f64::consts::TAU * f64::from(column) / f64::from(columns),
+                );
+                let ((sin_phi, cos_phi), (sin, cos)) = (libm::sincos(phi), libm::sincos(theta));
+                let is_pole = row == 0 || row == rows;
+                let radius = if is_pole { 1.0 } else { 0.7 + 0.6 * numbers.unit() };
+                let sin_phi = if is_pole { 0.0 } else { sin_phi };
+                points.push((DVec3::new(sin_phi * cos, cos_phi, sin_phi * sin) * radius).as_vec3());
+            }
+        }
+        let at = |row: u32, column: u32| points[(row * columns + column % columns) as usize];
+        let quads = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
+        quads
+            .flat_map(|(row, column)| {
+                let [a, b, c, d] = [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(i, j)| at(row + i, column + j));
+                [[a, b, c], [a, c, d]]
+            })
+            .filter(|[a, b, c]| a != b && b != c && c != a)
+            .collect()
+    }
+
+    fn tree(triangles: &[[Vec3; 3]]) -> Tree {
+        let boxed = |(id, &corners): (usize, &[Vec3; 3])| BoxedTriangle::new(id as u32, corners);
+        let mut boxes: Vec<BoxedTriangle> = triangles.iter().enumerate().map(boxed).collect();
+        Tree::new(&mut boxes, &|id| triangles[id as usize])
+    }
+
+    fn cast(tree: &Tree, ray: TreeRay) -> Option<TriangleHit> {
+        dispatch(Nearest { tree, ray, stack: &mut Stack::new(), any: false, counts: |_: &TriangleHit| true })
+    }
+
+    /// Rays from inside a closed mesh at its vertices and at points of its edges. `CREASE_LONG=1` casts a million.
+    #[test]
+    fn no_ray_leaves_a_closed_mesh() {
+        let is_long = std::env::var_os("CREASE_LONG").is_some_and(|value| value == "1");
+        let count = if is_long { 1_000_000 } else { 20_000 };
+        let mut numbers = Numbers::new(77);
+        let triangles = ball(40, &mut numbers);
+        let tree = tree(&triangles);
+        let mut in_double = 0;
+        for number in 0..count {
+            let [a, b, _] = triangles[(numbers.unit() * triangles.len() as f64) as usize];
+            let along = if number % 2 == 0 { 0.0 } else { numbers.unit() };
+            let target = a.as_dvec3().lerp(b.as_dvec3(), along);
+            // Also exactly from the centre, and along axes.
+            let origin = match number % 5 {
+                0 => DVec3::ZERO,
+                _ => DVec3::from_array(std::array::from_fn(|_| 0.4 * numbers.unit() - 0.2)),
+            };
+            let direction = (target - origin).normalize();
+            let ray = TreeRay::new(origin, direction, f32::INFINITY);
+            let hit = cast(&tree, ray);
+            let hit = hit.unwrap_or_else(|| panic!("ray {number} from {origin} at {target} escapes"));
+            assert!(hit.distance > 0.3 && hit.distance < 2.0, "{hit:?}");
+            in_double += u32::from(hit.weights.contains(&0.0));
+        }
+        assert!(in_double > count / 100, "the rays are too easy: {in_double}");
+    }
+
+    /// The tree finds what a test of every triangle finds, at any number of threads.
+    #[test]
+    fn a_tree_finds_what_all_triangles_have() {
+        let mut numbers = Numbers::new(78);
+        for count in [0, 1, 7, 9, 100, 40_000] {
+            let mut soup: Vec<[Vec3; 3]> = (0..count)
+                .map(|_| {
+                    let mut point = |size: f64| {
+                        DVec3::from_array(std::array::from_fn(|_| size * (numbers.unit() - 0.5))).as_vec3()
+                    };
+                    let centre = point(2.0);
+                    [(); 3].map(|()| centre + point(0.2))
+                })
+                .collect();
+            // Equal ones, of which the first counts, and some without area.
+            if count > 9 {
+                soup[count / 2] = soup[3];
+                soup[5] = [soup[5][0]; 3];
+            }
+            let [one, three] = [1, 3].map(|threads| {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+                pool.install(|| tree(&soup))
+            });
+            for _ in 0..if count > 1000 { 40 } else { 400 } {
+                let mut point = || DVec3::from_array(std::array::from_fn(|_| 4.0 * (numbers.unit() - 0.5)));
+                let (origin, direction) = (point(), point().normalize());
+                let ray = TreeRay::new(origin, direction, f32::INFINITY);
+                let each = soup.iter().enumerate().filter_map(|(id, &corners)| {
+                    let alone = Leaf::new([(id as u32, corners)].into_iter());
+                    let tree = Tree { nodes: vec![everything()], leaves: vec![alone] };
+                    cast(&tree, ray)
+                });
+                let nearest =
+                    each.min_by(|a, b| (a.distance, a.id).partial_cmp(&(b.distance, b.id)).unwrap());
+                assert_eq!(cast(&one, ray), nearest);
+                assert_eq!(cast(&three, ray), nearest);
+            }
+        }
+    }
+
+    /// A node whose first child is a leaf that every ray reaches.
+    fn everything() -> Node {
+        let mut node = Node::EMPTY;
+        for sides in &mut node.sides {
+            (sides[0][0], sides[1][0]) = (-1e30, 1e30);
+        }
+        node
+    }
+}

@@ -109,8 +109,7 @@ impl<'a> Tracer<'a> {
             inmost => inmost,
         };
         let distance = hit.distance * self.job.frame.unit;
-        let left =
-            body.map_or(LinearRgb::WHITE, |object| self.optics(object).transmittance(distance));
+        let left = body.map_or(LinearRgb::WHITE, |object| self.optics(object).transmittance(distance));
         let mut shadows = Vec::new();
         let mut colour = match is_inside {
             true => Vec3::ZERO,
@@ -188,8 +187,7 @@ impl<'a> Tracer<'a> {
         let mut onward = Vec::with_capacity(2);
         let mut share = if hit.front || !optics.transmits() { optics.reflect } else { LinearRgb::BLACK };
         if optics.transmits() {
-            let after =
-                if hit.front { path.media.entered(hit.object) } else { path.media.left(hit.object) };
+            let after = if hit.front { path.media.entered(hit.object) } else { path.media.left(hit.object) };
             let index = |object: Option<usize>| object.map_or(1.0, |object| self.optics(object).ior);
             let before = match path.media.inmost() {
                 None if !hit.front => Some(hit.object),
@@ -251,8 +249,7 @@ impl<'a> Tracer<'a> {
         let Some(found) = found else {
             return Ok(self.follow(&next, None)? * single(onward.share));
         };
-        let mut node =
-            RayNode { kind: onward.kind, share: onward.share.to_array(), ..RayNode::default() };
+        let mut node = RayNode { kind: onward.kind, share: onward.share.to_array(), ..RayNode::default() };
         let colour = self.follow(&next, Some(&mut node))? * single(onward.share);
         found.rays.push(node);
         Ok(colour)

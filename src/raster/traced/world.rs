@@ -44,7 +44,10 @@ struct Solid {
 pub(crate) enum Met {
     Triangle(TriangleHit),
     /// An analytic surface of an object; the position is in the scene.
-    Solid { object: usize, hit: Hit },
+    Solid {
+        object: usize,
+        hit: Hit,
+    },
 }
 
 /// A ray in the frame, with a unit vector as its direction.

@@ -166,12 +166,7 @@ impl SettingsTable {
         Ok(TraceSettings {
             depth: source.checked(&self.ray_depth, default.depth, depth, depths)?,
             weight: source.checked(&self.ray_weight, default.weight, weight, "it must be 0 to 1")?,
-            shadow_samples: source.checked(
-                &self.shadow_samples,
-                default.shadow_samples,
-                samples,
-                counts,
-            )?,
+            shadow_samples: source.checked(&self.shadow_samples, default.shadow_samples, samples, counts)?,
         })
     }
 
