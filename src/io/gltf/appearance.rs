@@ -335,6 +335,35 @@ mod tests {
     }
 
     #[test]
+    fn transmission_has_the_index_and_absorption_of_its_volume() {
+        let text = |extensions: &str| {
+            format!(
+                r#"{{"asset": {{"version": "2.0"}}, "materials": [{{"name": "glass", "pbrMetallicRoughness":
+                {{"baseColorFactor": [1, 0.5, 0, 1], "metallicFactor": 0}}, "extensions": {{{extensions}}}}}],
+                "buffers": [{{"byteLength": 36, "uri":
+                "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}}],
+                "bufferViews": [{{"buffer": 0, "byteLength": 36}}],
+                "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                "min": [0, 0, 0], "max": [1, 1, 0]}}],
+                "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}, "material": 0}}]}}]}}"#
+            )
+        };
+        let transmission = r#""KHR_materials_transmission": {"transmissionFactor": 0.5}"#;
+        let volume = r#""KHR_materials_ior": {"ior": 1.25}, "KHR_materials_volume":
+            {"thicknessFactor": 1, "attenuationDistance": 2, "attenuationColor": [1, 0.5, 0.25]}"#;
+        let optics = |extensions: &str| looks(&text(extensions)).materials[0].optics;
+        let thin = FileOptics { transmit: [0.5, 0.25, 0.0], lost: 0.5, ..FileOptics::default() };
+        assert_eq!(optics(transmission), thin);
+        let body = optics(&format!("{transmission}, {volume}"));
+        assert_eq!(FileOptics { absorb: [0.0; 3], ..body }, FileOptics { ior: 1.25, ..thin });
+        // Half after a distance of 2, a quarter of it in blue.
+        let half = std::f64::consts::LN_2 / 2.0;
+        assert!(body.absorb.into_iter().zip([0.0, half, 2.0 * half]).all(|(a, b)| (a - b).abs() < 1e-7));
+        let wrong = looks(&text(r#""KHR_materials_transmission": {"transmissionFactor": 2}"#));
+        assert!(wrong.materials.is_empty() && wrong.notes[0].to_string().contains("factor 2 is not between"));
+    }
+
+    #[test]
     fn what_the_standard_does_not_allow_is_left_out_and_reported() {
         let found = looks(
             r#"{"asset": {"version": "2.0"},

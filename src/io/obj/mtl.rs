@@ -390,6 +390,21 @@ mod tests {
     }
 
     #[test]
+    fn illumination_models_mirror_and_transmit() {
+        let library = b"newmtl matte\nKs 0.5 0.5 0.5\nNi 1.5\nTf 0 0 0\nillum 2\n\
+            newmtl mirror\nKs 0.5 0.25 1\nillum 3\n\
+            newmtl pane\nKs 0.1 0.1 0.1\nd 0.25\nTf 1 0.5 0\nNi 1.5\nillum 4\n\
+            newmtl glass\nKs 0.25 0.25 0.25\nTf 1 0.5 0\nNi 1.5\nillum 7\nnewmtl clear\nillum 6\n";
+        let found: Vec<FileOptics> = materials(library).iter().map(|it| file_material(it).optics).collect();
+        let none = FileOptics::default();
+        let mirror = FileOptics { reflect: [0.5, 0.25, 1.0], ..none };
+        let pane = FileOptics { reflect: [0.1; 3], transmit: [0.75, 0.375, 0.0], ..none };
+        let glass = FileOptics { reflect: [0.25; 3], transmit: [0.75, 0.375, 0.0], ior: 1.5, ..none };
+        let clear = FileOptics { transmit: [1.0; 3], ..none };
+        assert_eq!(found, [none, mirror, pane, glass, clear]);
+    }
+
+    #[test]
     fn statements_that_make_no_sense_are_left_out() {
         let library = b"newmtl a\nKd 0.1 0.6 1 # red\nKa 0.5\nKs -1 0 0\nNs 1e40\nd 0.25\nillum 2\n\
             newmtl b\nKd spectral a.rfl\nKs 1 1 1\nNs 10\nillum 1\nmap_Kd t.png\nTr 0.25\n\

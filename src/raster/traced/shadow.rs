@@ -10,6 +10,9 @@ use glam::DVec3;
 /// Most surfaces of transmitting bodies between a point and a light; behind more there is no light.
 const MOST_SURFACES: usize = 64;
 
+/// How far shadow rays reach, as a share of the distance to the light: a surface that the light lies on does not hide it.
+const SHORT: f64 = 1.0 - 1e-5;
+
 impl Tracer<'_> {
     /// The share of a light that reaches a point. Opaque objects block it; a transmitting one weakens it by its `transmit` and
     /// Beer's law along the straight line: the light is not bent, so that there are no caustics.
@@ -54,7 +57,7 @@ impl Tracer<'_> {
         if distance == 0.0 || !distance.is_finite() {
             return LinearRgb::WHITE;
         }
-        self.through(&FrameRay { origin: start, direction: away / distance, reach: distance })
+        self.through(&FrameRay { origin: start, direction: away / distance, reach: distance * SHORT })
     }
 
     /// The share of light that passes along a ray.

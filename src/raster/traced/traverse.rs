@@ -319,8 +319,12 @@ mod tests {
         for number in 0..count {
             let [a, b, _] = triangles[(numbers.unit() * triangles.len() as f64) as usize];
             let along = if number % 2 == 0 { 0.0 } else { numbers.unit() };
-            let target = a.as_dvec3().lerp(b.as_dvec3(), along);
-            // Also exactly from the centre, and along axes.
+            // Also exactly from the centre, and from there exactly at a pole, where edge functions are 0.
+            let target = match number % 50 {
+                0 => DVec3::Y,
+                25 => DVec3::NEG_Y,
+                _ => a.as_dvec3().lerp(b.as_dvec3(), along),
+            };
             let origin = match number % 5 {
                 0 => DVec3::ZERO,
                 _ => DVec3::from_array(std::array::from_fn(|_| 0.4 * numbers.unit() - 0.2)),
@@ -329,10 +333,10 @@ mod tests {
             let ray = TreeRay::new(origin, direction, f32::INFINITY);
             let hit = cast(&tree, ray);
             let hit = hit.unwrap_or_else(|| panic!("ray {number} from {origin} at {target} escapes"));
-            assert!(hit.distance > 0.3 && hit.distance < 2.0, "{hit:?}");
+            assert!(hit.distance < 2.0, "{hit:?}");
             in_double += u32::from(hit.weights.contains(&0.0));
         }
-        assert!(in_double > count / 100, "the rays are too easy: {in_double}");
+        assert!(in_double >= count / 25, "the rays are too easy: {in_double}");
     }
 
     /// The tree finds what a test of every triangle finds, at any number of threads.
