@@ -20,7 +20,8 @@ fn invalid_optics_and_limits_are_errors_at_their_line() {
         ("absorb = [0, -1, 0]", "line 6: `object.material.absorb`"),
     ] {
         let work = folder(&[("scene.toml", &scene(line))]);
-        let output = render([&path(work.path().join("scene.toml"))]);
+        let file = path(work.path().join("scene.toml"));
+        let output = render([file.as_str(), "--probe", "1,1"]);
         let message = text(&output.stderr);
         assert!(code(&output) == 3 && message.contains(expected), "{line}: {message}");
     }
@@ -28,7 +29,8 @@ fn invalid_optics_and_limits_are_errors_at_their_line() {
         [("ray-depth = 65", "0 to 64"), ("ray-weight = 2", "0 to 1"), ("shadow-samples = 5000", "0 to 4096")]
     {
         let work = folder(&[("scene.toml", &format!("{SETTINGS}{line}\n{GLASS}"))]);
-        let output = render([&path(work.path().join("scene.toml"))]);
+        let file = path(work.path().join("scene.toml"));
+        let output = render([file.as_str(), "--probe", "1,1"]);
         let message = text(&output.stderr);
         assert!(code(&output) == 3 && message.contains(expected), "{line}: {message}");
     }
