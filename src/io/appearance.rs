@@ -26,8 +26,33 @@ pub struct FileMaterial {
     pub reflection: FileReflection,
     /// 1 if opaque; `None` if the file does not specify it.
     pub opacity: Option<f64>,
+    /// What it mirrors and transmits, for ray tracers.
+    pub optics: FileOptics,
     /// The number of images it refers to, which vary it over the surface.
     pub textures: usize,
+}
+
+/// What a material mirrors and transmits: `KHR_materials_transmission`, `KHR_materials_ior` and `KHR_materials_volume` of glTF,
+/// `illum` from 3 to 9, `Ni` and `Tf` of MTL.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FileOptics {
+    /// The share of mirrored light.
+    pub reflect: [f64; 3],
+    /// The share of light that passes through.
+    pub transmit: [f64; 3],
+    /// The share of `transmit` before it is coloured, which diffuse reflection lacks.
+    pub lost: f64,
+    /// The refractive index; 1 for thin walls, which do not bend light.
+    pub ior: f64,
+    /// The absorption for each unit of length in the file.
+    pub absorb: [f64; 3],
+}
+
+impl Default for FileOptics {
+    /// Neither mirrored nor transmitted light.
+    fn default() -> Self {
+        Self { reflect: [0.0; 3], transmit: [0.0; 3], lost: 0.0, ior: 1.0, absorb: [0.0; 3] }
+    }
 }
 
 /// How a material reflects light, in the terms of its format.

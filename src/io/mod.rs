@@ -38,7 +38,8 @@ mod read;
 mod write;
 
 pub use appearance::{
-    Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileProjection, FileReflection,
+    Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileOptics, FileProjection,
+    FileReflection,
 };
 pub(crate) use companion_files::companion;
 pub use error::{Note, Place, Problem, ReadError, Severity, WriteError};

@@ -196,6 +196,7 @@ impl ObjectModel {
                 Shading::Phong => "Phong",
                 Shading::Wireframe => "wireframe",
                 Shading::Exact => "exact",
+                Shading::Traced => "traced",
             }
             .to_owned(),
             Axis::Weight => of_normals(&|normals| match normals.source {

@@ -15,7 +15,7 @@ use super::stage::{PlanError, Stage};
 use super::trials::{Counts, Limits, Trials};
 use super::views::{Turn, View, around};
 use crate::num::Degrees;
-use crate::raster::{Camera, LoadOptions, Samples, SceneFile, default_lights};
+use crate::raster::{Camera, LoadOptions, Samples, SceneFile, Shading, default_lights};
 use glam::DVec3;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -66,6 +66,12 @@ fn find(
     options.check()?;
     // Errors of the text have lines if the reader of scenes finds them.
     let whole = SceneFile::from_toml(text, base, load)?;
+    if whole.settings.shading == Shading::Traced {
+        // Models are compared object by object, and shadows and mirrors are not of one object.
+        let found =
+            "a traced picture has no cheaper model; give `shading = \"phong\"` to plan its local light";
+        return Err(PlanError::Invalid(found.into()));
+    }
     let document =
         Document::parse(text).map_err(|error| PlanError::Invalid(error.to_string()))?.with_tables();
     let stage = Stage::new(&document, &whole, base, load)?;

@@ -199,12 +199,11 @@ impl<'a> Stage<'a> {
         }
         let shape = Shape::Mesh { mesh: &mesh.mesh, normals: &mesh.normals };
         let whole = file.unframed().objects.swap_remove(object);
-        let paint = match whole.paint {
+        let paint = match &whole.paint {
             Paint::Given(_) => Paint::Given(Cow::Owned(mesh.colours.clone().unwrap_or_default())),
-            Paint::Lit(material) => Paint::Lit(material),
+            Paint::Lit(material) => Paint::Lit(*material),
         };
-        let alone =
-            Object { shape, transform: whole.transform, paint, surface: None, settings: whole.settings };
+        let alone = Object { shape, paint, surface: None, ..whole };
         let alone = self.changed(unit, model, alone);
         Ok(pixel_colour(&self.scene(vec![alone], lights, camera), &self.settings, pixel)?)
     }

@@ -17,6 +17,8 @@ mod view;
 mod coverage;
 // Shading: colours of samples.
 mod shading;
+// Ray tracing: shadows, reflection, refraction.
+mod traced;
 // Lines: wireframes and normals drawn over the picture.
 mod lines;
 // Frame: tiles in parallel, then the picture.
@@ -40,5 +42,7 @@ pub use probe::{LitPoint, ProbePoint, probe};
 pub use scene::{LinePath, Lines, Object, Paint, Scene, Shape, Triangles};
 pub use settings::{
     Bits, Cull, FlatSample, Interpolation, LineStyle, ObjectSettings, RenderSettings, Samples, Shading, Show,
+    TraceSettings,
 };
+pub use traced::ray_tree::{RayHit, RayNode, ShadowTest};
 pub use view::camera::{Camera, CameraError, Projection};

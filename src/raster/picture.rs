@@ -59,7 +59,7 @@ impl Image {
 }
 
 /// Counts and times of a drawing. Only the times differ from run to run.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct Statistics {
     /// Pixels with a covered sample; under [`Shading::Wireframe`](crate::raster::Shading::Wireframe) those that show an edge.
     pub covered_pixels: u64,
@@ -69,6 +69,10 @@ pub struct Statistics {
     pub triangles_clipped: u64,
     /// Triangles that are not drawn: culled, without area on the picture, between samples, or out of sight.
     pub triangles_culled: u64,
+    /// Rays of a traced picture: of the camera that meet something, reflected and refracted ones, and shadow rays.
+    pub rays: u64,
+    /// The mean share of light of a covered sample that the limits of rays cut off, between 0 and 1 unless materials add light.
+    pub light_cut: f64,
     /// Times of the stages.
     #[serde(rename = "seconds")]
     pub times: Times,

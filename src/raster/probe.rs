@@ -12,7 +12,11 @@ use crate::raster::settings::{Interpolation, RenderSettings, Shading};
 use crate::raster::shading::interpolate::ScanPolygon;
 use crate::raster::shading::ray_cast::cast;
 use crate::raster::shading::surface_colour::ObjectColour;
+use crate::raster::traced::camera_rays::{first_hit, ray_tree};
+use crate::raster::traced::ray_tree::RayNode;
+use crate::raster::traced::world::TracedScene;
 use crate::raster::view::clip::{ClipVertex, NEAR, Shares, clip};
+use crate::raster::view::fixed_point::ONE;
 use crate::shade::{Explanation, Light, Probe, SurfacePoint};
 use glam::{DVec2, DVec3};
 use serde::Serialize;
@@ -45,6 +49,9 @@ pub struct ProbePoint {
     /// The points of which the colour consists by their shares: the sample under Phong and exact shading, the vertices under
     /// Gouraud, one point or all corners under flat shading.
     pub lit: Vec<LitPoint>,
+    /// The rays of a traced picture, from the camera on; `lit` is then without shadows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rays: Option<RayNode>,
 }
 
 /// A point that is lit for a sample, or has a given colour.
@@ -63,6 +70,9 @@ pub struct LitPoint {
 impl ProbePoint {
     /// The linear colour of the sample, before the tone rule.
     pub fn colour(&self) -> LinearRgb {
+        if let Some(rays) = &self.rays {
+            return LinearRgb::from(rays.colour);
+        }
         let colour = |lit: &LitPoint| lit.light.as_ref().map(|light| light.sum).or(lit.given);
         let parts = self.lit.iter().filter_map(|lit| Some(LinearRgb::from(colour(lit)?) * lit.share));
         parts.fold(LinearRgb::BLACK, |sum, part| sum + part)
@@ -90,16 +100,51 @@ pub fn probe(
             expected: "within the picture",
         });
     };
+    let at = [f64::from(x) + place[0], f64::from(y) + place[1]];
+    if let Some(traced) = &job.traced {
+        let sample = [x, y].map(|n| n as i32 * ONE);
+        return probe_rays(&job, scene, traced, at, [sample[0] + offset[0], sample[1] + offset[1]]);
+    }
     let Some(record) = Worker::new().visible_record(&job, &bins(&job), [x, y], offset) else {
         return Ok(None);
     };
-    let at = [f64::from(x) + place[0], f64::from(y) + place[1]];
     let seen = match job.drawn.iter().find(|drawn| drawn.object == record.object as usize) {
         Some(drawn) => Some(on_face(&job, drawn, &record, at)),
         None => on_surface(&job, record.object as usize, at),
     };
     let Some((mut point, sources)) = seen else { return Ok(None) };
     point.lit = lit_points(&job, &scene.objects[point.object].paint, &scene.lights, &point, &sources)?;
+    Ok(Some(point))
+}
+
+/// The same of a traced picture; the sample is given in 256ths of a pixel, too.
+fn probe_rays(
+    job: &Job,
+    scene: &Scene,
+    traced: &TracedScene,
+    at: [f64; 2],
+    sample: [i32; 2],
+) -> Result<Option<ProbePoint>> {
+    let Some((ray, hit, _)) = first_hit(job, traced, at) else { return Ok(None) };
+    let seen = match hit.triangle {
+        None => on_surface(job, hit.object, at),
+        Some((number, triangle)) => {
+            let drawn = &job.drawn[number];
+            let record = Record {
+                vertices: drawn.list.vertices(triangle),
+                triangle,
+                face: drawn.list.face(triangle),
+                object: hit.object as u32,
+                front: hit.front,
+                turned: hit.turned,
+                ..Record::default()
+            };
+            Some(on_face(job, drawn, &record, at))
+        }
+    };
+    let Some((mut point, sources)) = seen else { return Ok(None) };
+    point.lit = lit_points(job, &scene.objects[point.object].paint, &scene.lights, &point, &sources)?;
+    point.rays = Some(ray_tree(job, traced, (ray, &hit), sample)?);
     Ok(Some(point))
 }
 
@@ -156,6 +201,7 @@ fn on_surface(job: &Job, object: usize, at: [f64; 2]) -> Option<(ProbePoint, Vec
         interpolated_normal: normal.to_array(),
         face_normal: normal.to_array(),
         lit: Vec::new(),
+        rays: None,
     };
     Some((point, vec![ColourSource { share: 1.0, position: hit.position, normal, given: None }]))
 }
@@ -201,7 +247,7 @@ fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> (Pr
             vec![ColourSource { share: 1.0, position, normal: face_normal, given: None }]
         }
         Shading::Wireframe => Vec::new(),
-        Shading::Phong | Shading::Exact if !is_given => {
+        Shading::Phong | Shading::Exact | Shading::Traced if !is_given => {
             vec![ColourSource { share: 1.0, position: relative + job.view.eye, normal, given: None }]
         }
         _ => corners.iter().zip(&weights).map(|(corner, &weight)| at_corner(corner, weight)).collect(),
@@ -217,6 +263,7 @@ fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> (Pr
         interpolated_normal: normal.to_array(),
         face_normal: face_normal.to_array(),
         lit: Vec::new(),
+        rays: None,
     };
     (point, sources)
 }

@@ -6,7 +6,7 @@ use crate::num::LinearRgb;
 use crate::raster::settings::{LineStyle, ObjectSettings};
 use crate::raster::view::camera::Camera;
 use crate::raster::view::project::Points;
-use crate::shade::{Light, Material};
+use crate::shade::{Light, Material, Optics};
 use crate::surface::Primitive;
 use glam::{DMat4, DVec3};
 use rayon::prelude::*;
@@ -40,6 +40,8 @@ pub struct Object<'a> {
     /// The analytic surface that the shape approximates, in the same space: what
     /// [`Shading::Exact`](crate::raster::Shading::Exact) draws and deviations are measured from.
     pub surface: Option<Primitive>,
+    /// Reflection and transmission, for [`Shading::Traced`](crate::raster::Shading::Traced) only.
+    pub optics: Optics,
     /// Settings of its own.
     pub settings: ObjectSettings,
 }
@@ -52,6 +54,7 @@ impl<'a> Object<'a> {
             transform: DMat4::IDENTITY,
             paint: Paint::Lit(material),
             surface: None,
+            optics: Optics::NONE,
             settings: ObjectSettings::default(),
         }
     }

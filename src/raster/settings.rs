@@ -23,6 +23,9 @@ pub enum Shading {
     /// At every sample, with position and normal of the analytic surface of the object, by casting a ray. An object
     /// without an analytic surface is an error.
     Exact,
+    /// At every sample, with shadows, reflection and refraction, by tracing rays (Whitted 1980). Faces are lit with their
+    /// interpolated normals as by [`Phong`](Self::Phong); objects may ask for [`Flat`](Self::Flat) or [`Exact`](Self::Exact).
+    Traced,
 }
 
 /// How values at the corners of a face spread over it.
@@ -189,6 +192,30 @@ impl Samples {
     }
 }
 
+/// The limits of [`Shading::Traced`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TraceSettings {
+    /// Most reflections and refractions along a path, 0 to [`MOST_DEPTH`](Self::MOST_DEPTH).
+    pub depth: u32,
+    /// Rays with a smaller share of the colour of the sample are not followed: 0 to 1.
+    pub weight: f64,
+    /// Shadow rays to an area light; 1 to a point or directional light. 0 for no shadows.
+    pub shadow_samples: u32,
+}
+
+impl TraceSettings {
+    /// The largest depth.
+    pub const MOST_DEPTH: u32 = 64;
+    /// The most shadow rays to an area light.
+    pub const MOST_SHADOW_SAMPLES: u32 = 4096;
+}
+
+impl Default for TraceSettings {
+    fn default() -> Self {
+        Self { depth: 8, weight: 1e-3, shadow_samples: 16 }
+    }
+}
+
 /// Everything about a picture that is not in the scene. The number of threads is not here: drawing uses the current
 /// thread pool of rayon, and the picture has the same bytes at any number of threads.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -230,6 +257,8 @@ pub struct RenderSettings {
     pub keep_objects: bool,
     /// The lines of [`Shading::Wireframe`].
     pub wire: LineStyle,
+    /// The limits of [`Shading::Traced`].
+    pub tracing: TraceSettings,
 }
 
 impl Default for RenderSettings {
@@ -253,14 +282,17 @@ impl Default for RenderSettings {
             keep_linear: false,
             keep_objects: false,
             wire: LineStyle::default(),
+            tracing: TraceSettings::default(),
         }
     }
 }
 
-/// Settings of one object in place of those of the picture; `None` keeps these. A wireframe is one of all objects.
+/// Settings of one object in place of those of the picture; `None` keeps these. A wireframe is one of all objects, and so is
+/// a traced picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct ObjectSettings {
-    /// Where its colours are computed; [`Shading::Wireframe`] is an error.
+    /// Where its colours are computed; [`Shading::Wireframe`] and [`Shading::Traced`] are errors. In a traced picture
+    /// only [`Shading::Flat`] and [`Shading::Exact`] count.
     pub shading: Option<Shading>,
     /// How they, or normals, spread over its faces.
     pub interpolation: Option<Interpolation>,
@@ -271,7 +303,11 @@ pub struct ObjectSettings {
 impl RenderSettings {
     /// The settings that an object is drawn with.
     pub(super) fn of(&self, object: &ObjectSettings) -> Self {
-        let shading = object.shading.filter(|_| self.shading != Shading::Wireframe);
+        let shading = object.shading.filter(|own| match self.shading {
+            Shading::Wireframe => false,
+            Shading::Traced => matches!(own, Shading::Flat | Shading::Exact),
+            _ => true,
+        });
         Self {
             shading: shading.unwrap_or(self.shading),
             interpolation: object.interpolation.unwrap_or(self.interpolation),

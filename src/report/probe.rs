@@ -1,7 +1,7 @@
 //! Everything about one pixel: what is seen at its samples, how each is lit, and what the picture shows.
 
 use crate::num::{LinearRgb, Nine, NineEach};
-use crate::raster::{ProbePoint, RenderError, RenderSettings, Scene, probe};
+use crate::raster::{ProbePoint, RayNode, RenderError, RenderSettings, Scene, ShadowTest, probe};
 use serde::Serialize;
 use std::fmt;
 
@@ -119,5 +119,44 @@ fn write_point(f: &mut fmt::Formatter, point: &ProbePoint) -> fmt::Result {
             writeln!(f, "{light}")?;
         }
     }
-    Ok(())
+    match &point.rays {
+        Some(rays) => {
+            writeln!(f, "rays")?;
+            write_ray(f, rays, 1)
+        }
+        None => Ok(()),
+    }
+}
+
+/// A ray and those that go on from its hit, each level indented by two more blanks.
+fn write_ray(f: &mut fmt::Formatter, ray: &RayNode, level: usize) -> fmt::Result {
+    let indent = "  ".repeat(level);
+    writeln!(f, "{indent}{:<11}share {}", ray.kind, NineEach(ray.share))?;
+    writeln!(f, "{indent}  direction {}", NineEach(ray.direction))?;
+    if ray.transmittance != [1.0; 3] {
+        writeln!(f, "{indent}  absorbed to {}", NineEach(ray.transmittance))?;
+    }
+    match &ray.hit {
+        None => writeln!(f, "{indent}  meets     the background")?,
+        Some(hit) => {
+            let side = if hit.front { "front" } else { "back" };
+            let face = hit.face.map(|face| format!(", face {face}")).unwrap_or_default();
+            let distance = Nine(hit.distance);
+            writeln!(f, "{indent}  meets     object {}{face}, its {side}, after {distance}", hit.object)?;
+            writeln!(f, "{indent}  at        {}", NineEach(hit.position))?;
+            writeln!(f, "{indent}  N         {}", NineEach(hit.normal))?;
+            for ShadowTest { light, visible } in &hit.shadows {
+                writeln!(f, "{indent}  light {light:<4}visible {}", NineEach(*visible))?;
+            }
+            writeln!(f, "{indent}  local     {}", NineEach(hit.local))?;
+            if let (Some([before, after]), Some(share)) = (hit.indices, hit.fresnel) {
+                writeln!(f, "{indent}  Fresnel   {} from index {before} to {after}", Nine(share))?;
+            }
+            if hit.cut > 0.0 {
+                writeln!(f, "{indent}  cut off   {} of the light of the sample", Nine(hit.cut))?;
+            }
+            hit.rays.iter().try_for_each(|ray| write_ray(f, ray, level + 1))?;
+        }
+    }
+    writeln!(f, "{indent}  colour    {}", NineEach(ray.colour))
 }

@@ -35,6 +35,12 @@ pub(super) fn times<R: Real>(a: Triple<R>, k: R) -> Triple<R> {
     [a[0] * k, a[1] * k, a[2] * k]
 }
 
+/// The product of the components.
+#[inline(always)]
+pub(super) fn scaled<R: Real>(a: Triple<R>, b: Triple<R>) -> Triple<R> {
+    [a[0] * b[0], a[1] * b[1], a[2] * b[2]]
+}
+
 /// |a×b|².
 #[inline(always)]
 fn squared_cross<R: Real>(a: Triple<R>, b: Triple<R>) -> R {

@@ -44,7 +44,10 @@ pub use light::{AreaShape, Attenuation, Cone, Light};
 pub use material::{
     EnergyGain, Material, Reflectance, Reflection, blinn_exponent, phong_exponent, roughness_exponent,
 };
-pub use optics::{Fresnel, brewster_angle, critical_angle, fresnel, reflect, refract, refraction_angle};
+pub use optics::{
+    Fresnel, Optics, brewster_angle, critical_angle, fresnel, reflect, refract, refraction_angle,
+};
 pub use rows::SurfaceRows;
 pub use settings::{DepthCue, Frame, Guards, ShadeSettings, Terminator, ToneRule, Viewer};
+pub(crate) use shader::SeenFrom;
 pub use shader::{Shader, SurfacePoint};

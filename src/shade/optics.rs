@@ -2,8 +2,91 @@
 //!
 //! Refractive indices are positive; angles of incidence are measured from the normal, 0 to 90°.
 
-use crate::num::Radians;
+use super::error::{Place, ShadeError};
+use crate::num::{LinearRgb, Radians};
 use glam::DVec3;
+
+/// A surface that reflects like a mirror or transmits light, for rays that are traced.
+///
+/// Outside, the surface adds `reflect` times the light from the mirrored direction to its local colour, and `transmit`
+/// times the light through a smooth surface: Fresnel's share from the mirrored direction, the rest from the refracted one.
+/// Inside, it has no colour of its own and reflects Fresnel's share without any loss.
+///
+/// ```
+/// use crease::num::LinearRgb;
+/// use crease::shade::Optics;
+///
+/// let glass = Optics { transmit: LinearRgb::WHITE, ior: 1.5, ..Optics::NONE };
+/// assert!(glass.transmits() && glass.check().is_ok());
+/// assert!(Optics { ior: 0.5, ..glass }.check().is_err());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Optics {
+    /// The share of mirrored light, 0 or more.
+    pub reflect: LinearRgb,
+    /// The share of light that passes through the body once, 0 or more, without absorption.
+    pub transmit: LinearRgb,
+    /// The refractive index relative to air, 1 or more.
+    pub ior: f64,
+    /// a, 0 or more for each unit of length in the scene: after a distance d inside, e^(−a d) is left (Beer's law).
+    pub absorb: LinearRgb,
+}
+
+impl Default for Optics {
+    fn default() -> Self {
+        Self::NONE
+    }
+}
+
+impl Optics {
+    /// Neither mirrored nor transmitted light; the index is that of glass.
+    pub const NONE: Self = Self {
+        reflect: LinearRgb::BLACK,
+        transmit: LinearRgb::BLACK,
+        ior: Self::GLASS,
+        absorb: LinearRgb::BLACK,
+    };
+
+    /// The refractive index where none is given, as in glTF.
+    pub const GLASS: f64 = 1.5;
+
+    /// Whether light passes through.
+    pub fn transmits(&self) -> bool {
+        self.transmit != LinearRgb::BLACK
+    }
+
+    /// Whether rays that meet the surface go on.
+    pub fn continues(&self) -> bool {
+        self.transmits() || self.reflect != LinearRgb::BLACK
+    }
+
+    /// The share of light that is neither mirrored nor transmitted, in the component with the most of both; at least 0.
+    pub fn opaque_share(&self) -> f64 {
+        (1.0 - (self.reflect + self.transmit).largest()).max(0.0)
+    }
+
+    /// The share of light that is left after a distance inside.
+    pub fn transmittance(&self, distance: f64) -> LinearRgb {
+        LinearRgb::from(self.absorb.to_array().map(|a| if a == 0.0 { 1.0 } else { libm::exp(-a * distance) }))
+    }
+
+    /// Whether every number is valid.
+    ///
+    /// # Errors
+    /// A share or absorption that is negative or not finite, and an index below 1 or not finite.
+    pub fn check(&self) -> Result<(), ShadeError> {
+        let place = Place::Material;
+        place.colour("reflect", self.reflect)?;
+        place.colour("transmit", self.transmit)?;
+        place.colour("absorb", self.absorb)?;
+        match self.ior >= 1.0 && self.ior.is_finite() {
+            true => Ok(()),
+            false => {
+                Err(place.error("ior", self.ior.to_string(), "a refractive index, 1 or more and finite"))
+            }
+        }
+    }
+}
 
 /// R = 2N(N·L) − L: the mirror direction of L at a surface with the unit normal N (F5). L and R have the same angle to
 /// N and lie in one plane with it (F2).

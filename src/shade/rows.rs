@@ -336,6 +336,7 @@ impl Block {
             normal: get(&self.normal, i),
             view: get(&self.view, i),
             view_distance: self.view_distance[i],
+            own_view: false,
             face: None,
         }
     }

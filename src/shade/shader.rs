@@ -54,6 +54,15 @@ pub struct SurfacePoint<R> {
     pub normal: [R; 3],
 }
 
+/// The direction from a point against the ray that meets it, and the length of the path to the viewer.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SeenFrom<R> {
+    /// A unit vector.
+    pub(crate) view: [R; 3],
+    /// In units of the frame.
+    pub(crate) distance: R,
+}
+
 #[derive(Clone, Copy, Debug)]
 pub(super) enum View<R> {
     /// V, the same at every point.
@@ -178,19 +187,61 @@ impl<R: Real> Shader<R> {
         }
     }
 
+    /// The light that a point on a face sends along a ray: to the viewer, or to `seen_from`.
+    ///
+    /// `visible` returns the share of the light of each number that reaches the point; it is asked only for lights that
+    /// add something. Where all shares are 1 the bits are those of [`shade_on`](Self::shade_on).
+    ///
+    /// # Errors
+    /// As [`shade`](Self::shade).
+    pub(crate) fn shade_ray(
+        &self,
+        point: &SurfacePoint<R>,
+        face: Option<[R; 3]>,
+        seen_from: Option<SeenFrom<R>>,
+        visible: &mut dyn FnMut(usize) -> [R; 3],
+    ) -> Result<[R; 3], NotFinite> {
+        let mut prepared = self.prepared(point, face);
+        if let Some(SeenFrom { view, distance }) = seen_from {
+            prepared = PreparedPoint { view, view_distance: distance, own_view: true, ..prepared };
+        }
+        let share = |term: &LightTerm<R>, terms: [Triple<R>; 2]| {
+            let share = if terms == [[R::ZERO; 3]; 2] { [R::ONE; 3] } else { visible(term.number) };
+            if share == [R::ONE; 3] { terms } else { terms.map(|term| formula::scaled(term, share)) }
+        };
+        let colour = self.sum_of(&prepared, false, |_, _, _| {}, share);
+        if colour.iter().all(|component| component.is_finite()) {
+            Ok(colour)
+        } else {
+            Err(self.not_finite(0, point))
+        }
+    }
+
     /// The shading sum. `record` receives each light with its diffuse and specular terms; `directions`: whether it also
     /// needs L and the attenuation of lights that do not use them.
     pub(super) fn sum(
         &self,
         point: &PreparedPoint<R>,
         directions: bool,
+        record: impl FnMut(&LightTerm<R>, &Incoming<R>, [Triple<R>; 2]),
+    ) -> Triple<R> {
+        self.sum_of(point, directions, record, |_, terms| terms)
+    }
+
+    /// The same; `share` returns the terms of a light that reach the point.
+    fn sum_of(
+        &self,
+        point: &PreparedPoint<R>,
+        directions: bool,
         mut record: impl FnMut(&LightTerm<R>, &Incoming<R>, [Triple<R>; 2]),
+        mut share: impl FnMut(&LightTerm<R>, [Triple<R>; 2]) -> [Triple<R>; 2],
     ) -> Triple<R> {
         let sum = self.lights.iter().fold([R::ZERO; 3], |sum, term| {
             let direction = directions || term.specular.is_some() || point.face.is_some();
             let incoming = term.incoming(point, direction);
             let terms = self.reflected(term, &incoming, point);
             record(term, &incoming, terms);
+            let terms = share(term, terms);
             formula::plus(formula::plus(sum, terms[0]), terms[1])
         });
         self.finish(sum, point.view_distance)
@@ -222,7 +273,7 @@ impl<R: Real> Shader<R> {
         let normal = if self.limits.renormalise { formula::normalised(point.normal) } else { point.normal };
         let normal = if self.two_sided { turned(normal, view) } else { normal };
         let face = face.filter(|_| self.terminator != Terminator::Smooth);
-        PreparedPoint { position: point.position, normal, view, view_distance, face }
+        PreparedPoint { position: point.position, normal, view, view_distance, own_view: false, face }
     }
 
     /// The share of light from a direction that the terminator keeps.
@@ -255,6 +306,9 @@ impl<R: Real> Shader<R> {
         incoming: &Incoming<R>,
         point: &PreparedPoint<R>,
     ) -> R {
+        // The half-vector of all points is that of the viewer.
+        let is_shared = matches!(highlight, Highlight::BlinnSame(_));
+        let highlight = if is_shared && point.own_view { &Highlight::Blinn } else { highlight };
         let cosine = self.highlight_cosine(highlight, point.normal, incoming.towards, point.view);
         incoming.factor() * self.power.of(cosine)
     }

@@ -187,6 +187,8 @@ pub(super) struct PreparedPoint<R> {
     pub(super) view: Triple<R>,
     /// The distance to the viewer; 0 if the viewer is at infinity.
     pub(super) view_distance: R,
+    /// Whether V is not the direction to the viewer, but that of a reflected or refracted ray.
+    pub(super) own_view: bool,
     /// The normal of its face, if the terminator needs it.
     pub(super) face: Option<Triple<R>>,
 }

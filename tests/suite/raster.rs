@@ -8,3 +8,4 @@ mod probe;
 mod shading;
 mod shapes;
 mod stress;
+mod tracing;

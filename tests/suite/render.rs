@@ -8,6 +8,7 @@ mod notes;
 mod options;
 mod probe;
 mod scenes;
+mod tracing;
 mod unused;
 mod usage;
 

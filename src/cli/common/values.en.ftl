@@ -96,6 +96,7 @@ shading-gouraud = at the corners; colours are interpolated (Gouraud 1971)
 shading-phong = at every sample; normals are interpolated (Phong 1973)
 shading-wireframe = nowhere: edges are drawn
 shading-exact = at every sample, on the analytic surface of the object
+shading-traced = at every sample, with shadows, reflection and refraction (Whitted 1980)
 
 interpolation-scanline = along the polygon's edges, then along the scanline; depends on the rotation of the face
 interpolation-affine = barycentric on triangles of the picture: ignores perspective
@@ -106,6 +107,7 @@ variant-gouraud = Gouraud shading
 variant-phong = Phong shading
 variant-wireframe = edges
 variant-exact = the analytic surface
+variant-traced = traced rays: shadows, reflection, refraction
 variant-scanline = scanline interpolation
 variant-affine = affine interpolation
 variant-perspective = perspective-correct interpolation

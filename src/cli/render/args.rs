@@ -1,6 +1,6 @@
 //! The options of `crease render`.
 
-use super::fields::{self, CameraChange};
+use super::fields::{self, CameraChange, TypedMaterial};
 use super::values::{self, FileKind, GuardSwitch, HiddenLines, ReflectionChoice, Variant};
 use crate::cli::common::choice::one_of;
 use crate::cli::common::options::{RunArgs, crease_angle};
@@ -12,7 +12,7 @@ use crease::normals::{Weight, When};
 use crease::num::{Degrees, LinearRgb, Transfer};
 use crease::raster::{Bits, Cull, FlatSample, Interpolation, Samples, Shading, Show};
 use crease::report::Overlay;
-use crease::shade::{Light, Material, Terminator, ToneRule};
+use crease::shade::{Light, Terminator, ToneRule};
 use glam::DVec3;
 use std::path::PathBuf;
 
@@ -104,7 +104,7 @@ pub struct SceneArgs {
     #[arg(long, value_name = "COLOUR", value_parser = colour, allow_hyphen_values = true)]
     pub ambient: Option<LinearRgb>,
     #[arg(long, value_name = "MATERIAL", value_parser = fields::material)]
-    pub material: Option<Material>,
+    pub material: Option<TypedMaterial>,
     #[arg(long, value_name = "COLOUR", value_parser = colour)]
     pub background: Option<LinearRgb>,
     #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]

@@ -1,6 +1,7 @@
 //! A scene changed by options.
 
 use super::args::RenderArgs;
+use super::fields::TypedMaterial;
 use super::request::{Request, Subject};
 use super::values::{FileKind, ReflectionChoice, Variant};
 use super::warnings::contrast;
@@ -111,7 +112,9 @@ fn change_materials(args: &RenderArgs, file: &mut SceneFile) -> Result<(), Strin
         return Err(format!("object {object}: {lack}"));
     }
     for object in &mut file.objects {
-        object.material = args.scene.material.unwrap_or(object.material);
+        if let Some(TypedMaterial { material, optics }) = args.scene.material {
+            (object.material, object.optics) = (material, optics);
+        }
         object.material.exponent = shading.exponent.unwrap_or(object.material.exponent);
         match shading.reflection {
             Some(ReflectionChoice::Phong) => object.material.reflection = Reflection::Phong,

@@ -3,7 +3,7 @@
 use crate::cli::common::options::{colour, not_negative, number, vector};
 use crease::num::{Degrees, LinearRgb, Radians};
 use crease::raster::{Camera, Projection};
-use crease::shade::{AreaShape, Attenuation, Cone, Light, Material, Reflectance, ShadeError};
+use crease::shade::{AreaShape, Attenuation, Cone, Light, Material, Optics, Reflectance, ShadeError};
 use glam::DVec3;
 
 /// Words `key=value` that are used up one by one.
@@ -216,22 +216,44 @@ fn attenuation(text: &str) -> Result<Attenuation, String> {
     }
 }
 
-pub fn material(text: &str) -> Result<Material, String> {
+/// A material with its reflection and transmission of rays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TypedMaterial {
+    pub material: Material,
+    pub optics: Optics,
+}
+
+/// A refractive index.
+fn index(text: &str) -> Result<f64, String> {
+    match number(text)? {
+        index if index >= 1.0 => Ok(index),
+        _ => Err(format!("{text:?} is below 1; a refractive index is 1 or more")),
+    }
+}
+
+pub fn material(text: &str) -> Result<TypedMaterial, String> {
     let mut fields = Fields::some(text, "colour=#c08040 ks=0.3 exponent=60")?;
     let own = fields.take_or("colour", colour, LinearRgb::grey(0.8))?;
     let plastic = Material::plastic(own);
     let highlight = fields.take_or("highlight", colour, LinearRgb::WHITE)?;
+    let optics = Optics {
+        reflect: fields.take_or("reflect", colour, LinearRgb::BLACK)?,
+        transmit: fields.take_or("transmit", colour, LinearRgb::BLACK)?,
+        ior: fields.take_or("ior", index, Optics::NONE.ior)?,
+        absorb: fields.take_or("absorb", colour, LinearRgb::BLACK)?,
+    };
+    let kd = 0.7 * optics.opaque_share();
     let mut reflectance =
         |key, colour, k| Ok::<_, String>(Reflectance::new(fields.take_or(key, not_negative, k)?, colour));
     let material = Material {
-        ambient: reflectance("ka", own, 0.7)?,
-        diffuse: reflectance("kd", own, 0.7)?,
+        ambient: reflectance("ka", own, kd)?,
+        diffuse: reflectance("kd", own, kd)?,
         specular: reflectance("ks", highlight, 0.2)?,
         exponent: fields.take_or("exponent", not_negative, plastic.exponent)?,
         reflection: plastic.reflection,
     };
     fields.finish()?;
-    Ok(material)
+    Ok(TypedMaterial { material, optics })
 }
 
 #[cfg(test)]
@@ -312,11 +334,16 @@ mod tests {
 
     #[test]
     fn materials_are_plastic_unless_specified() {
-        let red = material("colour=1,0,0 ks=0 exponent=5").unwrap();
+        let red = material("colour=1,0,0 ks=0 exponent=5").unwrap().material;
         assert_eq!(red.diffuse.merged(), LinearRgb::new(0.7, 0.0, 0.0));
         assert_eq!((red.specular.merged(), red.exponent), (LinearRgb::BLACK, 5.0));
-        let metal = material("highlight=1,0.5,0 ks=0.5").unwrap();
+        let metal = material("highlight=1,0.5,0 ks=0.5").unwrap().material;
         assert_eq!(metal.specular.merged(), LinearRgb::new(0.5, 0.25, 0.0));
+        let glass = material("transmit=1 ior=1.33 absorb=0.5,0,0").unwrap();
+        assert_eq!(glass.material.diffuse.merged(), LinearRgb::BLACK);
+        assert_eq!((glass.optics.ior, glass.optics.absorb), (1.33, LinearRgb::new(0.5, 0.0, 0.0)));
+        assert!(material("ior=0.5").unwrap_err().contains("below 1"));
+        assert!(material("ior=inf").unwrap_err().contains("ior"));
         assert!(material("kd=-1").unwrap_err().contains("0 or more"));
         assert!(material("shiny=1").unwrap_err().contains("ka, kd, ks"));
     }

@@ -125,6 +125,7 @@ fn run(request: &Request, console: &Console, report: &mut Report) -> Result<Exit
         report.probe = Some(probe(&file, image, pixel).map_err(Failure::input)?);
     }
     report.notes.extend(unseen(&file, &report.drawings, request));
+    report.notes.extend(cut_light(&file, &report.drawings));
     report.seconds.draw = start.elapsed().as_secs_f64();
 
     let start = Instant::now();
@@ -164,6 +165,23 @@ fn unseen(file: &SceneFile, drawings: &[Drawing], request: &Request) -> Option<N
         _ => small(file, drawings)?,
     };
     Some(Note::warning(Place::File, text))
+}
+
+/// The share of the light that limits of rays may cut off without a note.
+const CUT: f64 = 1e-3;
+
+/// A note about light that the limits of rays cut off.
+fn cut_light(file: &SceneFile, drawings: &[Drawing]) -> Option<Note> {
+    let largest = drawings.iter().map(|drawing| drawing.statistics.light_cut).fold(0.0, f64::max);
+    let limits = &file.settings.tracing;
+    (largest > CUT).then(|| {
+        let (percent, depth, weight) = (three_digits(100.0 * largest), limits.depth, limits.weight);
+        let text = format!(
+            "the limits of rays cut off up to {percent} % of the light (limit 0.1 %): a larger `ray-depth` than {depth}, or a \
+             smaller `ray-weight` than {weight}, in the settings of a scene file follows more rays"
+        );
+        Note::warning(Place::File, text)
+    })
 }
 
 /// The share of the picture below which objects are easily overlooked.

@@ -104,6 +104,7 @@ impl Variant {
 
 choices! { Shading:
     "flat" => Flat, "gouraud" => Gouraud, "phong" => Phong, "wireframe" => Wireframe, "exact" => Exact,
+    "traced" => Traced,
 }
 
 choices! { Interpolation: "scanline" => Scanline, "affine" => Affine, "perspective" => Perspective }
@@ -111,7 +112,7 @@ choices! { Interpolation: "scanline" => Scanline, "affine" => Affine, "perspecti
 choices! { Variant:
     "flat" => Shading(Shading::Flat), "gouraud" => Shading(Shading::Gouraud),
     "phong" => Shading(Shading::Phong), "wireframe" => Shading(Shading::Wireframe),
-    "exact" => Shading(Shading::Exact), "scanline" => Interpolation(Interpolation::Scanline),
+    "exact" => Shading(Shading::Exact), "traced" => Shading(Shading::Traced), "scanline" => Interpolation(Interpolation::Scanline),
     "affine" => Interpolation(Interpolation::Affine),
     "perspective" => Interpolation(Interpolation::Perspective),
 }

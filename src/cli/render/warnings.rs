@@ -4,9 +4,11 @@ use super::args::RenderArgs;
 use super::request::{Request, is_solid};
 use super::values::ReflectionChoice;
 use crate::cli::common::choice::Choose;
+use crate::cli::common::console::escaped;
 use crease::io::{Note, Place};
+use crease::mesh::{Link, Mesh, Topology, Weld};
 use crease::num::{LinearRgb, Srgb8, Transfer};
-use crease::raster::{FlatSample, RenderSettings, SceneFile, SceneObject, Shading, Show};
+use crease::raster::{FlatSample, RenderSettings, SceneFile, SceneObject, SceneShape, Shading, Show};
 use crease::report::Overlay;
 
 pub fn notes(request: &Request, file: &SceneFile) -> Vec<Note> {
@@ -36,7 +38,51 @@ pub fn notes(request: &Request, file: &SceneFile) -> Vec<Note> {
             let gain = object.material.gain()?;
             Some(Note::warning(Place::File, format!("object {number}: {gain}")))
         });
-    texts.into_iter().map(Note::remark).chain(gains).collect()
+    texts.extend(untraced(file, &panels));
+    texts.into_iter().map(Note::remark).chain(gains).chain(open_bodies(file, &panels)).collect()
+}
+
+fn is_traced(file: &SceneFile, panels: &[RenderSettings]) -> bool {
+    file.settings.show == Show::Shaded && panels.iter().any(|panel| panel.shading == Shading::Traced)
+}
+
+/// How messages name an object.
+fn named(number: usize, object: &SceneObject) -> String {
+    match &*object.name {
+        "" => format!("object {number}"),
+        name => format!("object {number} (`{}`)", escaped(name)),
+    }
+}
+
+fn untraced(file: &SceneFile, panels: &[RenderSettings]) -> Option<String> {
+    let (number, object) = file.objects.iter().enumerate().find(|(_, object)| object.optics.continues())?;
+    let what = if object.optics.transmits() { "transmits light" } else { "mirrors light" };
+    let is_shown = is_traced(file, panels) || file.settings.show != Show::Shaded;
+    (!is_shown).then(|| format!("{} {what}, which only --shading traced draws", named(number, object)))
+}
+
+fn has_border(mesh: &Mesh) -> bool {
+    let topology = Topology::build(mesh, Weld::Exact);
+    let corners = 0..mesh.faces().corner_count() as u32;
+    corners.into_iter().any(|corner| matches!(topology.link(corner), Link::Boundary | Link::Ambiguous))
+}
+
+/// Warnings about the first transmitting object with a border: light that enters it does not leave.
+fn open_bodies(file: &SceneFile, panels: &[RenderSettings]) -> Option<Note> {
+    let is_open = |number: usize, object: &SceneObject| match (&object.shape, file.mesh_of(number)) {
+        (SceneShape::Surface(primitive), _) => !primitive.is_closed(),
+        (_, Some(mesh)) => has_border(&mesh.mesh),
+        _ => false,
+    };
+    let mut open = file.objects.iter().enumerate().filter(|(number, object)| {
+        object.optics.transmits() && object.optics.ior != 1.0 && is_open(*number, object)
+    });
+    let (number, object) = open.next().filter(|_| is_traced(file, panels))?;
+    let text = format!(
+        "{} transmits light, but its surface is open: a ray that enters may never leave; close it, or use `ior = 1` for a thin wall",
+        named(number, object)
+    );
+    Some(Note { more: open.count() as u64, ..Note::warning(Place::File, text) })
 }
 
 /// Why light changes nothing.
@@ -58,8 +104,9 @@ fn without_effect(args: &RenderArgs, file: &SceneFile, panels: &[RenderSettings]
     let has = |wanted: &[Shading]| panels.iter().any(|panel| wanted.contains(&panel.shading));
     let is_shaded = file.settings.show == Show::Shaded;
     let probes = args.output.probe.is_some();
-    let interpolates =
-        has(&[Shading::Gouraud, Shading::Phong]) || !is_shaded && has(&[Shading::Wireframe]) || probes;
+    let interpolates = has(&[Shading::Gouraud, Shading::Phong, Shading::Traced])
+        || !is_shaded && has(&[Shading::Wireframe])
+        || probes;
     let mut texts = Vec::new();
     let mut warn = |options: &[(&str, bool)], why: &str| {
         let typed: Vec<&str> = options.iter().filter(|option| option.1).map(|option| option.0).collect();
@@ -81,8 +128,8 @@ fn without_effect(args: &RenderArgs, file: &SceneFile, panels: &[RenderSettings]
             ("--terminator", colour.terminator.is_some()),
         ];
         warn(&options, why);
-    } else if !has(&[Shading::Phong]) {
-        warn(&[("--terminator", colour.terminator.is_some())], "only Phong shading uses it");
+    } else if !has(&[Shading::Phong, Shading::Traced]) {
+        warn(&[("--terminator", colour.terminator.is_some())], "only Phong shading and tracing use it");
     }
     let of_normals = [
         ("--weight", normals.weight.is_some()),
@@ -111,7 +158,7 @@ fn analytic(args: &RenderArgs, file: &SceneFile, panels: &[RenderSettings]) -> O
     let is_other = |panel: &RenderSettings| match panel.shading {
         Shading::Flat | Shading::Gouraud => true,
         Shading::Phong => is_asked,
-        Shading::Wireframe | Shading::Exact => false,
+        Shading::Wireframe | Shading::Exact | Shading::Traced => false,
     };
     let which = match file.objects.iter().all(is_solid) {
         true => "the objects are analytic surfaces".into(),

@@ -6,8 +6,8 @@ use super::json::{Json, Value};
 use super::nodes::{NodeTree, Placed};
 use crate::io::appearance::as_written;
 use crate::io::{
-    Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileProjection, FileReflection, Note,
-    Place, Problem, ReadError,
+    Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileOptics, FileProjection,
+    FileReflection, Note, Place, Problem, ReadError,
 };
 use glam::DMat4;
 use gltf::json::extensions::scene::khr_lights_punctual::{Light, Type as LightType};
@@ -83,9 +83,55 @@ fn material(fields: &Fields<'_>, number: usize, name: &str) -> Result<FileMateri
         name: name.to_owned(),
         reflection: FileReflection::MetallicRoughness { base_colour, metallic, roughness, unlit },
         opacity: Some(opacity),
+        optics: optics(fields, base_colour, metallic, &place)?,
         textures: textures.into_iter().filter(|&is_there| is_there).count(),
     })
 }
+
+/// Transmission with the index and the absorption of the volume. Without a thickness a surface is a thin wall: light passes
+/// straight on.
+fn optics(
+    fields: &Fields<'_>,
+    base_colour: [f64; 3],
+    metallic: f64,
+    place: &impl Fn() -> Place,
+) -> Result<FileOptics, ReadError> {
+    let json = fields.json;
+    let number = |extension: Option<Value>, name: &str, default: f64| {
+        let value = extension.and_then(|object| json.member(object, name));
+        value.map_or(Ok(default), |value| typed::<f32>(json, value, place()).map(as_written))
+    };
+    let transmission = fields.extension("KHR_materials_transmission");
+    let volume = fields.extension("KHR_materials_volume");
+    let factor = number(transmission, "transmissionFactor", 0.0)?;
+    let ior = number(fields.extension("KHR_materials_ior"), "ior", 1.5)?;
+    let thickness = number(volume, "thicknessFactor", 0.0)?;
+    let distance = number(volume, "attenuationDistance", f64::INFINITY)?;
+    let colour = volume.and_then(|object| json.member(object, "attenuationColor"));
+    let colour =
+        colour.map_or(Ok([1.0_f32; 3]), |value| typed::<[f32; 3]>(json, value, place()))?.map(as_written);
+    if !(0.0..=1.0).contains(&factor) {
+        return Err(out_of_range(
+            place(),
+            format!("the transmission factor {factor} is not between 0 and 1"),
+        ));
+    }
+    if thickness < 0.0 || distance <= 0.0 || !colour.iter().all(|share| (0.0..=1.0).contains(share)) {
+        let found = "the volume has a negative thickness, a distance of 0 or less, or a colour out of 0 to 1";
+        return Err(out_of_range(place(), found));
+    }
+    let lost = factor * (1.0 - metallic);
+    // 0 asks for a surface without Fresnel's share, which the index 1 has.
+    let ior = if thickness > 0.0 && ior != 0.0 { ior } else { 1.0 };
+    let absorb = match thickness > 0.0 && distance.is_finite() {
+        true => colour.map(|share| -libm::log(share.max(LEAST_SHARE)) / distance),
+        false => [0.0; 3],
+    };
+    Ok(FileOptics { transmit: base_colour.map(|c| c * lost), lost, ior, absorb, ..FileOptics::default() })
+}
+
+/// The smallest share of light that a volume leaves: 0 has no logarithm.
+const LEAST_SHARE: f64 = 1e-6;
 
 fn light(node: &Placed<'_>, extension: Value, lights: &[Value]) -> Result<FileLight, ReadError> {
     let json = node.fields.json;
@@ -289,6 +335,35 @@ mod tests {
     }
 
     #[test]
+    fn transmission_has_the_index_and_absorption_of_its_volume() {
+        let text = |extensions: &str| {
+            format!(
+                r#"{{"asset": {{"version": "2.0"}}, "materials": [{{"name": "glass", "pbrMetallicRoughness":
+                {{"baseColorFactor": [1, 0.5, 0, 1], "metallicFactor": 0}}, "extensions": {{{extensions}}}}}],
+                "buffers": [{{"byteLength": 36, "uri":
+                "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}}],
+                "bufferViews": [{{"buffer": 0, "byteLength": 36}}],
+                "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                "min": [0, 0, 0], "max": [1, 1, 0]}}],
+                "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}, "material": 0}}]}}]}}"#
+            )
+        };
+        let transmission = r#""KHR_materials_transmission": {"transmissionFactor": 0.5}"#;
+        let volume = r#""KHR_materials_ior": {"ior": 1.25}, "KHR_materials_volume":
+            {"thicknessFactor": 1, "attenuationDistance": 2, "attenuationColor": [1, 0.5, 0.25]}"#;
+        let optics = |extensions: &str| looks(&text(extensions)).materials[0].optics;
+        let thin = FileOptics { transmit: [0.5, 0.25, 0.0], lost: 0.5, ..FileOptics::default() };
+        assert_eq!(optics(transmission), thin);
+        let body = optics(&format!("{transmission}, {volume}"));
+        assert_eq!(FileOptics { absorb: [0.0; 3], ..body }, FileOptics { ior: 1.25, ..thin });
+        // Half after a distance of 2, a quarter of it in blue.
+        let half = std::f64::consts::LN_2 / 2.0;
+        assert!(body.absorb.into_iter().zip([0.0, half, 2.0 * half]).all(|(a, b)| (a - b).abs() < 1e-7));
+        let wrong = looks(&text(r#""KHR_materials_transmission": {"transmissionFactor": 2}"#));
+        assert!(wrong.materials.is_empty() && wrong.notes[0].to_string().contains("factor 2 is not between"));
+    }
+
+    #[test]
     fn what_the_standard_does_not_allow_is_left_out_and_reported() {
         let found = looks(
             r#"{"asset": {"version": "2.0"},
@@ -384,7 +459,13 @@ mod tests {
 
     fn members_of(diffuse: Option<[f64; 3]>, exponent: Option<f64>, opacity: Option<f64>) -> String {
         let reflection = FileReflection::Phong { ambient: None, diffuse, specular: None, exponent };
-        material_members(&FileMaterial { name: "x".into(), reflection, opacity, textures: 1 })
+        material_members(&FileMaterial {
+            name: "x".into(),
+            reflection,
+            opacity,
+            optics: FileOptics::default(),
+            textures: 1,
+        })
     }
 
     #[test]
@@ -406,7 +487,13 @@ mod tests {
             roughness: 0.5,
             unlit: false,
         };
-        let gold = FileMaterial { name: "gold".into(), reflection, opacity: None, textures: 0 };
+        let gold = FileMaterial {
+            name: "gold".into(),
+            reflection,
+            opacity: None,
+            optics: FileOptics::default(),
+            textures: 0,
+        };
         assert_eq!(
             material_members(&gold),
             ",\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.1,0.2,0.3,1],\"metallicFactor\":1,\"roughnessFactor\":0.5}"

@@ -13,8 +13,8 @@ use crate::io::mesh_checks::{beyond_f32, displacement_note, unsupported_notes};
 use crate::io::split_mesh::SplitMesh;
 use crate::io::text::counted;
 use crate::io::{
-    FileMaterial, FileReflection, Format, MaterialFallback, Merge, NormalFormat, Note, OutputContent,
-    OutputFile, Part, WriteError, WriteOptions, Written,
+    FileMaterial, FileOptics, FileReflection, Format, MaterialFallback, Merge, NormalFormat, Note,
+    OutputContent, OutputFile, Part, WriteError, WriteOptions, Written,
 };
 use crate::mesh::{Column, FaceLabels, Mesh, NONE, PositionsRef, Storage};
 use glam::DVec3;
@@ -256,7 +256,13 @@ impl<'a> File<'a> {
                 roughness: 0.6,
                 unlit: false,
             };
-            let plastic = FileMaterial { name: name.into(), reflection, opacity: None, textures: 0 };
+            let plastic = FileMaterial {
+                name: name.into(),
+                reflection,
+                opacity: None,
+                optics: FileOptics::default(),
+                textures: 0,
+            };
             self.materials.push(format!("{{\"name\":{}{}}}", quoted(name), material_members(&plastic)));
         }
         Some(number)

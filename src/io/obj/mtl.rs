@@ -4,7 +4,9 @@ use super::cursor::name_text;
 use crate::io::appearance::as_written;
 use crate::io::companion_files::{self, Refusal, output_name};
 use crate::io::text::shown;
-use crate::io::{FileMaterial, FileReflection, Note, OutputContent, OutputFile, Place, ReadOptions};
+use crate::io::{
+    FileMaterial, FileOptics, FileReflection, Note, OutputContent, OutputFile, Place, ReadOptions,
+};
 use rustc_hash::FxHashSet;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -211,8 +213,8 @@ fn materials(library: &[u8]) -> Vec<tobj::Material> {
         let argument = match word {
             _ if argument.is_empty() => None,
             "newmtl" => Some(argument.to_owned()),
-            "Ka" | "Kd" | "Ks" => colour(argument),
-            "Ns" | "d" | "Tr" => numbers(argument).next().map(|number| number.to_string()),
+            "Ka" | "Kd" | "Ks" | "Tf" => colour(argument),
+            "Ns" | "Ni" | "d" | "Tr" => numbers(argument).next().map(|number| number.to_string()),
             "illum" => argument.parse::<u8>().ok().map(|model| model.to_string()),
             word => is_texture(word).then(|| argument.to_owned()),
         };
@@ -250,6 +252,7 @@ fn file_material(material: &tobj::Material) -> FileMaterial {
     // Models 0 and 1 have no highlight.
     let is_matte = material.illumination_model.is_some_and(|model| model < 2);
     let transparency = material.unknown_param.get("Tr").and_then(|value| value.parse::<f32>().ok());
+    let opacity = material.dissolve.or(transparency.map(|value| 1.0 - value)).map(as_written);
     FileMaterial {
         name: material.name.clone(),
         reflection: FileReflection::Phong {
@@ -258,9 +261,37 @@ fn file_material(material: &tobj::Material) -> FileMaterial {
             specular: if is_matte { Some([0.0; 3]) } else { colour(material.specular) },
             exponent: material.shininess.map(as_written),
         },
-        opacity: material.dissolve.or(transparency.map(|value| 1.0 - value)).map(as_written),
+        opacity,
+        optics: optics(material, opacity),
         textures: textures(material).len(),
     }
+}
+
+/// What the illumination models 3 to 9 add (*Object files*, Wavefront, 1992): all mirror Ks; 4 and 9 transmit what the opacity
+/// leaves and do not bend it; 6 and 7 transmit (1 − Ks) Tf and bend it by Ni. Fresnel's share, which 5 and 7 ask for, is
+/// computed for all transmitted light.
+fn optics(material: &tobj::Material, opacity: Option<f64>) -> FileOptics {
+    let model = material.illumination_model.unwrap_or(2);
+    if !(3..=9).contains(&model) {
+        return FileOptics::default();
+    }
+    let specular = material.specular.unwrap_or([0.0; 3]).map(as_written);
+    let filter =
+        material.unknown_param.get("Tf").map(|value| numbers(value).map(as_written).collect::<Vec<_>>());
+    let filter = match filter.as_deref() {
+        Some(&[r, g, b, ..]) => [r, g, b],
+        _ => [1.0; 3],
+    };
+    let clear = 1.0 - opacity.unwrap_or(1.0);
+    let (transmit, ior) = match model {
+        4 | 9 => (filter.map(|filter| filter * clear), 1.0),
+        6 | 7 => {
+            let passed = [0, 1, 2].map(|k| filter[k] * (1.0 - specular[k]).max(0.0));
+            (passed, material.optical_density.map_or(1.0, as_written))
+        }
+        _ => ([0.0; 3], 1.0),
+    };
+    FileOptics { reflect: specular, transmit, ior, ..FileOptics::default() }
 }
 
 /// The texture files of a material, in a fixed order.
@@ -356,6 +387,21 @@ mod tests {
         assert_eq!(names, ["red", "grün"]);
         assert_eq!(textures(&found[0]).into_iter().collect::<Vec<_>>(), ["b.png", "my tex.png", "r.png"]);
         assert_eq!(textures(&found[1]).into_iter().collect::<Vec<_>>(), ["t.png"]);
+    }
+
+    #[test]
+    fn illumination_models_mirror_and_transmit() {
+        let library = b"newmtl matte\nKs 0.5 0.5 0.5\nNi 1.5\nTf 0 0 0\nillum 2\n\
+            newmtl mirror\nKs 0.5 0.25 1\nillum 3\n\
+            newmtl pane\nKs 0.1 0.1 0.1\nd 0.25\nTf 1 0.5 0\nNi 1.5\nillum 4\n\
+            newmtl glass\nKs 0.25 0.25 0.25\nTf 1 0.5 0\nNi 1.5\nillum 7\nnewmtl clear\nillum 6\n";
+        let found: Vec<FileOptics> = materials(library).iter().map(|it| file_material(it).optics).collect();
+        let none = FileOptics::default();
+        let mirror = FileOptics { reflect: [0.5, 0.25, 1.0], ..none };
+        let pane = FileOptics { reflect: [0.1; 3], transmit: [0.75, 0.375, 0.0], ..none };
+        let glass = FileOptics { reflect: [0.25; 3], transmit: [0.75, 0.375, 0.0], ior: 1.5, ..none };
+        let clear = FileOptics { transmit: [1.0; 3], ..none };
+        assert_eq!(found, [none, mirror, pane, glass, clear]);
     }
 
     #[test]

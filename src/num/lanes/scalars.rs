@@ -119,6 +119,12 @@ impl<A: EightLanes> Truth<A> {
     pub(crate) fn row_bits(self) -> u8 {
         self.arch.row_bits(self.mask)
     }
+
+    /// One bit a lane.
+    #[inline(always)]
+    pub(crate) fn lane_bits(self) -> u8 {
+        self.arch.bits(self.mask)
+    }
 }
 
 impl<A: Arithmetic> BitAnd for Truth<A> {

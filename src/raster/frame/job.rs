@@ -7,9 +7,11 @@ use crate::raster::error::{RenderError, Result};
 use crate::raster::scene::{Object, Paint, Scene, Shape};
 use crate::raster::settings::{LARGEST_SIDE, RenderSettings, Shading, Show};
 use crate::raster::shading::surface_colour::{ObjectColour, Shaders};
+use crate::raster::traced::lamp::Lamp;
+use crate::raster::traced::world::{TracedScene, World};
 use crate::raster::view::project::NOT_FINITE;
 use crate::raster::view::screen_transform::{Rays, View};
-use crate::shade::{Frame, Guards, ShadeSettings, Terminator, Viewer};
+use crate::shade::{Frame, Guards, Optics, ShadeSettings, Terminator, Viewer};
 use crate::surface::Placed;
 use glam::{DMat3, DVec3, Vec3};
 use rayon::prelude::*;
@@ -24,6 +26,8 @@ pub(crate) struct Job<'a> {
     pub(crate) drawn: Vec<DrawnObject<'a>>,
     /// Smallest and largest distance of a vertex along the axis, for [`Show::Depth`].
     pub(crate) distances: [f64; 2],
+    /// Where a picture is traced.
+    pub(crate) traced: Option<TracedScene>,
 }
 
 pub(crate) struct Prepared<'a> {
@@ -35,6 +39,7 @@ pub(crate) struct Prepared<'a> {
     pub(crate) colour: ObjectColour<'a>,
     /// The analytic surface that the object approximates.
     pub(crate) truth: Option<Placed>,
+    pub(crate) optics: Optics,
     /// Whether it is drawn by casting rays at its truth.
     pub(crate) is_cast: bool,
 }
@@ -80,7 +85,9 @@ impl<'a> Job<'a> {
         };
         let background = scene.background.to_array().map(|c| c as f32);
         let rays = Rays::new(&view, frame.unit);
-        Ok(Self { settings, view, rays, frame, background, objects, drawn, distances })
+        let is_traced = settings.shading == Shading::Traced && settings.show == Show::Shaded;
+        let traced = is_traced.then(|| traced(scene, &objects, &drawn, frame));
+        Ok(Self { settings, view, rays, frame, background, objects, drawn, distances, traced })
     }
 
     /// The number among [`drawn`](Self::drawn) of the object that a triangle is of.
@@ -90,6 +97,17 @@ impl<'a> Job<'a> {
 
     pub(crate) fn cast_objects(&self) -> impl Iterator<Item = usize> {
         self.objects.iter().enumerate().filter(|(_, object)| object.is_cast).map(|(number, _)| number)
+    }
+}
+
+/// The scene as rays meet it.
+fn traced(scene: &Scene, objects: &[Prepared], drawn: &[DrawnObject], frame: Frame) -> TracedScene {
+    let cast = objects.iter().enumerate().filter(|(_, object)| object.is_cast);
+    let surfaces = cast.filter_map(|(number, object)| Some((number, object.truth?))).collect();
+    TracedScene {
+        world: World::new(drawn, surfaces, frame),
+        lamps: scene.lights.iter().map(|light| Lamp::new(light, frame)).collect(),
+        transmits: objects.iter().any(|object| object.optics.transmits()),
     }
 }
 
@@ -106,13 +124,13 @@ pub(crate) fn frame(scene: &Scene, view: &View) -> Frame {
 impl RenderSettings {
     /// The guards for objects that rays are cast at, or for faces: only interpolated normals may stay of any length.
     fn guards(&self, is_cast: bool) -> Guards {
-        let interpolates = self.shading == Shading::Phong && !is_cast;
+        let interpolates = matches!(self.shading, Shading::Phong | Shading::Traced) && !is_cast;
         Guards { renormalise: self.guards.renormalise || !interpolates, ..self.guards }
     }
 
     /// Whether what lights a sample depends on the normal of its face as well.
     pub(crate) fn asks_faces(&self) -> bool {
-        self.shading == Shading::Phong && self.terminator != Terminator::Smooth
+        matches!(self.shading, Shading::Phong | Shading::Traced) && self.terminator != Terminator::Smooth
     }
 }
 
@@ -145,10 +163,15 @@ impl<'a> Prepared<'a> {
         view: &View,
         frame: Frame,
     ) -> Result<Self> {
-        if object.settings.shading == Some(Shading::Wireframe) {
-            let found = format!("object {number}: a single object cannot be a wireframe");
-            return Err(RenderError::Invalid(found));
+        let of_all = match object.settings.shading {
+            Some(Shading::Wireframe) => Some("be a wireframe"),
+            Some(Shading::Traced) => Some("be traced"),
+            _ => None,
+        };
+        if let Some(what) = of_all {
+            return Err(RenderError::Invalid(format!("object {number}: a single object cannot {what}")));
         }
+        object.optics.check().map_err(|error| RenderError::Shade { object: number, error })?;
         let settings = &settings.of(&object.settings);
         check_lists(number, object, settings)?;
         let linear = DMat3::from_mat4(object.transform);
@@ -181,7 +204,15 @@ impl<'a> Prepared<'a> {
                 "an analytic surface has no vertex colours; use a material, or a mesh with another shading";
             return Err(RenderError::Lacks { object: number, lack });
         }
-        Ok(Self { settings: *settings, shape: &object.shape, normals, colour, truth, is_cast })
+        Ok(Self {
+            settings: *settings,
+            shape: &object.shape,
+            normals,
+            colour,
+            truth,
+            optics: object.optics,
+            is_cast,
+        })
     }
 
     /// The normal at a corner, in the scene's axes.

@@ -65,7 +65,11 @@ pub fn render(scene: &Scene, settings: &RenderSettings) -> Result<Image> {
     let binning = start.elapsed();
     let start = Instant::now();
     let mut image = blank(settings);
-    image.statistics.covered_pixels = draw_tiles(&job, &bins, &lines, &mut image)?;
+    let drawn = draw_tiles(&job, &bins, &lines, &mut image)?;
+    image.statistics.covered_pixels = drawn.covered;
+    image.statistics.rays = drawn.rays;
+    let samples = drawn.covered.saturating_mul(settings.samples.count() as u64);
+    image.statistics.light_cut = if drawn.cut > 0.0 { drawn.cut / samples.max(1) as f64 } else { 0.0 };
     image.statistics.triangles_drawn = bins.counts.drawn;
     image.statistics.triangles_clipped = bins.counts.clipped;
     image.statistics.triangles_culled = bins.counts.culled;
@@ -109,21 +113,39 @@ fn blank(settings: &RenderSettings) -> Image {
     }
 }
 
-fn draw_tiles(job: &Job, bins: &Bins, lines: &LineJob, image: &mut Image) -> Result<u64> {
+/// What tiles report.
+#[derive(Clone, Copy, Debug, Default)]
+struct TileCounts {
+    covered: u64,
+    rays: u64,
+    cut: f64,
+}
+
+fn draw_tiles(job: &Job, bins: &Bins, lines: &LineJob, image: &mut Image) -> Result<TileCounts> {
     let workers = Mutex::new(Vec::new());
     let spare =
         || workers.lock().ok().and_then(|mut workers: std::sync::MutexGuard<Vec<Worker>>| workers.pop());
     let draw = |mut target: Target| {
         let mut worker = spare().unwrap_or_else(Worker::new);
+        (worker.tracer.count, worker.tracer.cut) = (0, 0.0);
         let covered = worker.draw(job, bins, lines, target.tile).map(|tile| target.write(job, tile.as_ref()));
+        let (rays, cut) = (worker.tracer.count, worker.tracer.cut);
+        let counts = covered.map(|covered| TileCounts { covered, rays, cut });
         if let Ok(mut workers) = workers.lock() {
             workers.push(worker);
         }
-        covered
+        counts
     };
-    // The first error in order of tiles, whichever thread comes to one first.
-    let results: Vec<Result<u64>> = targets(image).into_par_iter().with_max_len(1).map(draw).collect();
-    results.into_iter().sum()
+    // The first error in order of tiles, whichever thread comes to one first; sums in that order, too.
+    let results: Vec<Result<TileCounts>> = targets(image).into_par_iter().with_max_len(1).map(draw).collect();
+    results.into_iter().try_fold(TileCounts::default(), |sum, tile| {
+        let tile = tile?;
+        Ok(TileCounts {
+            covered: sum.covered + tile.covered,
+            rays: sum.rays + tile.rays,
+            cut: sum.cut + tile.cut,
+        })
+    })
 }
 
 /// The rows of a picture that lie in a tile.

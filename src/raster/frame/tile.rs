@@ -14,6 +14,8 @@ use crate::raster::settings::{Shading, Show};
 use crate::raster::shading::interpolate::VisibleSample;
 use crate::raster::shading::ray_cast::{Hits, cast};
 use crate::raster::shading::shade_samples::{Painter, Tile};
+use crate::raster::traced::camera_rays::{TileTracer, first_hit};
+use crate::raster::traced::world::TracedScene;
 use crate::raster::view::fixed_point::ONE;
 
 /// Works on one tile after the other and keeps its memory in between.
@@ -21,6 +23,7 @@ pub(crate) struct Worker {
     list: TileList,
     visible: Visible,
     hits: Option<Hits>,
+    pub(crate) tracer: TileTracer,
     /// The record of each owner that is seen, [`NOTHING`] for others; and one place more, for no owner.
     record_of: Vec<u32>,
     /// The owners that are seen, ascending.
@@ -49,6 +52,13 @@ fn colours() -> Colours {
     [(); 3].map(|()| Box::new([0.0; PIXELS]))
 }
 
+/// Whether a depth is behind a surface that a ray meets at a distance along the axis.
+fn is_behind(job: &Job, surface: Option<f64>, depth: f64) -> bool {
+    /// How far behind the true surface, as a share of the distance, a mesh's edges may lie and still show.
+    const CHORD: f64 = 1e-3;
+    surface.is_some_and(|z| job.view.depth(z + CHORD * z.min(job.view.reach)) > depth)
+}
+
 pub(crate) struct Finished<'a> {
     pub(crate) colours: &'a Colours,
     pub(crate) covered: &'a [u8; PIXELS],
@@ -64,6 +74,7 @@ impl Worker {
             list: TileList::default(),
             visible: Visible::new(),
             hits: None,
+            tracer: TileTracer::default(),
             record_of: Vec::new(),
             owners: Vec::new(),
             records: Vec::new(),
@@ -88,7 +99,12 @@ impl Worker {
         tile: [usize; 2],
     ) -> Result<Option<Finished<'_>>> {
         let number = tile[1] * tiles(job.view.size)[0] + tile[0];
-        if bins.is_empty(number) && lines.is_empty(number) && job.cast_objects().next().is_none() {
+        let is_traced = job.traced.is_some();
+        if !is_traced
+            && bins.is_empty(number)
+            && lines.is_empty(number)
+            && job.cast_objects().next().is_none()
+        {
             return Ok(None);
         }
         let count = job.settings.samples.count();
@@ -98,12 +114,17 @@ impl Worker {
         self.objects.fill(0);
         for (number, sample) in job.settings.samples.offsets().enumerate() {
             let origin = tile_origin(tile, sample);
-            self.find_visible(job, origin);
-            self.collect(job, tile);
-            if job.settings.keep_objects {
-                self.number_objects();
+            match &job.traced {
+                Some(scene) => self.trace(job, scene, origin)?,
+                None => {
+                    self.find_visible(job, origin);
+                    self.collect(job, tile);
+                    if job.settings.keep_objects {
+                        self.number_objects();
+                    }
+                    self.paint(job, origin)?;
+                }
             }
-            self.paint(job, origin)?;
             self.draw_lines(job, lines, tile, sample);
             if count == 1 {
                 return Ok(Some(self.finished(job, &self.colour)));
@@ -118,6 +139,27 @@ impl Worker {
         let share = 1.0 / count as f32;
         self.sum.iter_mut().flat_map(|sum| sum.iter_mut()).for_each(|sum| *sum *= share);
         Ok(Some(self.finished(job, &self.sum)))
+    }
+
+    /// Traces the samples of a tile, over the background.
+    fn trace(&mut self, job: &Job, scene: &TracedScene, origin: [i32; 2]) -> Result<()> {
+        for (row, background) in self.colour.iter_mut().zip(job.background) {
+            row.fill(background);
+        }
+        let Self { tracer, colour, covered, objects, .. } = self;
+        if job.settings.keep_objects {
+            objects.iter_mut().for_each(|number| *number = with_sample(*number, None));
+        }
+        tracer.trace(job, scene, origin, |pixel, object, found| {
+            covered[pixel] += 1;
+            for (row, component) in colour.iter_mut().zip(found.to_array()) {
+                row[pixel] = component;
+            }
+            if job.settings.keep_objects {
+                // In place of the background.
+                objects[pixel] = objects[pixel].wrapping_add(object as u32 + 1);
+            }
+        })
     }
 
     fn finished<'a>(&'a self, job: &Job, colours: &'a Colours) -> Finished<'a> {
@@ -264,7 +306,11 @@ impl Worker {
     fn draw_line(&mut self, job: &Job, set: &LineSet, segment: &Segment, pixel: [usize; 2], at: [f64; 2]) {
         let Some((place, depth)) = segment.nearest(at, set.radius) else { return };
         let pixel = number(pixel);
-        if set.hide && self.hides(job, self.visible.owner[pixel], place, depth) {
+        let is_hidden = || match &job.traced {
+            Some(scene) => is_behind(job, first_hit(job, scene, place).map(|(.., z)| z), depth),
+            None => self.hides(job, self.visible.owner[pixel], place, depth),
+        };
+        if set.hide && is_hidden() {
             return;
         }
         for (row, component) in self.colour.iter_mut().zip(set.colour.to_array()) {
@@ -280,17 +326,13 @@ impl Worker {
         const SNAPPED: f64 = 1.0 / 64.0;
         /// Roundings of single-precision depths.
         const ROUNDED: f64 = 1e-6;
-        /// How far behind the true surface, as a share of the distance, a mesh's edges may lie and still show.
-        const CHORD: f64 = 1e-3;
         if owner == NOTHING {
             return false;
         }
         let v = match self.list.look_up(job, owner) {
             Owner::Triangle { corners, .. } => corners,
             Owner::Cast(object) => {
-                let hit = cast(job, object, place);
-                let behind = |z: f64| z + CHORD * z.min(job.view.reach);
-                return hit.is_some_and(|(_, z)| job.view.depth(behind(z)) > depth);
+                return is_behind(job, cast(job, object, place).map(|(_, z)| z), depth);
             }
         };
         let at = place.map(crate::raster::view::fixed_point::snap);

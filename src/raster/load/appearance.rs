@@ -1,13 +1,13 @@
 //! Materials, cameras and lights of mesh files as those of this crate.
 
 use crate::io::{
-    Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileProjection, FileReflection, Note,
-    Place, Problem, ReadError, Severity,
+    Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileOptics, FileProjection,
+    FileReflection, Note, Place, Problem, ReadError, Severity,
 };
 use crate::num::{LinearRgb, Radians};
 use crate::raster::load::scene_file::plain_material;
 use crate::raster::view::camera::{Camera, Projection};
-use crate::shade::{Attenuation, Cone, Light, Material, Reflectance, Reflection, roughness_exponent};
+use crate::shade::{Attenuation, Cone, Light, Material, Optics, Reflectance, Reflection, roughness_exponent};
 use glam::DVec3;
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2};
 
@@ -34,9 +34,26 @@ pub(super) fn material(file: &FileMaterial) -> (Material, bool) {
             (material, false)
         }
         FileReflection::MetallicRoughness { base_colour, metallic, roughness, unlit } => {
-            (metallic_roughness(base_colour.into(), metallic, roughness), unlit)
+            let material = metallic_roughness(base_colour.into(), metallic, roughness);
+            let left = 1.0 - file.optics.lost;
+            if left == 1.0 {
+                return (material, unlit);
+            }
+            // Transmitted light is not reflected in all directions.
+            let [ambient, diffuse] =
+                [material.ambient, material.diffuse].map(|it| Reflectance::Merged(it.merged() * left));
+            (Material { ambient, diffuse, ..material }, unlit)
         }
     }
+}
+
+/// What a material mirrors and transmits, with absorption for a scale of 1; and whether its refractive index is invalid, and 1
+/// is taken in its place.
+pub(super) fn optics(file: &FileMaterial) -> (Optics, bool) {
+    let FileOptics { reflect, transmit, ior, absorb, .. } = file.optics;
+    let is_valid = ior >= 1.0 && ior.is_finite();
+    let [reflect, transmit, absorb] = [reflect, transmit, absorb].map(LinearRgb::from);
+    (Optics { reflect, transmit, ior: if is_valid { ior } else { 1.0 }, absorb }, !is_valid)
 }
 
 /// The largest that a highlight becomes at its peak: half of white, so that the shape beneath it still shows.

@@ -13,6 +13,7 @@ use crate::raster::load::scene_file::{
 use crate::raster::load::scene_mesh::by_label;
 use crate::raster::settings::RenderSettings;
 use crate::raster::view::camera::Camera;
+use crate::shade::Optics;
 use glam::{DMat3, DMat4, DVec3};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -129,15 +130,25 @@ impl SceneFile {
         if let Some(FileMaterial { name, .. }) = used().find(|material| material.textures > 0) {
             self.notes.push(Note::remark(format!("images are not drawn: `{name}` shows its plain colours")));
         }
-        let is_transparent = |material: &&FileMaterial| material.opacity.is_some_and(|opacity| opacity < 1.0);
+        let is_transparent = |material: &&FileMaterial| {
+            material.opacity.is_some_and(|opacity| opacity < 1.0) && material.optics.transmit == [0.0; 3]
+        };
         if let Some(FileMaterial { name, .. }) = used().find(is_transparent) {
             self.notes.push(Note::remark(format!("transparency is not drawn: `{name}` is opaque")));
+        }
+        if let Some(FileMaterial { name, optics, .. }) = used().find(|it| appearance::optics(it).1) {
+            let text = format!(
+                "the refractive index of `{name}` is {}, below 1 or not finite: it does not bend light",
+                optics.ior
+            );
+            self.notes.push(Note::warning(Place::File, text));
         }
         let mut object = |(material, mesh): (Option<&FileMaterial>, SceneMesh)| {
             self.meshes.push(mesh);
             let object = SceneObject::new(SceneShape::Mesh(self.meshes.len() - 1));
+            let optics = material.map_or(Optics::NONE, |material| appearance::optics(material).0);
             match material.map(appearance::material) {
-                Some((material, given)) => SceneObject { material, given, ..object },
+                Some((material, given)) => SceneObject { material, given, optics, ..object },
                 None => object,
             }
         };

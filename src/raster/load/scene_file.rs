@@ -8,7 +8,7 @@ use crate::raster::load::normal_settings::NormalSettings;
 use crate::raster::scene::{Object, Paint, Scene, Shape};
 use crate::raster::settings::{ObjectSettings, RenderSettings};
 use crate::raster::view::camera::Camera;
-use crate::shade::{Light, Material, Reflectance};
+use crate::shade::{Light, Material, Optics, Reflectance};
 use crate::surface::Primitive;
 use glam::{DMat4, DVec3};
 use std::borrow::Cow;
@@ -82,6 +82,8 @@ pub struct SceneObject {
     pub transform: DMat4,
     /// The material.
     pub material: Material,
+    /// Reflection and transmission, for [`Shading::Traced`](crate::raster::Shading::Traced) only.
+    pub optics: Optics,
     /// Show the colours of its vertices instead, unlit.
     pub given: bool,
     /// The analytic surface that a mesh approximates.
@@ -104,6 +106,7 @@ impl SceneObject {
             shape,
             transform: DMat4::IDENTITY,
             material: plain_material(),
+            optics: Optics::NONE,
             given: false,
             surface: None,
             settings: ObjectSettings::default(),
@@ -170,6 +173,7 @@ impl SceneFile {
             transform: object.transform,
             paint,
             surface: object.surface,
+            optics: object.optics,
             settings: object.settings,
         }
     }

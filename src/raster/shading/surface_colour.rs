@@ -2,7 +2,7 @@
 
 use crate::num::LinearRgb;
 use crate::shade::{
-    Light, Material, NotFinite, ShadeError, ShadeSettings, Shader, SurfacePoint, SurfaceRows,
+    Light, Material, NotFinite, SeenFrom, ShadeError, ShadeSettings, Shader, SurfacePoint, SurfaceRows,
 };
 use glam::DVec3;
 
@@ -72,11 +72,38 @@ impl Shaders {
     ) -> Result<[f32; 3], NotFinite> {
         let point = SurfacePoint { position, normal };
         self.single.shade_on(&point, face).or_else(|rounded| {
-            let wide = |v: [f32; 3]| v.map(f64::from);
             let point = SurfacePoint { position: exactly().to_array(), normal: wide(normal) };
-            let double = self.double.shade_on(&point, face.map(wide))?;
-            let colour = double.map(|component| component as f32);
-            if colour.iter().all(|component| component.is_finite()) { Ok(colour) } else { Err(rounded) }
+            narrow(self.double.shade_on(&point, face.map(wide))?).ok_or(rounded)
         })
     }
+
+    /// Shades the point of a ray, with the bits of [`shade_rows`](Self::shade_rows) where all lights are visible and the ray is the
+    /// viewer's; see [`Shader::shade_ray`].
+    pub(crate) fn shade_ray(
+        &self,
+        position: DVec3,
+        normal: [f32; 3],
+        face: Option<[f32; 3]>,
+        seen_from: Option<SeenFrom<f32>>,
+        visible: &mut dyn FnMut(usize) -> [f64; 3],
+    ) -> Result<[f32; 3], NotFinite> {
+        let point = SurfacePoint { position: position.as_vec3().to_array(), normal };
+        let mut single = |light: usize| visible(light).map(|share| share as f32);
+        self.single.shade_ray(&point, face, seen_from, &mut single).or_else(|rounded| {
+            let point = SurfacePoint { position: position.to_array(), normal: wide(normal) };
+            let seen_from =
+                seen_from.map(|from| SeenFrom { view: wide(from.view), distance: f64::from(from.distance) });
+            narrow(self.double.shade_ray(&point, face.map(wide), seen_from, visible)?).ok_or(rounded)
+        })
+    }
+}
+
+fn wide(v: [f32; 3]) -> [f64; 3] {
+    v.map(f64::from)
+}
+
+/// In single precision, if that is finite.
+fn narrow(colour: [f64; 3]) -> Option<[f32; 3]> {
+    let colour = colour.map(|component| component as f32);
+    colour.iter().all(|component| component.is_finite()).then_some(colour)
 }

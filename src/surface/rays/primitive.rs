@@ -88,6 +88,11 @@ impl Primitive {
         }
     }
 
+    /// Whether it has no border, so that a ray that enters also leaves.
+    pub fn is_closed(&self) -> bool {
+        matches!(self, Primitive::Sphere(_) | Primitive::Ellipsoid(_) | Primitive::Torus(_))
+    }
+
     pub(crate) fn shape(&self) -> &dyn Shape {
         each!(self, surface => surface)
     }
@@ -151,6 +156,13 @@ impl Placed {
             normal: self.normal(hit.normal)?,
             ..hit
         })
+    }
+
+    /// The centre and the radius of a sphere around the surface, in world space.
+    pub(crate) fn sphere(&self) -> (DVec3, f64) {
+        let half = self.primitive.half_extents();
+        let axes = self.world_from_object * DMat3::from_diagonal(half);
+        (self.origin, [axes.x_axis, axes.y_axis, axes.z_axis].map(DVec3::length).iter().sum())
     }
 
     /// The exact normal at a point of the surface in world space, as [`Implicit::normal_at`].

@@ -39,6 +39,13 @@ fn plans_are_the_same_with_any_number_of_threads() {
 }
 
 #[test]
+fn traced_pictures_have_no_plan() {
+    let traced = SCENE.replace("size = [80, 60]", "size = [80, 60]\nshading = \"traced\"");
+    let message = error(&traced, &only(&[Axis::Shading], 2.0));
+    assert!(message.contains("no cheaper model") && message.contains("phong"), "{message}");
+}
+
+#[test]
 fn marked_objects_and_lights_stay() {
     let options = only(&[Axis::Interpolation, Axis::Lights], 9.0);
     let free = planned(SCENE, &options);

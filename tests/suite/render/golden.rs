@@ -12,7 +12,7 @@ use crease::raster::{
     Shading, Shape, render,
 };
 use crease::report::{Panel, encode_png, panels};
-use crease::shade::{AreaShape, Attenuation, Cone, Light, Material};
+use crease::shade::{AreaShape, Attenuation, Cone, Light, Material, Optics};
 use crease::surface::{Pattern, Plane, Primitive, Sphere, Surface, Tessellation};
 use glam::{DMat4, DVec3};
 use image::RgbImage;
@@ -92,6 +92,7 @@ impl Stage {
             transform,
             paint: Paint::Lit(material),
             surface: Some(surface),
+            optics: Optics::NONE,
         };
         let lying = DMat4::from_translation(FLOOR)
             * DMat4::from_cols_array(&[1., 0., 0., 0., 0., 0., -1., 0., 0., 1., 0., 0., 0., 0., 0., 1.]);

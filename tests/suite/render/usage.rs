@@ -15,7 +15,7 @@ const OPTIONS: &[(&str, &[&str])] = &[
     ("--compare", &["flat", "gouraud", "phong", "wireframe", "exact", "scanline", "affine", "perspective"]),
     ("--turntable", &["N"]),
     ("--probe", &["X,Y"]),
-    ("--shading", &["flat", "gouraud", "phong", "wireframe", "exact"]),
+    ("--shading", &["flat", "gouraud", "phong", "wireframe", "exact", "traced"]),
     ("--interpolation", &["scanline", "affine", "perspective"]),
     ("--reflection", &["phong", "blinn", "given"]),
     ("--exponent", &["32"]),

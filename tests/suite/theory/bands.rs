@@ -11,6 +11,7 @@ use crease::raster::{
     Camera, Interpolation, Object, ObjectSettings, Paint, Projection, RenderSettings, Scene, Shading, Shape,
     render,
 };
+use crease::shade::Optics;
 use glam::{DMat4, DVec3};
 
 fn round(angle: f64) -> DVec3 {
@@ -208,6 +209,7 @@ fn wall(ratio: f64, span: f64, interpolation: Interpolation) -> Vec<f32> {
         transform: DMat4::IDENTITY,
         paint: Paint::Given(colours.into()),
         surface: None,
+        optics: Optics::NONE,
     };
     let scene = Scene {
         camera: Camera {

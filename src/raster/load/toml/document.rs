@@ -11,6 +11,7 @@ use crate::raster::load::toml::source::Source;
 use crate::raster::load::toml::values::Colour;
 use crate::raster::settings::{
     Bits, Cull, FlatSample, Interpolation, LARGEST_SIDE, LineStyle, RenderSettings, Samples, Shading,
+    TraceSettings,
 };
 use crate::raster::view::camera::{Camera, CameraError, Projection};
 use crate::shade::{DepthCue, Guards, Terminator, ToneRule};
@@ -104,6 +105,9 @@ pub(super) struct SettingsTable {
     tone: ToneRule,
     transfer: Transfer,
     background: Option<Colour>,
+    ray_depth: Option<Spanned<u32>>,
+    ray_weight: Option<Spanned<f64>>,
+    shadow_samples: Option<Spanned<u32>>,
     wire: WireTable,
 }
 
@@ -146,10 +150,24 @@ impl SettingsTable {
             tone: self.tone,
             transfer: self.transfer,
             wire: self.wire.style(source)?,
+            tracing: self.tracing(source)?,
             ..default
         };
         scene.background = self.background.map_or(scene.background, |Colour(background)| background);
         Ok(())
+    }
+
+    fn tracing(&self, source: Source) -> Result<TraceSettings, ReadError> {
+        let default = TraceSettings::default();
+        let depth = |&depth: &u32| (depth <= TraceSettings::MOST_DEPTH).then_some(depth);
+        let weight = |&weight: &f64| (0.0..=1.0).contains(&weight).then_some(weight);
+        let samples = |&samples: &u32| (samples <= TraceSettings::MOST_SHADOW_SAMPLES).then_some(samples);
+        let (depths, counts) = ("it must be a whole number from 0 to 64", "it must be 0 to 4096");
+        Ok(TraceSettings {
+            depth: source.checked(&self.ray_depth, default.depth, depth, depths)?,
+            weight: source.checked(&self.ray_weight, default.weight, weight, "it must be 0 to 1")?,
+            shadow_samples: source.checked(&self.shadow_samples, default.shadow_samples, samples, counts)?,
+        })
     }
 
     fn guards(&self, source: Source) -> Result<Guards, ReadError> {

@@ -4,7 +4,9 @@ use crate::io::ReadError;
 use crate::num::{Degrees, LinearRgb, List, Radians};
 use crate::raster::load::toml::source::Source;
 use crate::raster::load::toml::values::{Colour, ReflectanceValue};
-use crate::shade::{AreaShape, Attenuation, Cone, Light, Material, Reflectance, Reflection, ShadeError};
+use crate::shade::{
+    AreaShape, Attenuation, Cone, Light, Material, Optics, Reflectance, Reflection, ShadeError,
+};
 use glam::{DVec3, DVec4};
 use serde::Deserialize;
 use std::f64::consts::PI;
@@ -239,18 +241,46 @@ pub(super) struct MaterialTable {
     specular: Option<ReflectanceValue>,
     exponent: Option<f64>,
     pub(super) reflection: Option<ReflectionName>,
+    /// The share of mirrored light.
+    reflect: Option<Colour>,
+    /// The share of light that passes through.
+    transmit: Option<Colour>,
+    ior: Option<f64>,
+    /// For each unit of length.
+    absorb: Option<Colour>,
 }
 
 impl MaterialTable {
-    /// The material; `None` if the table has at most a reflection.
+    /// What the table states about rays; `None` if it states nothing.
+    pub(super) fn optics(source: Source, table: &Spanned<Self>) -> Result<Option<Optics>, ReadError> {
+        let (span, Self { reflect, transmit, ior, absorb, .. }) = (table.span(), table.get_ref());
+        if let (None, None, None, None) = (reflect, transmit, ior, absorb) {
+            return Ok(None);
+        }
+        let colour = |colour: &Option<Colour>| colour.map_or(LinearRgb::BLACK, |Colour(colour)| colour);
+        let optics = Optics {
+            reflect: colour(reflect),
+            transmit: colour(transmit),
+            ior: ior.unwrap_or(Optics::NONE.ior),
+            absorb: colour(absorb),
+        };
+        optics.check().map(|()| Some(optics)).map_err(|error| shade_error(source, &span, &error))
+    }
+
+    /// The material; `None` if the table has at most a reflection. Without a diffuse reflectance its default is a share of
+    /// what the surface neither mirrors nor transmits.
     pub(super) fn material(source: Source, table: &Spanned<Self>) -> Result<Option<Material>, ReadError> {
+        let optics = Self::optics(source, table)?;
         let (span, Self { colour, ambient, diffuse, specular, exponent, .. }) =
             (table.span(), table.get_ref());
-        if let (None, None, None, None, None) = (colour, ambient, diffuse, specular, exponent) {
+        if let (None, None, None, None, None, None) = (colour, ambient, diffuse, specular, exponent, optics) {
             return Ok(None);
         }
         let colour = colour.map_or(LinearRgb::grey(0.8), |Colour(colour)| colour);
-        let plain = Material::plastic(colour);
+        let mut plain = Material::plastic(colour);
+        if let (Some(optics), Reflectance::Split { k, colour }) = (optics, plain.diffuse) {
+            plain.diffuse = Reflectance::new(k * optics.opaque_share(), colour);
+        }
         let diffuse = diffuse.map_or(plain.diffuse, |diffuse| diffuse.of(colour));
         let ambient = ambient.map(|ambient| ambient.of(colour));
         let specular = specular.map_or(plain.specular, |specular| specular.of(LinearRgb::WHITE));

@@ -13,6 +13,7 @@ use crate::raster::load::toml::source::Source;
 use crate::raster::load::toml::values::Step;
 use crate::raster::load::toml::values::{PolygonTable, SurfaceTable};
 use crate::raster::settings::{Interpolation, ObjectSettings, Shading};
+use crate::shade::Optics;
 use crate::surface::{Primitive, Surface, Tessellation};
 use glam::{DMat3, DMat4};
 use serde::Deserialize;
@@ -131,6 +132,8 @@ impl<'a> Builder<'a> {
         }
         let material = table.material.as_ref().map(|table| MaterialTable::material(self.source, table));
         let material = material.transpose()?.flatten();
+        let optics = table.material.as_ref().map(|table| MaterialTable::optics(self.source, table));
+        let optics = optics.transpose()?.flatten();
         let own = table.material.as_ref().and_then(|material| material.get_ref().reflection);
         let keys = of_keys(table.weight, table.crease, table.precision, table.normal_format);
         let normals = keys.or(self.normals);
@@ -144,6 +147,8 @@ impl<'a> Builder<'a> {
                 name: if table.name.is_empty() { object.name } else { table.name.clone() },
                 transform: transform * object.transform,
                 material: material.unwrap_or(object.material),
+                // A material of its own replaces that of a file.
+                optics: optics.or(material.map(|_| Optics::NONE)).unwrap_or(object.optics),
                 settings: ObjectSettings {
                     shading: table.shading.as_ref().map(|shading| shading.get_ref().into()),
                     interpolation: table.interpolation,
