@@ -4,7 +4,7 @@ import { button, choice, commandBlock, element, group, slider, table } from './d
 import { currentLanguage, text } from './texts.js';
 import { readParameters, writeParameters } from './link.js';
 import { figure, put } from './canvas.js';
-import { magnify } from './magnifier.js';
+import { magnifier } from './magnifier.js';
 import { plot } from './plot.js';
 import { WEIGHTS } from './normals-room.js';
 
@@ -37,8 +37,8 @@ export function artefactsRoom(lab) {
   let shown = '';
   /** @type {ReturnType<typeof figure>[]} */
   let figures = [];
-  let magnified = '';
-  let showMagnified = () => {};
+  /** @type {ReturnType<typeof magnifier> | null} */
+  let glass = null;
   // The trace: the parameter that it is along, and a value with the measures of each run.
   let along = '';
   let [tracing, traceOf] = [0, ''];
@@ -117,19 +117,20 @@ export function artefactsRoom(lab) {
     if (pictures.dataset.key !== key) {
       pictures.dataset.key = key;
       figures = [];
-      magnified = '';
+      glass = null;
       panel.hidden = true;
       pictures.replaceChildren(...value.series.map((/** @type {any[]} */ shots) => element('div', { class: 'pictures' },
         ...shots.map((shot) => {
           const made = figure(shot.caption, '');
           figures.push(made);
-          const glass = button(text('magnify'), () => {
-            magnified = shot.name;
+          const own = magnifier(made.stage, made.canvas, panel);
+          made.element.append(button(text('magnify'), () => {
+            glass?.close();
+            glass = own;
             panel.hidden = false;
-            showMagnified = magnify(made.stage, made.canvas, panel);
+            own.open();
             panel.scrollIntoView({ block: 'nearest' });
-          }, { class: 'small' });
-          made.element.append(glass);
+          }, { class: 'small', 'aria-label': `${text('magnify')}: ${shot.name}` }));
           return made.element;
         }))));
     }
@@ -140,7 +141,7 @@ export function artefactsRoom(lab) {
       caption.innerHTML = `<span class="role ${shot.role}">${text(`role-${shot.role}`)}</span> ${shot.label}`;
       figures[k].element.className = shot.role;
     });
-    if (magnified) showMagnified();
+    glass?.show();
   }
 
   /** The measure that is plotted: its number among those with a closed form. @param {any[]} measures */

@@ -37,6 +37,7 @@ export function put(canvas, [width, height], pixels) {
  */
 export function draggable(stage, moved) {
   let pressed = false;
+  stage.classList.add('drag');
   const place = (/** @type {PointerEvent} */ event, /** @type {boolean} */ dragging) => {
     const box = stage.getBoundingClientRect();
     moved((event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height, dragging, event);

@@ -18,16 +18,16 @@ function luminanceOf(codes) {
 }
 
 /**
- * Lets a line be drawn on a picture, and shows codes and profile in `panel`.
+ * Lets a line be drawn on a picture. `open` shows codes and profile in `panel`, `show` brings them up to date, `close` removes
+ * the line.
  * @param {HTMLElement} stage
  * @param {HTMLCanvasElement} canvas
  * @param {HTMLElement} panel
  */
-export function magnify(stage, canvas, panel) {
+export function magnifier(stage, canvas, panel) {
   const line = drawing('svg', { class: 'arrows', viewBox: '0 0 1 1', preserveAspectRatio: 'none', 'aria-hidden': 'true' });
   const stroke = drawing('line', { class: 'profile-line' });
   line.append(stroke);
-  stage.append(line);
   /** @type {[number, number, number, number]} */
   let ends = [0, 0.5, 1, 0.5];
   const inputs = ['x₁', 'y₁', 'x₂', 'y₂'].map((name, k) => element('input', {
@@ -40,12 +40,12 @@ export function magnify(stage, canvas, panel) {
   }));
   const codes = element('div', { class: 'wide codes', tabindex: 0, role: 'region', 'aria-label': text('codes') });
   const profile = element('div');
-  panel.replaceChildren(
+  const content = [
     element('h3', {}, text('magnifier')),
     element('p', { class: 'hint' }, text('magnifier-hint')),
     element('div', { class: 'line-inputs' }, `${text('line')}: `, ...inputs),
     element('div', { class: 'magnifier' }, codes, profile),
-  );
+  ];
 
   function show() {
     const context = canvas.getContext('2d', { willReadFrequently: true });
@@ -90,12 +90,24 @@ export function magnify(stage, canvas, panel) {
     }));
   }
 
-  draggable(stage, (x, y, dragging, event) => {
-    const [a, b] = [x, y].map((share) => Math.max(0, Math.min(0.9999, share)));
-    if (event.type === 'pointerdown') ends = [a, b, a, b];
-    else ends = [ends[0], ends[1], a, b];
+  let listens = false;
+  function listen() {
+    listens = true;
+    draggable(stage, (x, y, _dragging, event) => {
+      if (!line.isConnected) return;
+      const [a, b] = [x, y].map((share) => Math.max(0, Math.min(0.9999, share)));
+      if (event.type === 'pointerdown') ends = [a, b, a, b];
+      else ends = [ends[0], ends[1], a, b];
+      show();
+    });
+  }
+
+  function open() {
+    panel.replaceChildren(...content);
+    stage.append(line);
+    if (!listens) listen();
     show();
-  });
-  show();
-  return show;
+  }
+
+  return { open, show, close: () => line.remove() };
 }

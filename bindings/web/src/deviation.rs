@@ -28,10 +28,11 @@ pub(crate) fn picture(subject: &mut Subject, view: &View) -> Result<Vec<u8>> {
         let [r, g, b] = colour.to_array().map(|component| Transfer::Srgb.to_u8(component));
         [r, g, b, 255]
     };
-    let pixels = (0..own.coverage.len()).flat_map(|pixel| match [&own, &other].map(|image| at(image, pixel)) {
-        [Some(a), Some(b)] => code(viridis(Degrees::from(angle_between(a, b)).0 / most)),
-        _ => code(BACKGROUND),
-    });
+    let pixels =
+        (0..own.coverage.len()).flat_map(|pixel| match [&own, &other].map(|image| at(image, pixel)) {
+            [Some(a), Some(b)] => code(viridis(Degrees::from(angle_between(a, b)).0 / most)),
+            _ => code(BACKGROUND),
+        });
     Ok(pixels.collect())
 }
 
@@ -44,8 +45,7 @@ fn others(subject: &mut Subject, view: &View) -> Result<Vec<crease::normals::Nor
 }
 
 fn normals(scene: &crease::raster::Scene, view: &View, shading: Shading) -> Result<Image> {
-    let settings =
-        RenderSettings { show: Show::Normals, keep_linear: true, ..view.settings(shading) };
+    let settings = RenderSettings { show: Show::Normals, keep_linear: true, ..view.settings(shading) };
     draw_scene(scene, &settings)
 }
 

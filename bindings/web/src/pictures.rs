@@ -148,7 +148,8 @@ pub(crate) fn probe_scene(
     let mut arrows = Vec::new();
     if let Some(point) = seen {
         let lit = point.lit.iter().find_map(|lit| lit.light.as_ref());
-        let from = DVec3::from(lit.filter(|_| point.lit.len() == 1).map_or(point.position, |lit| lit.position));
+        let from =
+            DVec3::from(lit.filter(|_| point.lit.len() == 1).map_or(point.position, |lit| lit.position));
         let mut arrow = |name: &str, towards: [f64; 3]| {
             let ends = [from, from + DVec3::from(towards) * length];
             let [from, to] = ends.map(|end| on_picture(&scene.camera, settings.size, end));

@@ -1,11 +1,9 @@
 //! The ten built-in meshes: analytic surfaces, whose exact normals are known, and files of the repository.
 
 use crate::laboratory::Result;
-use crease::io::{Format, WriteOptions, write_new};
 use crease::io::Part;
-use crease::surface::{
-    Cone, Cylinder, Primitive, Sphere, Superquadric, Surface, Tessellation, Torus, Wave,
-};
+use crease::io::{Format, WriteOptions, write_new};
+use crease::surface::{Cone, Cylinder, Primitive, Sphere, Superquadric, Surface, Tessellation, Torus, Wave};
 use serde::Serialize;
 
 /// A built-in mesh, as the page lists it.
@@ -66,7 +64,8 @@ pub(crate) struct Made {
 }
 
 pub(crate) fn make(id: &str, segments: u32) -> Result<Made> {
-    let shape = SHAPES.iter().find(|shape| shape.id == id).ok_or_else(|| format!("no mesh has the name {id:?}"))?;
+    let shape =
+        SHAPES.iter().find(|shape| shape.id == id).ok_or_else(|| format!("no mesh has the name {id:?}"))?;
     let make = match shape.source {
         Source::File(name, bytes) => {
             return Ok(Made { name: name.to_owned(), bytes: bytes.to_vec(), surface: None, command: None });

@@ -3,8 +3,8 @@
 use crate::laboratory::Result;
 use crate::shapes::{self, Made};
 use crate::view::View;
-use crease::io::{Loaded, ReadOptions, Severity, read_bytes};
 use crease::io::{Format, Limits};
+use crease::io::{Loaded, ReadOptions, Severity, read_bytes};
 use crease::mesh::{Topology, Weld};
 use crease::normals::{NormalField, NormalRecipe, Weight, When, compute_on};
 use crease::surface::Primitive;

@@ -123,7 +123,10 @@ impl View {
         let depth = libm::sqrt((1.0 - x * x - y * y).max(0.0));
         let towards = right * x + up * y - forward * depth;
         let towards = if towards.length() > 0.0 { towards } else { -forward };
-        [Light::Ambient { colour: LinearRgb::WHITE }, Light::Directional { towards, colour: LinearRgb::WHITE }]
+        [
+            Light::Ambient { colour: LinearRgb::WHITE },
+            Light::Directional { towards, colour: LinearRgb::WHITE },
+        ]
     }
 
     pub(crate) fn settings(&self, shading: Shading) -> RenderSettings {

@@ -71,7 +71,7 @@ await test('Portuguese and English have the same keys and placeholders, and all 
   const scripts = readdirSync(`${here}/page`).filter((name) => name.endsWith('.js'));
   const sources = scripts.map((name) => readFileSync(`${here}/page/${name}`, 'utf8')).join('\n');
   const named = new Set([...sources.matchAll(/'([a-z][\w-]*)'/gi)].map((match) => match[1]));
-  const starts = [...sources.matchAll(/`([a-z-]+-)\$\{/g)].map((match) => match[1]);
+  const starts = [...sources.matchAll(/[`']([a-z-]+-)(?:\$\{|')/g)].map((match) => match[1]);
   for (const [, key] of sources.matchAll(/\btext\('([\w-]+)'/g)) assert.ok(key in en, `no text has the key ${key}`);
   for (const key of Object.keys(en)) {
     assert.ok(named.has(key) || starts.some((start) => key.startsWith(start)), `no script names ${key}`);
@@ -125,7 +125,7 @@ await test('sliders by keyboard change the picture and the link', async () => {
     const { page, troubles, close } = await open(`#room=${room}&subject=gear&segments=0&experiment=mach-bands`);
     await page.focus(`input[data-name="${name}"]`);
     const [link, picture] = [page.url(), await checksum(page)];
-    for (let k = 0; k < 6; k++) await after(page, () => page.keyboard.press('PageDown'));
+    for (let k = 0; k < 3; k++) await after(page, () => page.keyboard.press('PageUp'));
     assert.notEqual(page.url(), link, room);
     assert.notEqual(await checksum(page), picture, room);
     assert.deepEqual(troubles, []);

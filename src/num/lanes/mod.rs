@@ -30,9 +30,9 @@ pub(super) use avx2::Avx2;
 pub(super) use avx512::Avx512;
 pub(crate) use plain::OneLane;
 pub(super) use plain::Plain;
+pub(crate) use scalars::{Scalars, Truth, Vectors};
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub(super) use simd128::Simd128;
-pub(crate) use scalars::{Scalars, Truth, Vectors};
 
 use super::product::Product;
 use super::real::Real;

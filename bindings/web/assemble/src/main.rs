@@ -40,7 +40,11 @@ fn main() -> Result<()> {
     );
 
     let worker = format!("{binding}\n{}", read(&folder.join("worker.js"))?);
-    let texts = format!("{{\"en\":{},\"pt\":{}}}", read(&folder.join("texts.en.json"))?, read(&folder.join("texts.pt.json"))?);
+    let texts = format!(
+        "{{\"en\":{},\"pt\":{}}}",
+        read(&folder.join("texts.en.json"))?,
+        read(&folder.join("texts.pt.json"))?
+    );
     let mut scripts = Modules { folder, done: BTreeSet::new(), text: String::new() };
     scripts.add("main.js")?;
     let mut page = read(&folder.join("page.html"))?;
@@ -94,7 +98,9 @@ impl Modules<'_> {
         for line in source.lines() {
             if line.starts_with("import ") {
                 let from = line.split('\'').nth(1).and_then(|path| path.strip_prefix("./"));
-                self.add(from.with_context(|| format!("{name}: {line}: import from './FILE.js' on one line"))?)?;
+                self.add(
+                    from.with_context(|| format!("{name}: {line}: import from './FILE.js' on one line"))?,
+                )?;
             } else {
                 own.push_str(line.strip_prefix("export ").unwrap_or(line));
                 own.push('\n');

@@ -16,11 +16,19 @@ use serde_json::{Value, json};
 use std::path::Path;
 
 pub(crate) fn list() -> Value {
-    json!(EXERCISES.iter().map(|exercise| json!({ "id": exercise.id, "scene": exercise.scene })).collect::<Vec<_>>())
+    json!(
+        EXERCISES
+            .iter()
+            .map(|exercise| json!({ "id": exercise.id, "scene": exercise.scene }))
+            .collect::<Vec<_>>()
+    )
 }
 
 fn find(id: &str) -> Result<&'static Exercise> {
-    EXERCISES.iter().find(|exercise| exercise.id == id).ok_or_else(|| format!("no exercise has the name {id:?}"))
+    EXERCISES
+        .iter()
+        .find(|exercise| exercise.id == id)
+        .ok_or_else(|| format!("no exercise has the name {id:?}"))
 }
 
 /// The scene of an exercise, with the numbers of the lectures or random ones.
@@ -78,5 +86,7 @@ pub(crate) fn check(id: &str, seed: Option<u32>, answer: [f64; 3]) -> Result<Val
     let tolerance = libm::pow(10.0, -f64::from(exercise.decimals)) * (1.0 + 1e-9);
     let right = [0, 1, 2].map(|k| (answer[k] - colour[k]).abs() <= tolerance);
     let way = &probe["text"];
-    Ok(json!({ "right": right, "colour": colour, "tolerance": tolerance, "way": way, "arrows": probe["arrows"] }))
+    Ok(
+        json!({ "right": right, "colour": colour, "tolerance": tolerance, "way": way, "arrows": probe["arrows"] }),
+    )
 }
