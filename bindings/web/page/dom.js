@@ -35,6 +35,12 @@ export function drawing(name, attributes = {}, ...children) {
   return made;
 }
 
+/** Text whose single letters after `_` are subscripts, as in `k_a`. @param {string} words */
+export function subscripted(words) {
+  const parts = words.split(/_(\w)\b/);
+  return element('span', {}, ...parts.map((part, k) => (k % 2 ? element('sub', {}, part) : part)));
+}
+
 let ids = 0;
 const nextId = () => `c${++ids}`;
 
@@ -73,7 +79,7 @@ export function slider({ label, min, max, step, value, unit = '', logarithmic = 
   };
   input.addEventListener('input', () => take(true));
   input.addEventListener('change', () => take(false));
-  const row = element('div', { class: 'slider' }, element('label', { for: id }, label), shown, input);
+  const row = element('div', { class: 'slider' }, element('label', { for: id }, subscripted(label)), shown, input);
   /** Shows another value without a call. */
   row.set = (/** @type {number} */ x) => {
     input.value = String(toPosition(x));

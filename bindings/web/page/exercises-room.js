@@ -1,6 +1,6 @@
 // The room Exercises: those of the lectures and the same with random numbers, checked to the printed digits.
 
-import { button, choice, commandBlock, drawing, element, group, table } from './dom.js';
+import { button, choice, commandBlock, drawing, element, group, subscripted, table } from './dom.js';
 import { number, text } from './texts.js';
 import { figure, put } from './canvas.js';
 import { drawArrows } from './probe-room.js';
@@ -107,7 +107,7 @@ export function exercisesRoom(lab) {
       statement.textContent = text(about.given_colours ? 'statement-given' : 'statement-lit', { decimals: about.decimals });
       const rows = about.givens.map((/** @type {any} */ row) => {
         const more = [row.colour ? text('given-colour', { colour: row.colour }) : '', row.offset !== null && row.offset !== undefined ? text('given-offset', { k: row.offset }) : ''];
-        return [text(`given-${row.key}`, { number: row.number ?? '' }), [row.value, ...more].filter(Boolean).join(', ')];
+        return [subscripted(text(`given-${row.key}`, { number: row.number ?? '' })), [row.value, ...more].filter(Boolean).join(', ')];
       });
       givens.replaceChildren(table(text('givens'), [], rows));
       inputs.forEach((input) => { input.value = ''; input.className = ''; input.removeAttribute('aria-invalid'); });

@@ -90,12 +90,13 @@ window.addEventListener('hashchange', () => {
 /** Makes the page anew from the state. */
 async function show() {
   const { state } = lab;
+  delete root.dataset.ready;
   if (state.subject === 'file' && !lab.file) {
     lab.say(text('file-missing'));
     Object.assign(state, { subject: 'sphere', segments: 16 });
   }
   if (!(state.room in ROOMS)) state.room = 'normals';
-  if (state.lang) setLanguage(state.lang);
+  setLanguage(state.lang);
   document.documentElement.dataset.theme = state.theme;
   document.documentElement.classList.toggle('present', state.present);
   document.title = `${text(`room-${state.room}`)} – ${text('title')}`;
@@ -163,9 +164,11 @@ window.addEventListener('drop', (event) => {
   if (file) lab.open(file);
 });
 
-setLanguage(lab.state.lang || currentLanguage());
-lab.shapes = (await lab.program.ask({ verb: 'shapes' })).value;
-show();
+setLanguage(lab.state.lang);
+lab.program.ask({ verb: 'shapes' }).then((/** @type {any} */ answer) => {
+  lab.shapes = answer.value;
+  show();
+}, (/** @type {Error} */ error) => root.replaceChildren(element('p', { role: 'alert' }, text('cannot-start', { error: String(error.message) }))));
 
 // For tests and the console: any request, with its buffers.
 /** @type {any} */ (window).laboratory = { ask: (/** @type {any} */ request) => lab.program.ask(request), state: lab.state };

@@ -22,8 +22,9 @@ export function normalsRoom(lab) {
   const room = element('div', { class: 'room with-controls' },
     element('div', { class: 'main' },
       element('p', { class: 'lead' }, text('normals-lead')),
-      element('div', { class: 'pictures four' }, ...figures.slice(0, 4).map((it) => it.element)),
-      element('div', { class: 'below' }, figures[4].element, counts),
+      element('div', { class: 'overview' },
+        element('div', { class: 'pictures four' }, ...figures.slice(0, 4).map((it) => it.element)),
+        element('div', { class: 'facts' }, figures[4].element, counts)),
       saving),
     controls);
 

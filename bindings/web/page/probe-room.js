@@ -21,6 +21,10 @@ export function drawArrows(svg, [width, height], arrows) {
     const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
     const length = Math.hypot(dx, dy) || 1;
     const [ux, uy] = [dx / length, dy / length];
+    if (length < 14 * unit) {
+      // It points at the viewer, as V does: a name without a shaft.
+      return [drawing('text', { class: `name ${name}`, x: from[0] - 15 * unit, y: from[1] + 22 * unit, 'font-size': 17 * unit, 'stroke-width': 4 * unit, 'text-anchor': 'middle' }, name)];
+    }
     const tip = [-1, 1].map((side) => `${to[0] - 9 * unit * (ux - side * 0.45 * uy)},${to[1] - 9 * unit * (uy + side * 0.45 * ux)}`);
     return [
       drawing('line', { class: `halo`, x1: from[0], y1: from[1], x2: to[0], y2: to[1], 'stroke-width': 6 * unit }),

@@ -5,12 +5,6 @@
  * @typedef {{ resolve: (answer: Answer) => void, reject: (error: Error) => void }} Waiting
  */
 
-/** The decoded bytes of the embedded program, compressed. */
-function embeddedProgram() {
-  const text = document.getElementById('program')?.textContent ?? '';
-  return Uint8Array.from(atob(text.trim()), (c) => c.charCodeAt(0));
-}
-
 export class Program {
   constructor() {
     /** @type {Map<number, Waiting>} */
@@ -20,6 +14,8 @@ export class Program {
     this.count = 0;
     /** Called after a restart: the program no longer has the user's file. */
     this.onrestart = () => {};
+    /** Whether the program has ever answered: one that cannot start is not started over and over. */
+    this.works = false;
     this.start();
   }
 
@@ -29,16 +25,16 @@ export class Program {
     this.worker = new Worker(address);
     this.worker.onmessage = ({ data }) => this.receive(data);
     this.worker.onerror = (event) => this.fail(event.message);
-    this.worker.postMessage({ program: embeddedProgram() });
+    this.worker.postMessage({ program: document.getElementById('program')?.textContent });
   }
 
   /** @param {any} data */
   receive(data) {
-    if (data.ready) return;
     if (data.failed) {
       this.fail(data.failed);
       return;
     }
+    this.works = true;
     const waiting = this.waiting.get(data.id);
     this.waiting.delete(data.id);
     const value = JSON.parse(data.answer);
@@ -51,8 +47,11 @@ export class Program {
     this.worker?.terminate();
     const all = [...this.waiting.values()];
     this.waiting.clear();
-    this.start();
-    this.onrestart();
+    if (this.works) {
+      this.works = false;
+      this.start();
+      this.onrestart();
+    }
     all.forEach(({ reject }) => reject(new Error(`the program stopped: ${message}`)));
   }
 

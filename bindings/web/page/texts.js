@@ -3,13 +3,15 @@
 /** @type {Record<string, Record<string, string>>} */
 const TEXTS = JSON.parse(document.getElementById('texts')?.textContent ?? '{}');
 
-let language = navigator.language.toLowerCase().startsWith('pt') ? 'pt' : 'en';
+/** The browser's language, if there are texts in it. */
+const usual = navigator.language.toLowerCase().startsWith('pt') ? 'pt' : 'en';
+let language = usual;
 
 export const currentLanguage = () => language;
 
-/** @param {string} tag */
+/** @param {string} tag an unknown one is the browser's */
 export function setLanguage(tag) {
-  language = tag in TEXTS ? tag : 'en';
+  language = tag in TEXTS ? tag : usual;
   document.documentElement.lang = language === 'pt' ? 'pt-BR' : 'en';
 }
 

@@ -10,7 +10,7 @@ use glam::DVec3;
 use serde_json::{Value, json};
 
 /// The background of a map, which no colour of the map resembles.
-const BACKGROUND: LinearRgb = LinearRgb::grey(0.2);
+const BACKGROUND: LinearRgb = LinearRgb::grey(0.07);
 
 /// The angle in colours from dark violet for none over green to yellow: between interpolated normals, or to the normal of the
 /// analytic surface that is visible at the same pixel.

@@ -1,6 +1,6 @@
 // Tests of the laboratory in a real browser. Run from the root of the repository, after `bash bindings/web/build`:
 //
-//     node bindings/web/tests/lab.mjs NODE_MODULES NATIVE_ANSWERS
+//     node bindings/web/tests/lab.mjs NODE_MODULES NATIVE_ANSWERS [PART_OF_A_NAME]
 //
 // NODE_MODULES has playwright-core and axe-core. NATIVE_ANSWERS is the folder that the program `answers` wrote. Set CHROMIUM to
 // the path of another browser than /usr/bin/chromium.
@@ -10,7 +10,7 @@ import { createRequire } from 'node:module';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-const [modules, native] = process.argv.slice(2);
+const [modules, native, only] = process.argv.slice(2);
 const require = createRequire(join(resolve(modules), 'x.js'));
 const { chromium } = require('playwright-core');
 const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
@@ -23,6 +23,7 @@ let failed = 0;
 
 /** Runs a test. */
 async function test(name, run) {
+  if (only && !name.includes(only)) return;
   const start = Date.now();
   try {
     await run();
@@ -46,6 +47,15 @@ async function open(link = '', options = {}) {
   await page.goto(page_file + link);
   await page.waitForSelector('#laboratory[data-ready]', { timeout: 60_000 });
   return { page, troubles, close: () => context.close() };
+}
+
+/** Goes to another link on the same page. */
+async function go(page, link) {
+  await page.evaluate((fragment) => {
+    delete document.getElementById('laboratory').dataset.ready;
+    location.hash = fragment;
+  }, link);
+  await page.waitForSelector('#laboratory[data-ready]', { timeout: 60_000 });
 }
 
 const drawn = (page) => page.evaluate(() => Number(document.querySelector('.room')?.dataset.drawn ?? 0));
@@ -79,13 +89,14 @@ await test('Portuguese and English have the same keys and placeholders, and all 
 });
 
 await test('each room opens from disk: no message on the console, no request', async () => {
+  const { page, troubles, close } = await open();
   for (const room of ROOMS) {
-    const { page, troubles, close } = await open(`#room=${room}`);
+    await go(page, `#room=${room}&zoom=1.1`);
     assert.equal(await page.getAttribute('nav [aria-current]', 'data-name'), `room-${room}`);
     assert.deepEqual(troubles, []);
     assert.equal(await page.locator('.message.error').count(), 0);
-    await close();
   }
+  await close();
 });
 
 await test('the same bits as the native program', async () => {
@@ -121,16 +132,17 @@ await test('the same bits as the native program', async () => {
 });
 
 await test('sliders by keyboard change the picture and the link', async () => {
+  const { page, troubles, close } = await open();
   for (const [room, name] of [['normals', 'crease'], ['artefacts', 'segments'], ['probe', 'exponent'], ['inspect', 'turn']]) {
-    const { page, troubles, close } = await open(`#room=${room}&subject=gear&segments=0&experiment=mach-bands`);
+    await go(page, `#room=${room}&subject=gear&segments=0&experiment=mach-bands`);
     await page.focus(`input[data-name="${name}"]`);
     const [link, picture] = [page.url(), await checksum(page)];
     for (let k = 0; k < 3; k++) await after(page, () => page.keyboard.press('PageUp'));
     assert.notEqual(page.url(), link, room);
     assert.notEqual(await checksum(page), picture, room);
     assert.deepEqual(troubles, []);
-    await close();
   }
+  await close();
 });
 
 await test('the lamp is dragged', async () => {
@@ -255,27 +267,30 @@ await test('the trace of an experiment follows its closed form', async () => {
 });
 
 await test('axe finds no serious violation, in both colours and languages', async () => {
+  const { page, close } = await open();
+  await page.evaluate(axe);
   for (const [room, more] of ROOMS.flatMap((name) => [[name, '&theme=light'], [name, '&theme=dark&lang=pt']])) {
-    const { page, close } = await open(`#room=${room}${more}`);
-    await page.evaluate(axe);
+    await go(page, `#room=${room}${more}`);
     const { violations } = await page.evaluate(() => window.axe.run(document));
     const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
     assert.deepEqual(serious.map(({ id, nodes }) => `${id}: ${nodes.map(({ html, failureSummary }) => `${html} ${failureSummary}`).slice(0, 3)}`), [], room + more);
-    await close();
   }
+  await close();
 });
 
 await test('no text is wider than the page, at three widths', async () => {
   mkdirSync('target/lab/screenshots', { recursive: true });
+  const { page, close } = await open();
   for (const width of [1280, 768, 390]) {
+    await page.setViewportSize({ width, height: 900 });
     for (const room of ROOMS) {
-      const { page, close } = await open(`#room=${room}&subject=gear&segments=0&experiment=mach-bands`, { viewport: { width, height: 900 } });
+      await go(page, `#room=${room}&subject=gear&segments=0&experiment=mach-bands&zoom=${1 + width / 10_000}`);
       await page.screenshot({ path: `target/lab/screenshots/${room}-${width}.png`, fullPage: width !== 1280 });
       const overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
       assert.ok(overflow <= 0, `${room} at ${width}: ${overflow} pixels too wide`);
-      await close();
     }
   }
+  await close();
 });
 
 await browser.close();
