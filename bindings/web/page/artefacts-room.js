@@ -30,7 +30,7 @@ export function artefactsRoom(lab) {
   const panel = element('section', { class: 'panel', hidden: true });
   const live = element('section', { class: 'live' });
   const rest = element('div');
-  const room = element('div', { class: 'room with-controls' },
+  const room = element('div', { class: 'room with-controls controls-first' },
     element('div', { class: 'main' }, head, verdict, pictures, panel, live, rest), controls);
   /** @type {any[]} */
   let experiments = [];
@@ -203,7 +203,7 @@ export function artefactsRoom(lab) {
       ...value.charts.map((/** @type {any} */ chart) => element('figure', { class: 'chart' },
         element('div', { html: chart.svg }), element('figcaption', { html: chart.caption }))),
       element('h2', {}, text('measured-values')),
-      table(text('measured-values'), value.table.headings, value.table.rows, { html: true }),
+      element('div', { class: 'measures' }, table(text('measured-values'), value.table.headings, value.table.rows, { html: true })),
       element('h2', {}, text('explanation')),
       ...value.notes.map((/** @type {string} */ note) => element('p', { html: note })),
       ...experiment.formulas.map((/** @type {any} */ formula) => element('div', { class: 'formula' },

@@ -23,7 +23,7 @@ export function exercisesRoom(lab) {
     element('button', { type: 'submit' }, text('check')), ' ',
     button(text('show-way'), () => showWay(), { 'data-name': 'way' }));
   const statement = element('p', { class: 'lead' });
-  const room = element('div', { class: 'room with-controls' },
+  const room = element('div', { class: 'room with-controls controls-first' },
     element('div', { class: 'main' }, element('p', { class: 'lead' }, text('exercises-lead')), statement,
       element('div', { class: 'split' }, view.element, element('div', {}, givens, form, result, way))),
     controls);

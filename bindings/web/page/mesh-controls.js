@@ -31,7 +31,7 @@ export function meshGroup(lab) {
   if (lab.file) options.push(['file', lab.file.name]);
   const chosen = (/** @type {string} */ subject) => {
     const other = lab.shapes.find(({ id }) => id === subject);
-    lab.update({ subject, segments: other?.segments ?? 0 });
+    lab.update({ subject, segments: other?.segments ?? 0, against: other?.segments ? 'exact' : 'uniform' });
   };
   const input = element('input', {
     type: 'file', accept: '.obj,.ply,.stl,.glb,.gltf', class: 'visually-hidden', tabindex: -1, 'aria-label': text('open-file'),

@@ -105,7 +105,7 @@ export function normalsRoom(lab) {
       [text('deviation-rms'), deviation.missing ? '–' : degrees(deviation.rms)],
       [text('deviation-largest'), deviation.missing ? '–' : degrees(deviation.largest)],
     ];
-    counts.replaceChildren(table(text('counts'), [], rows), ...value.facts.notes.map((/** @type {string} */ note) => element('p', { class: 'hint', lang: 'en' }, note)));
+    counts.replaceChildren(table(text('counts'), [], rows), ...(lab.state.subject === 'file' ? value.facts.notes : []).map((/** @type {string} */ note) => element('p', { class: 'hint', lang: 'en' }, note)));
   }
 
   /** @param {boolean} dragging */
