@@ -200,8 +200,8 @@ export function artefactsRoom(lab) {
   function showRest(value) {
     const experiment = current();
     rest.replaceChildren(
-      ...value.charts.map((/** @type {any} */ chart) => element('figure', { class: 'chart' },
-        element('div', { html: chart.svg }), element('figcaption', { html: chart.caption }))),
+      element('div', { class: 'charts' }, ...value.charts.map((/** @type {any} */ chart) => element('figure', { class: 'chart' },
+        element('div', { html: chart.svg }), element('figcaption', { html: chart.caption })))),
       element('h2', {}, text('measured-values')),
       element('div', { class: 'measures' }, table(text('measured-values'), value.table.headings, value.table.rows, { html: true })),
       element('h2', {}, text('explanation')),
