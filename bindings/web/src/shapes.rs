@@ -88,7 +88,7 @@ pub(crate) fn make(id: &str, segments: u32) -> Result<Made> {
     let written =
         write_new(&[part], Format::Ply, &WriteOptions::default()).map_err(|error| error.to_string())?;
     let [u, v] = segments;
-    let command = format!("crease surface {id} --segments {u},{v} -o {id}.ply");
+    let command = format!("crease surface {id} --segments {u}x{v} -o {id}.ply");
     let surface = if let Surface::Primitive(primitive) = surface { Some(primitive) } else { None };
     Ok(Made { name: format!("{id}.ply"), bytes: written.bytes, surface, command: Some(command) })
 }
