@@ -58,8 +58,19 @@ pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     kernel.run(Plain::<f64, super::product::Fused>::new())
 }
 
+/// Runs a kernel with SIMD128, if the program is compiled for it.
+#[cfg(target_arch = "wasm32")]
+#[inline]
+pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
+    #[cfg(target_feature = "simd128")]
+    if let Some(arch) = super::lanes::Simd128::new() {
+        return kernel.run(arch);
+    }
+    kernel.run(Plain::<f64, super::product::Split>::new())
+}
+
 /// Runs a kernel without fused multiply-add, which this target may not have.
-#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32")))]
 #[inline]
 pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     kernel.run(Plain::<f64, super::product::Split>::new())

@@ -50,6 +50,7 @@ pub use scale::unit_scale;
 pub use steepness::{largest_exponent, steepest_slope};
 pub use sum::CompensatedSum;
 pub use unit::UnitVec3;
+pub use viridis::viridis;
 
 pub(crate) use corner_angle::{corner_angle, triangle_angles};
 pub(crate) use digits::{Nine, NineEach, superscript};
@@ -65,4 +66,3 @@ pub(crate) use product::difference_of_products;
 pub(crate) use product::{Product, Split, cross};
 pub(crate) use sum::two_difference;
 pub(crate) use unit::{PLAIN_SQUARES, direction, exponent, power_of_two, scale, squared_length};
-pub(crate) use viridis::viridis;

@@ -22,6 +22,7 @@ pub(crate) trait Product<R = f64>: Copy + Send + Sync + 'static {
 /// By fused multiply-add. Only for code that is compiled with the instruction: without it, `mul_add` is a call
 /// of a library function that is slow, though right.
 #[derive(Clone, Copy)]
+#[cfg_attr(not(any(target_arch = "x86_64", target_arch = "aarch64")), allow(dead_code))]
 pub(crate) struct Fused;
 
 impl Product for Fused {

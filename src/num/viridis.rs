@@ -10,7 +10,7 @@ const COLOURS: [[u8; 3]; 5] = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 
 static LINEAR: LazyLock<[LinearRgb; 5]> = LazyLock::new(|| COLOURS.map(|colour| Srgb8(colour).into()));
 
 /// The colour of a share from 0, dark violet, over blue-green to 1, yellow. What is beyond has the colour of the end.
-pub(crate) fn viridis(share: f64) -> LinearRgb {
+pub fn viridis(share: f64) -> LinearRgb {
     let place = share.clamp(0.0, 1.0) * (COLOURS.len() - 1) as f64;
     let below = (place as usize).min(COLOURS.len() - 2);
     let part = place - below as f64;

@@ -55,6 +55,16 @@ impl Table {
         }
     }
 
+    /// The headings of its columns.
+    pub fn headings(&self) -> &[String] {
+        &self.columns
+    }
+
+    /// Its cells, row by row.
+    pub fn cells(&self) -> &[Vec<String>] {
+        &self.rows
+    }
+
     /// Whether there are no rows.
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()

@@ -17,6 +17,12 @@ mod scalars;
 // Eight lanes of single precision in one register of AVX.
 #[cfg(target_arch = "x86_64")]
 mod avx_singles;
+// Eight lanes in four registers of WebAssembly.
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+mod simd128;
+// Eight lanes of single precision in two registers of WebAssembly.
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+mod simd128_singles;
 
 #[cfg(target_arch = "x86_64")]
 pub(super) use avx2::Avx2;
@@ -25,6 +31,8 @@ pub(super) use avx512::Avx512;
 pub(crate) use plain::OneLane;
 pub(super) use plain::Plain;
 pub(crate) use scalars::{Scalars, Truth, Vectors};
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+pub(super) use simd128::Simd128;
 
 use super::product::Product;
 use super::real::Real;

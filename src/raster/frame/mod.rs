@@ -8,3 +8,5 @@ pub(super) mod tile;
 pub(super) mod empty_picture;
 // From a scene to a picture of stored numbers.
 pub(super) mod render;
+// Times of the stages.
+mod stopwatch;

@@ -6,6 +6,7 @@ use crate::raster::coverage::tile_bins::{Binning, Bins, tiles};
 use crate::raster::coverage::visible_triangle::{BLOCKS, LANES, PIXELS, number};
 use crate::raster::error::Result;
 use crate::raster::frame::job::Job;
+use crate::raster::frame::stopwatch::Stopwatch;
 use crate::raster::frame::tile::{Finished, Worker};
 use crate::raster::lines::LineJob;
 use crate::raster::picture::{Image, Pixels, Statistics, Times};
@@ -14,7 +15,6 @@ use crate::raster::settings::{Bits, RenderSettings};
 use crate::shade::ToneRule;
 use rayon::prelude::*;
 use std::sync::Mutex;
-use std::time::Instant;
 
 /// Draws a scene.
 ///
@@ -56,14 +56,14 @@ use std::time::Instant;
 /// # Errors
 /// Invalid cameras, sizes, transforms, lists and numbers; colours that are not finite.
 pub fn render(scene: &Scene, settings: &RenderSettings) -> Result<Image> {
-    let start = Instant::now();
+    let start = Stopwatch::start();
     let job = Job::new(scene, settings)?;
     let lines = LineJob::new(&job, scene)?;
     let geometry = start.elapsed();
-    let start = Instant::now();
+    let start = Stopwatch::start();
     let bins = bins(&job);
     let binning = start.elapsed();
-    let start = Instant::now();
+    let start = Stopwatch::start();
     let mut image = blank(settings);
     let drawn = draw_tiles(&job, &bins, &lines, &mut image)?;
     image.statistics.covered_pixels = drawn.covered;

@@ -11,6 +11,6 @@ mod page;
 #[cfg(test)]
 mod tests;
 
-pub use notation::{mathml, spoken};
+pub use notation::{mathml, running, spoken};
 pub use page::{chart_plot, experiment_page, experiment_sheet, index_page, page_name, picture_name};
 pub use tables::{list_table, measure_table, misses, verdict_text};

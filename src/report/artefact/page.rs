@@ -60,8 +60,20 @@ pub fn experiment_page(
     page.paragraph(&text("command"));
     let command = experiment.command(setup, language);
     page.raw(&html! { pre { code { (command) } } "\n" }.into_string());
+    page.paragraph(&tables::live(&laboratory_link(experiment, setup), language));
     page.raw("</div>\n");
     Ok(page.finish())
+}
+
+/// The page of the laboratory in a browser that shows the same run.
+fn laboratory_link(experiment: &Experiment, setup: &Setup) -> String {
+    let changed = experiment.takes.iter().filter_map(|&name| {
+        let [own, usual] = [&setup.parameters, &experiment.defaults].map(|parameters| parameters.value(name));
+        Some(format!("{}:{}", name.name(), own.filter(|own| Some(own) != usual.as_ref())?))
+    });
+    let changed: Vec<String> = changed.collect();
+    let parameters = if changed.is_empty() { "" } else { "&parameters=" };
+    format!("lab.html#room=artefacts&experiment={}{parameters}{}", experiment.id, changed.join(","))
 }
 
 /// The thumbnails of the first series: the artefact before the first cure, that cure, and the first difference.

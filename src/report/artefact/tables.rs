@@ -12,6 +12,11 @@ pub(super) fn text(key: &str, language: Language) -> String {
     TEXTS.get(key).get(language).to_owned()
 }
 
+/// Where an experiment is shown live.
+pub(super) fn live(link: &str, language: Language) -> String {
+    TEXTS.with("live", &[("link", link.into())]).get(language).to_owned()
+}
+
 pub(super) fn role(role: Role) -> &'static str {
     match role {
         Role::Bad => "role-bad",

@@ -21,6 +21,9 @@ reproduce = Reproduce
 command =
     This command repeats the measurements and draws the pictures again. Each picture is a separate file; its name is in
     the caption:
+live =
+    In the laboratory, which runs in a browser, the parameters of this experiment are sliders: open
+    `{ $link }`. `bash bindings/web/build` in the repository makes this file.
 column-quantity = quantity
 column-measured = measured
 column-expected = expected

@@ -21,6 +21,9 @@ reproduce = Reproduzir
 command =
     Este comando repete as medidas e desenha as imagens de novo. Cada imagem é um arquivo separado, cujo nome está na
     legenda:
+live =
+    No laboratório, que funciona em um navegador, os parâmetros deste experimento são controles deslizantes: abra
+    `{ $link }`. No repositório, `bash bindings/web/build` cria esse arquivo.
 column-quantity = grandeza
 column-measured = medido
 column-expected = esperado

@@ -1,0 +1,246 @@
+// The room Artefacts: the experiments with their parameters, pictures, numbers, plots and verdicts.
+
+import { button, choice, commandBlock, element, group, slider, table } from './dom.js';
+import { currentLanguage, text } from './texts.js';
+import { readParameters, writeParameters } from './link.js';
+import { figure, put } from './canvas.js';
+import { magnifier } from './magnifier.js';
+import { plot } from './plot.js';
+import { WEIGHTS } from './normals-room.js';
+
+/** The size of pictures while a slider moves, and of the runs of a trace. */
+const COARSE = 128;
+/** Runs of a trace. */
+const STEPS = 24;
+/** @type {Record<string, { step: number, unit?: string, logarithmic?: boolean }>} */
+const SLIDERS = {
+  size: { step: 1, unit: ' px' },
+  segments: { step: 1, logarithmic: true },
+  light: { step: 0.01, unit: '°' },
+  exponent: { step: 1, logarithmic: true },
+  crease: { step: 1, unit: '°' },
+};
+
+/** @param {import('./mesh-controls.js').Lab} lab */
+export function artefactsRoom(lab) {
+  const controls = element('div', { class: 'controls' });
+  const head = element('div');
+  const verdict = element('p', { class: 'verdict', 'aria-live': 'polite' });
+  const pictures = element('div');
+  const panel = element('section', { class: 'panel', hidden: true });
+  const live = element('section', { class: 'live' });
+  const rest = element('div');
+  const room = element('div', { class: 'room with-controls controls-first' },
+    element('div', { class: 'main' }, head, verdict, pictures, panel, live, rest), controls);
+  /** @type {any[]} */
+  let experiments = [];
+  let shown = '';
+  /** @type {ReturnType<typeof figure>[]} */
+  let figures = [];
+  /** @type {ReturnType<typeof magnifier> | null} */
+  let glass = null;
+  // The trace: the parameter that it is along, and a value with the measures of each run.
+  let along = '';
+  let [tracing, traceOf] = [0, ''];
+  /** @type {[number, any[]][]} */
+  let trace = [];
+
+  const current = () => experiments.find(({ id }) => id === lab.state.experiment) ?? experiments[0];
+  const parameter = (/** @type {string} */ name) => current().parameters.find((/** @type {any} */ it) => it.name === name);
+  const own = () => readParameters(lab.state.parameters);
+  const valueOf = (/** @type {string} */ name) => own()[name] ?? parameter(name)?.default;
+
+  /** A request for a run. @param {Record<string, any>} more */
+  function run(more) {
+    /** @type {any} */
+    const request = { verb: 'experiment', id: current().id, language: currentLanguage() };
+    for (const { name, range } of current().parameters) {
+      const value = own()[name];
+      if (value !== undefined) request[name] = range ? Number(value) : value;
+    }
+    return { ...request, ...more };
+  }
+
+  /** @param {string} name @param {string | number} value @param {boolean} [dragging] */
+  function change(name, value, dragging = false) {
+    const changed = { ...own(), [name]: String(value) };
+    if (String(value) === parameter(name).default) delete changed[name];
+    if (parameter(name).range && name !== 'size') along = name;
+    lab.update({ parameters: writeParameters(changed) }, dragging);
+  }
+
+  async function fill() {
+    experiments = (await lab.program.ask({ verb: 'experiments', language: currentLanguage() })).value;
+    fillControls();
+  }
+
+  function fillControls() {
+    const experiment = current();
+    const sliders = experiment.parameters.map((/** @type {{ name: string, range: [number, number] | null }} */ { name, range }) => {
+      if (!range) {
+        const options = name === 'weight' ? WEIGHTS : ['scanline', 'affine', 'perspective'];
+        return choice({
+          label: text(`parameter-${name}`), name, value: valueOf(name),
+          options: options.map((key) => [key, text(name === 'weight' ? `weight-${key}` : `interpolation-${key}`)]),
+          chosen: (value) => change(name, value),
+        });
+      }
+      const { step, unit, logarithmic } = SLIDERS[name];
+      const max = name === 'segments' ? Math.min(range[1], 256) : name === 'exponent' ? 10000 : name === 'size' ? 640 : range[1];
+      const min = name === 'exponent' ? 1 : range[0];
+      return slider({
+        label: text(`parameter-${name}`), name, min, max, step, unit, logarithmic, value: Number(valueOf(name)),
+        moved: (value, dragging) => change(name, value, dragging),
+      });
+    });
+    const movable = experiment.parameters.filter((/** @type {any} */ it) => it.range && it.name !== 'size').map((/** @type {any} */ it) => it.name);
+    if (!movable.includes(along)) along = movable[0] ?? '';
+    controls.replaceChildren(
+      group(text('experiment'), choice({
+        label: text('experiment-choice'), name: 'experiment', value: experiment.id,
+        options: experiments.map(({ id, title }) => [id, title]),
+        chosen: (id) => lab.update({ experiment: id, parameters: '', measure: 0 }),
+      })),
+      group(text('parameters'), ...sliders,
+        button(text('defaults'), () => { lab.update({ parameters: '' }); fillControls(); }, { class: 'small' })),
+    );
+    head.replaceChildren(
+      element('h2', {}, experiment.title),
+      element('p', { class: 'lead', html: experiment.claim }),
+    );
+    shown = experiment.id;
+  }
+
+  /** @param {any} value @param {Uint8Array[]} buffers */
+  function showPictures(value, buffers) {
+    const key = JSON.stringify(value.series.map((/** @type {any[]} */ shots) => shots.map(({ name, label }) => [name, label])));
+    if (pictures.dataset.key !== key) {
+      pictures.dataset.key = key;
+      figures = [];
+      glass = null;
+      panel.hidden = true;
+      pictures.replaceChildren(...value.series.map((/** @type {any[]} */ shots) => element('div', { class: 'pictures' },
+        ...shots.map((shot) => {
+          const made = figure(shot.caption, '');
+          figures.push(made);
+          const own = magnifier(made.stage, made.canvas, panel);
+          made.element.append(button(text('magnify'), () => {
+            glass?.close();
+            glass = own;
+            panel.hidden = false;
+            own.open();
+            panel.scrollIntoView({ block: 'nearest' });
+          }, { class: 'small', 'aria-label': `${text('magnify')}: ${shot.name}` }));
+          return made.element;
+        }))));
+    }
+    value.series.flat().forEach((/** @type {any} */ shot, /** @type {number} */ k) => {
+      put(figures[k].canvas, shot.size, buffers[k]);
+      figures[k].canvas.setAttribute('aria-label', shot.caption);
+      const caption = figures[k].element.querySelector('figcaption');
+      caption.innerHTML = `<span class="role ${shot.role}">${text(`role-${shot.role}`)}</span> ${shot.label}`;
+      figures[k].element.className = shot.role;
+    });
+    glass?.show();
+  }
+
+  /** The measure that is plotted: its number among those with a closed form. @param {any[]} measures */
+  function showLive(measures) {
+    const known = measures.map((measure, index) => ({ ...measure, index })).filter(({ expected }) => expected);
+    const picked = known.find(({ index }) => index === lab.state.measure) ?? known[0];
+    if (!picked || !along) {
+      live.replaceChildren();
+      return;
+    }
+    const here = Number(valueOf(along));
+    const sorted = [...trace].sort((a, b) => a[0] - b[0]);
+    const values = (/** @type {(measure: any) => number} */ of) => /** @type {[number, number][]} */ (
+      sorted.filter(([, list]) => list[picked.index]).map(([at, list]) => [at, of(list[picked.index])]));
+    const unit = picked.unit ? ` (${picked.unit})` : '';
+    live.replaceChildren(
+      element('h2', {}, text('live')),
+      element('div', { class: 'row' },
+        choice({
+          label: text('measure'), name: 'measure', value: String(picked.index),
+          options: known.map(({ name, index }) => [String(index), name]),
+          chosen: (value) => lab.update({ measure: Number(value) }),
+        }),
+        button(text('trace', { name: text(`parameter-${along}`) }), startTrace, { 'data-name': 'trace' })),
+      plot({
+        title: picked.name, x: text(`parameter-${along}`), y: `${text('value')}${unit}`, here,
+        curves: [
+          { name: text('closed-form'), points: values((measure) => measure.expected?.[1] ?? NaN), mark: 'dashed' },
+          { name: text('measured'), points: values((measure) => measure.value), mark: 'dots' },
+        ],
+      }),
+    );
+  }
+
+  async function startTrace() {
+    const mine = ++tracing;
+    const { range } = parameter(along);
+    const [low, high] = along === 'segments' ? [Math.max(range[0], 3), Math.min(range[1], 64)]
+      : along === 'exponent' ? [1, 256] : along === 'light' ? [-90, 90] : range;
+    for (let k = 0; k <= STEPS && mine === tracing; k++) {
+      const value = along === 'light' || along === 'crease' ? low + (high - low) * k / STEPS : Math.round(low * (high / low) ** (k / STEPS));
+      const sized = parameter('size') ? { size: COARSE } : {};
+      try {
+        const answer = await lab.program.ask(run({ ...sized, [along]: value, brief: true }));
+        if (mine !== tracing) return;
+        trace.push([value, answer.value.measures]);
+        showLive(answer.value.measures);
+      } catch {
+        // A value of the range that this experiment refuses has no point.
+      }
+    }
+    room.dataset.traced = String(Number(room.dataset.traced ?? 0) + 1);
+  }
+
+  /** @param {any} value */
+  function showRest(value) {
+    const experiment = current();
+    rest.replaceChildren(
+      element('div', { class: 'charts' }, ...value.charts.map((/** @type {any} */ chart) => element('figure', { class: 'chart' },
+        element('div', { html: chart.svg }), element('figcaption', { html: chart.caption })))),
+      element('h2', {}, text('measured-values')),
+      element('div', { class: 'measures' }, table(text('measured-values'), value.table.headings, value.table.rows, { html: true })),
+      element('h2', {}, text('explanation')),
+      ...value.notes.map((/** @type {string} */ note) => element('p', { html: note })),
+      ...experiment.formulas.map((/** @type {any} */ formula) => element('div', { class: 'formula' },
+        element('div', { html: formula.math }), element('p', { html: formula.says }))),
+      element('h2', {}, text('sources')),
+      element('ul', {}, ...experiment.sources.map((/** @type {string} */ source) => element('li', { html: source }))),
+      element('h2', {}, text('command')),
+      commandBlock([value.command]),
+    );
+  }
+
+  /** @param {boolean} dragging */
+  async function draw(dragging) {
+    if (!experiments.length) return;
+    if (shown !== current().id) fillControls();
+    const key = writeParameters(Object.fromEntries(Object.entries(own()).filter(([name]) => name !== along))) + current().id + along;
+    if (key !== traceOf) {
+      [trace, traceOf] = [[], key];
+      tracing++;
+    }
+    const size = Number(valueOf('size') ?? COARSE);
+    const coarse = dragging && parameter('size') ? { size: Math.min(COARSE, size) } : {};
+    try {
+      const answer = await lab.program.latest('experiment', run(coarse));
+      if (!answer) return;
+      const { value, buffers } = answer;
+      verdict.className = `verdict ${value.verdict}`;
+      verdict.innerHTML = `<strong>${value.verdict_name}</strong>: ${value.condition}`;
+      showPictures(value, buffers);
+      if (along) trace.push([Number(valueOf(along)), value.measures]);
+      showLive(value.measures);
+      if (!dragging) showRest(value);
+      room.dataset.drawn = String(Number(room.dataset.drawn ?? 0) + 1);
+    } catch (error) {
+      lab.say(String(/** @type {Error} */ (error).message), true);
+    }
+  }
+
+  return { element: room, fill, draw };
+}

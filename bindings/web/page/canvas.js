@@ -1,0 +1,65 @@
+// Pictures: RGBA on a canvas, a lamp or a view that is dragged on them.
+
+import { element } from './dom.js';
+
+/**
+ * A canvas in a figure, with an overlay for arrows and marks.
+ * @param {string} label
+ * @param {string} caption
+ */
+export function figure(label, caption) {
+  const canvas = element('canvas', { width: 1, height: 1, role: 'img', 'aria-label': label });
+  const stage = element('div', { class: 'stage' }, canvas);
+  const note = element('p', { class: 'missing', hidden: true });
+  const made = element('figure', {}, stage, note, element('figcaption', {}, caption));
+  return { element: made, stage, canvas, note };
+}
+
+/**
+ * @param {HTMLCanvasElement} canvas
+ * @param {[number, number]} size
+ * @param {Uint8Array} pixels
+ */
+export function put(canvas, [width, height], pixels) {
+  if (canvas.width !== width || canvas.height !== height) {
+    canvas.width = width;
+    canvas.height = height;
+  }
+  const data = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (pixels.buffer), pixels.byteOffset, pixels.length);
+  canvas.getContext('2d', { willReadFrequently: true })?.putImageData(new ImageData(data, width, height), 0, 0);
+}
+
+/**
+ * Calls `moved(x, y, isDragging)` with the place of the pointer in the stage, from 0 to 1, while it is pressed, and once when it
+ * is released. `x` and `y` may lie outside.
+ * @param {HTMLElement} stage
+ * @param {(x: number, y: number, dragging: boolean, event: PointerEvent) => void} moved
+ */
+export function draggable(stage, moved) {
+  let pressed = false;
+  stage.classList.add('drag');
+  const place = (/** @type {PointerEvent} */ event, /** @type {boolean} */ dragging) => {
+    const box = stage.getBoundingClientRect();
+    moved((event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height, dragging, event);
+  };
+  stage.addEventListener('pointerdown', (event) => {
+    pressed = true;
+    stage.setPointerCapture(event.pointerId);
+    place(event, true);
+    event.preventDefault();
+  });
+  stage.addEventListener('pointermove', (event) => { if (pressed) place(event, true); });
+  const release = (/** @type {PointerEvent} */ event) => {
+    if (!pressed) return;
+    pressed = false;
+    place(event, false);
+  };
+  stage.addEventListener('pointerup', release);
+  stage.addEventListener('pointercancel', release);
+}
+
+/** The width in device pixels that a stage shows, within limits. @param {HTMLElement} stage @param {number} most */
+export function stageWidth(stage, most) {
+  const width = stage.clientWidth * Math.min(window.devicePixelRatio || 1, 2);
+  return Math.max(96, Math.min(most, Math.round(width)));
+}

@@ -1,0 +1,101 @@
+// The room Inspect: the findings of a mesh, each turning the view to its place.
+
+import { button, commandBlock, drawing, element, slider, group } from './dom.js';
+import { number, text } from './texts.js';
+import { draggable, figure, put, stageWidth } from './canvas.js';
+import { meshGroup, viewOf } from './mesh-controls.js';
+
+/** Places of one finding that are listed. */
+const MOST_PLACES = 8;
+
+/** @param {import('./mesh-controls.js').Lab} lab */
+export function inspectRoom(lab) {
+  const controls = element('div', { class: 'controls' });
+  const view = figure(text('alt-inspect'), text('inspect-hint'));
+  const marks = drawing('svg', { class: 'arrows', 'aria-hidden': 'true' });
+  view.stage.append(marks);
+  const list = element('div', { class: 'findings', 'aria-live': 'polite' });
+  const room = element('div', { class: 'room with-controls' },
+    element('div', { class: 'main' },
+      element('p', { class: 'lead' }, text('inspect-lead')),
+      element('div', { class: 'split' }, view.element, list)),
+    controls);
+  let inspected = '';
+  /** @type {number[] | null} */
+  let mark = null;
+
+  let [fromX, fromY] = [0, 0];
+  draggable(view.stage, (x, y, dragging, event) => {
+    if (event.type === 'pointerdown') [fromX, fromY] = [x, y];
+    const turn = ((lab.state.turn - (x - fromX) * 180 + 540) % 360) - 180;
+    const tilt = Math.max(-89, Math.min(89, lab.state.tilt + (y - fromY) * 180));
+    [fromX, fromY] = [x, y];
+    lab.update({ turn, tilt }, dragging);
+  });
+
+  function fill() {
+    const one = (/** @type {'turn' | 'tilt' | 'zoom'} */ name, /** @type {any} */ range) => slider({
+      label: text(name), name, value: lab.state[name], ...range, moved: (/** @type {number} */ value, /** @type {boolean} */ dragging) => lab.update({ [name]: value }, dragging),
+    });
+    controls.replaceChildren(meshGroup(lab), group(text('view'),
+      one('turn', { min: -180, max: 180, step: 1, unit: '°' }), one('tilt', { min: -89, max: 89, step: 1, unit: '°' }),
+      one('zoom', { min: 0.5, max: 20, step: 0.1, logarithmic: true })));
+  }
+
+  /** @param {any} place */
+  function go(place) {
+    mark = place.position;
+    lab.update({ turn: Math.round(place.turn), tilt: Math.max(-89, Math.min(89, Math.round(place.tilt))) });
+    view.element.scrollIntoView({ block: 'nearest' });
+  }
+
+  /** @param {any} value */
+  function showFindings(value) {
+    if (!value.findings.length) {
+      list.replaceChildren(element('p', {}, text('no-findings', { name: value.name })));
+      return;
+    }
+    list.replaceChildren(...value.findings.map((/** @type {any} */ finding) => {
+      const places = finding.places.slice(0, MOST_PLACES).map((/** @type {any} */ place, /** @type {number} */ k) => button(
+        place.line ? text('place-line', { line: place.line }) : place.face !== null ? text('place-face', { face: place.face }) : text('place', { number: k + 1 }),
+        () => go(place), { class: 'small' }));
+      const amount = `${number(finding.count, 8)} / ${number(finding.of, 8)}`;
+      return element('details', { class: `finding ${finding.severity}` },
+        element('summary', {}, element('span', { class: `role ${finding.severity}` }, text(`severity-${finding.severity}`)),
+          ' ', element('strong', { lang: 'en' }, finding.title), ` ${amount}`),
+        element('div', { lang: 'en' },
+          element('p', {}, finding.cause), element('p', {}, finding.meaning), element('p', {}, finding.advice)),
+        places.length ? element('div', { class: 'buttons' }, ...places) : null,
+        finding.command ? commandBlock([finding.command]) : null);
+    }));
+  }
+
+  /** @param {boolean} dragging */
+  async function draw(dragging) {
+    const most = stageWidth(view.stage, 560);
+    const side = dragging ? Math.round(most / 2) : most;
+    const size = /** @type {[number, number]} */ ([side, side]);
+    const { subject, segments } = lab.state;
+    const key = `${subject} ${segments} ${lab.file?.name}`;
+    const request = { ...viewOf(lab.state, size), hairs: false };
+    try {
+      if (key !== inspected) mark = null;
+      const answer = await lab.program.latest('draw', { verb: 'draw', view: request, pictures: ['phong'], marks: mark ? [mark] : [] });
+      if (answer) {
+        put(view.canvas, size, answer.buffers[0]);
+        marks.setAttribute('viewBox', `0 0 ${side} ${side}`);
+        marks.replaceChildren(...answer.value.marks.filter(Boolean).flatMap((/** @type {[number, number]} */ [cx, cy]) => ['spot halo', 'spot'].map((name) => drawing('circle', { class: name, cx, cy, r: side / 30 }))));
+      }
+      if (key !== inspected && !dragging) {
+        inspected = key;
+        const found = await lab.program.latest('inspect', { verb: 'inspect', view: request });
+        if (found) showFindings(found.value);
+      }
+      room.dataset.drawn = String(Number(room.dataset.drawn ?? 0) + 1);
+    } catch (error) {
+      lab.say(String(/** @type {Error} */ (error).message), true);
+    }
+  }
+
+  return { element: room, fill, draw };
+}

@@ -1,0 +1,110 @@
+// Controls and requests that the rooms with a mesh share: mesh, view, lamp, material; files that are opened or dropped.
+
+import { button, choice, element, group, slider } from './dom.js';
+import { text } from './texts.js';
+import { draggable } from './canvas.js';
+
+/** @typedef {import('./link.js').State} State */
+/** @typedef {{ state: State, program: import('./program.js').Program, update: (patch: Partial<State>, dragging?: boolean) => void,
+ *   file: { name: string } | null, shapes: any[], open: (file: File) => Promise<void>, say: (message: string, isError?: boolean) => void }} Lab */
+
+/**
+ * The view of a request.
+ * @param {State} state
+ * @param {[number, number]} size
+ */
+export function viewOf(state, size) {
+  const { subject, segments, weight, crease, cone, groups, turn, tilt, zoom, ambient, diffuse, specular, exponent } = state;
+  const { phong, creases, hairs, wire, against, most, lampx, lampy } = state;
+  return {
+    subject, segments, weight, crease, cone, groups, turn, tilt, zoom, ambient, diffuse, specular, exponent, phong, creases,
+    hairs, wire, against, most, size, lamp: [lampx, lampy],
+  };
+}
+
+/** Choice of the mesh, segments, and the user's file. @param {Lab} lab */
+export function meshGroup(lab) {
+  const { state } = lab;
+  const shape = lab.shapes.find(({ id }) => id === state.subject);
+  /** @type {[string, string][]} */
+  const options = lab.shapes.map(({ id }) => [id, text(`shape-${id}`)]);
+  if (lab.file) options.push(['file', lab.file.name]);
+  const chosen = (/** @type {string} */ subject) => {
+    const other = lab.shapes.find(({ id }) => id === subject);
+    lab.update({ subject, segments: other?.segments ?? 0, against: other?.segments ? 'exact' : 'uniform' });
+  };
+  const input = element('input', {
+    type: 'file', accept: '.obj,.ply,.stl,.glb,.gltf', class: 'visually-hidden', tabindex: -1, 'aria-label': text('open-file'),
+    onchange: () => { if (input.files?.[0]) lab.open(input.files[0]); },
+  });
+  return group(
+    text('mesh'),
+    choice({ label: text('mesh-choice'), options, value: state.subject, name: 'subject', chosen }),
+    shape?.most
+      ? slider({
+        label: text('segments'), min: 3, max: shape.most, step: 1, value: state.segments, name: 'segments',
+        moved: (segments, dragging) => lab.update({ segments }, dragging),
+      })
+      : null,
+    button(text('open-file'), () => input.click(), { class: 'open' }),
+    input,
+    element('p', { class: 'hint' }, text('drop-hint')),
+  );
+}
+
+/** Sliders of the lamp, the viewer and the material. @param {Lab} lab */
+export function lightGroups(lab) {
+  const { state } = lab;
+  const one = (/** @type {keyof State} */ name, /** @type {any} */ range) => slider({
+    label: text(name), name, value: /** @type {number} */ (state[name]), ...range,
+    moved: (/** @type {number} */ value, /** @type {boolean} */ dragging) => lab.update({ [name]: value }, dragging),
+  });
+  const unit = { min: -1, max: 1, step: 0.01 };
+  const share = { min: 0, max: 1, step: 0.01 };
+  return {
+    light: group(text('lamp-and-view'), one('lampx', unit), one('lampy', unit),
+      one('turn', { min: -180, max: 180, step: 1, unit: '°' }), one('tilt', { min: -89, max: 89, step: 1, unit: '°' }),
+      one('zoom', { min: 0.5, max: 20, step: 0.1, logarithmic: true })),
+    material: group(text('material'), one('ambient', share), one('diffuse', share), one('specular', share),
+      one('exponent', { min: 1, max: 2000, step: 1, logarithmic: true }),
+      choice({
+        label: text('reflection'), options: [['blinn', text('blinn')], ['phong', text('phong-model')]], name: 'phong',
+        value: state.phong ? 'phong' : 'blinn', chosen: (value) => lab.update({ phong: value === 'phong' }),
+      })),
+  };
+}
+
+/**
+ * Lets the pointer move the lamp on a stage, or with Shift or the right button the view. Returns the lamp's mark.
+ * @param {Lab} lab
+ * @param {HTMLElement} stage
+ */
+export function lampOn(lab, stage) {
+  const mark = element('span', { class: 'lamp', 'aria-hidden': 'true' });
+  stage.append(mark);
+  stage.addEventListener('contextmenu', (event) => event.preventDefault());
+  let turns = false;
+  let [fromX, fromY] = [0, 0];
+  draggable(stage, (x, y, dragging, event) => {
+    if (event.type === 'pointerdown') {
+      turns = event.shiftKey || event.button === 2;
+      [fromX, fromY] = [x, y];
+    }
+    if (turns) {
+      const turn = ((lab.state.turn - (x - fromX) * 180 + 540) % 360) - 180;
+      const tilt = Math.max(-89, Math.min(89, lab.state.tilt + (y - fromY) * 180));
+      [fromX, fromY] = [x, y];
+      lab.update({ turn, tilt }, dragging);
+      return;
+    }
+    const [lampx, lampy] = [2 * x - 1, 1 - 2 * y].map((z) => Math.round(100 * Math.max(-1, Math.min(1, z))) / 100);
+    lab.update({ lampx, lampy }, dragging);
+  });
+  return mark;
+}
+
+/** @param {HTMLElement} mark @param {State} state */
+export function placeLamp(mark, state) {
+  mark.style.left = `${50 + 50 * state.lampx}%`;
+  mark.style.top = `${50 - 50 * state.lampy}%`;
+}

@@ -1,0 +1,142 @@
+// The room Normals: one mesh, flat, Gouraud, Phong and exact under one lamp, with its normals computed as chosen.
+
+import { button, choice, commandBlock, download, element, group, slider, table, toggle } from './dom.js';
+import { number, text } from './texts.js';
+import { figure, put, stageWidth } from './canvas.js';
+import { lampOn, lightGroups, meshGroup, placeLamp, viewOf } from './mesh-controls.js';
+
+export const WEIGHTS = ['uniform', 'area', 'angle', 'angle-area', 'max', 'edge', 'quadric', 'jet', 'best'];
+const KINDS = ['flat', 'gouraud', 'phong', 'exact', 'deviation'];
+const FORMATS = ['obj', 'glb', 'ply'];
+
+/** @param {import('./mesh-controls.js').Lab} lab */
+export function normalsRoom(lab) {
+  const figures = KINDS.map((kind) => figure(text(`alt-${kind}`), text(`picture-${kind}`)));
+  const lamps = figures.slice(0, 4).map(({ stage }) => lampOn(lab, stage));
+  const legend = element('div', { class: 'legend', 'aria-hidden': 'true' });
+  const against = element('div');
+  figures[4].element.append(legend, against);
+  const counts = element('div', { class: 'counts' });
+  const controls = element('div', { class: 'controls' });
+  const saving = element('section', { class: 'saving' });
+  const room = element('div', { class: 'room with-controls' },
+    element('div', { class: 'main' },
+      element('p', { class: 'lead' }, text('normals-lead')),
+      element('div', { class: 'overview' },
+        element('div', { class: 'pictures four' }, ...figures.slice(0, 4).map((it) => it.element)),
+        element('div', { class: 'facts' }, figures[4].element, counts)),
+      saving),
+    controls);
+
+  function fillControls() {
+    const { state } = lab;
+    const { light, material } = lightGroups(lab);
+    controls.replaceChildren(
+      meshGroup(lab),
+      group(text('normals'),
+        choice({
+          label: text('weight'), name: 'weight', value: state.weight,
+          options: WEIGHTS.map((weight) => [weight, text(`weight-${weight}`)]),
+          chosen: (weight) => lab.update({ weight }),
+        }),
+        slider({
+          label: text('crease'), name: 'crease', min: 0, max: 180, step: 1, value: state.crease, unit: '°',
+          moved: (crease, dragging) => lab.update({ crease }, dragging),
+        }),
+        choice({
+          label: text('rule'), name: 'cone', value: state.cone ? 'cone' : 'fan',
+          options: [['fan', text('rule-fan')], ['cone', text('rule-cone')]],
+          chosen: (rule) => lab.update({ cone: rule === 'cone' }),
+        }),
+        toggle({ label: text('groups'), name: 'groups', value: state.groups, toggled: (groups) => lab.update({ groups }) })),
+      group(text('overlays'),
+        toggle({ label: text('creases'), name: 'creases', value: state.creases, toggled: (creases) => lab.update({ creases }) }),
+        toggle({ label: text('hairs'), name: 'hairs', value: state.hairs, toggled: (hairs) => lab.update({ hairs }) }),
+        toggle({ label: text('wire'), name: 'wire', value: state.wire, toggled: (wire) => lab.update({ wire }) })),
+      light,
+      material,
+    );
+    against.replaceChildren(
+      choice({
+        label: text('against'), name: 'against', value: state.against,
+        options: [['exact', text('against-exact')], ['stored', text('against-stored')],
+          ...WEIGHTS.slice(0, 6).map((weight) => /** @type {[string, string]} */ ([weight, text(`weight-${weight}`)]))],
+        chosen: (value) => lab.update({ against: value }),
+      }),
+      slider({
+        label: text('most'), name: 'most', min: 0.1, max: 90, step: 0.1, value: state.most, unit: '°', logarithmic: true,
+        moved: (most, dragging) => lab.update({ most }, dragging),
+      }),
+    );
+    saving.replaceChildren(
+      element('h2', {}, text('save')),
+      element('div', { class: 'buttons' },
+        ...FORMATS.map((format) => button(text('save-as', { format: format.toUpperCase() }), () => saveMesh(format))),
+        button(text('save-picture'), () => {
+          figures[2].canvas.toBlob((/** @type {Blob | null} */ blob) => { if (blob) download(`${lab.state.subject}-phong.png`, blob); });
+        })),
+      element('div', { class: 'commands' }),
+    );
+  }
+
+  /** @param {string} format */
+  async function saveMesh(format) {
+    try {
+      const { value, buffers } = await lab.program.ask({ verb: 'save', view: viewOf(lab.state, [1, 1]), format });
+      download(value.name, new Blob([/** @type {any} */ (buffers[0])]));
+      const left = value.left.length ? text('left', { files: value.left.join(', ') }) : '';
+      lab.say([text('saved', { name: value.name, vertices: value.vertices }), left, ...value.notes].filter(Boolean).join(' '));
+    } catch (error) {
+      lab.say(String(/** @type {Error} */ (error).message), true);
+    }
+  }
+
+  /** @param {any} value */
+  function showCounts(value, /** @type {any} */ deviation) {
+    const degrees = (/** @type {number} */ x) => `${number(x, 3)}°`;
+    const rows = [
+      [text('count-faces'), number(value.facts.faces, 8)],
+      [text('count-vertices'), number(value.referenced, 8)],
+      [text('count-after'), `${number(value.after, 8)} (+${number(value.splits, 8)})`],
+      [text('count-hard'), number(value.hard + value.marked, 8)],
+      [text('count-smooth'), number(value.smooth, 8)],
+      [text('count-boundary'), number(value.boundary, 8)],
+      [text('count-faults'), number(value.faults, 8)],
+      [text('deviation-rms'), deviation.missing ? '–' : degrees(deviation.rms)],
+      [text('deviation-largest'), deviation.missing ? '–' : degrees(deviation.largest)],
+    ];
+    counts.replaceChildren(table(text('counts'), [], rows), ...(lab.state.subject === 'file' ? value.facts.notes : []).map((/** @type {string} */ note) => element('p', { class: 'hint', lang: 'en' }, note)));
+  }
+
+  /** @param {boolean} dragging */
+  async function draw(dragging) {
+    const full = stageWidth(figures[0].stage, 480);
+    const side = dragging ? Math.max(120, Math.round(full * 0.5)) : full;
+    const view = viewOf(lab.state, [side, side]);
+    lamps.forEach((mark) => placeLamp(mark, lab.state));
+    legend.textContent = `0° … ${number(lab.state.most)}°`;
+    try {
+      const answer = await lab.program.latest('draw', { verb: 'draw', view, pictures: KINDS, marks: [] });
+      if (!answer) return;
+      answer.value.pictures.forEach((/** @type {any} */ picture, /** @type {number} */ k) => {
+        const { stage, canvas, note } = figures[k];
+        stage.hidden = picture.missing !== undefined;
+        note.hidden = picture.missing === undefined;
+        if (picture.missing) note.textContent = picture.missing.startsWith('no-') ? text(picture.missing) : picture.missing;
+        else put(canvas, picture.size, answer.buffers[picture.buffer]);
+      });
+      room.dataset.drawn = String(Number(room.dataset.drawn ?? 0) + 1);
+      const [normals, deviation, commands] = await Promise.all([
+        lab.program.latest('counts', { verb: 'normals', view }),
+        lab.program.latest('deviation', { verb: 'deviation', view }),
+        dragging ? null : lab.program.latest('command', { verb: 'command', view, format: 'obj' }),
+      ]);
+      if (normals && deviation) showCounts(normals.value, deviation.value);
+      if (commands) saving.querySelector('.commands')?.replaceChildren(commandBlock(commands.value));
+    } catch (error) {
+      lab.say(String(/** @type {Error} */ (error).message), true);
+    }
+  }
+
+  return { element: room, fill: fillControls, draw };
+}

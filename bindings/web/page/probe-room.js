@@ -1,0 +1,140 @@
+// The room Probe: a pixel of a picture, the vectors at its point drawn in the scene, and every term of its colour.
+
+import { choice, drawing, element, group, slider, table } from './dom.js';
+import { number, text } from './texts.js';
+import { draggable, figure, put, stageWidth } from './canvas.js';
+import { lightGroups, meshGroup, viewOf } from './mesh-controls.js';
+
+/** The names of vectors, with the classes of their colours. */
+const ARROWS = ['N', 'L', 'V', 'R', 'H'];
+
+/**
+ * Arrows over a picture of a size.
+ * @param {any} svg
+ * @param {[number, number]} size
+ * @param {{ name: string, from: [number, number], to: [number, number] }[]} arrows
+ */
+export function drawArrows(svg, [width, height], arrows) {
+  svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
+  const unit = Math.max(width, height) / 480;
+  svg.replaceChildren(...arrows.flatMap(({ name, from, to }) => {
+    const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+    const length = Math.hypot(dx, dy) || 1;
+    const [ux, uy] = [dx / length, dy / length];
+    if (length < 14 * unit) {
+      // It points at the viewer, as V does: a name without a shaft.
+      return [drawing('text', { class: `name ${name}`, x: from[0] - 15 * unit, y: from[1] + 22 * unit, 'font-size': 17 * unit, 'stroke-width': 4 * unit, 'text-anchor': 'middle' }, name)];
+    }
+    const tip = [-1, 1].map((side) => `${to[0] - 9 * unit * (ux - side * 0.45 * uy)},${to[1] - 9 * unit * (uy + side * 0.45 * ux)}`);
+    return [
+      drawing('line', { class: `halo`, x1: from[0], y1: from[1], x2: to[0], y2: to[1], 'stroke-width': 6 * unit }),
+      drawing('line', { class: `arrow ${name}`, x1: from[0], y1: from[1], x2: to[0], y2: to[1], 'stroke-width': 3 * unit }),
+      drawing('polygon', { class: `tip ${name}`, points: `${to[0]},${to[1]} ${tip.join(' ')}` }),
+      drawing('text', { class: `name ${name}`, x: to[0] + 12 * unit * ux, y: to[1] + 12 * unit * uy + 5 * unit, 'font-size': 17 * unit, 'stroke-width': 4 * unit, 'text-anchor': 'middle' }, name),
+    ];
+  }));
+}
+
+/** @param {import('./mesh-controls.js').Lab} lab */
+export function probeRoom(lab) {
+  const controls = element('div', { class: 'controls' });
+  const view = figure(text('alt-probe'), text('probe-hint'));
+  const arrows = drawing('svg', { class: 'arrows', 'aria-hidden': 'true' });
+  view.stage.append(arrows);
+  const terms = element('div', { class: 'terms', 'aria-live': 'polite' });
+  const full = element('details', {}, element('summary', {}, text('probe-text')), element('pre', { tabindex: 0, lang: 'en' }));
+  const room = element('div', { class: 'room with-controls' },
+    element('div', { class: 'main' },
+      element('p', { class: 'lead' }, text('probe-lead')),
+      element('div', { class: 'split' }, view.element, element('div', {}, terms, full))),
+    controls);
+
+  draggable(view.stage, (x, y, dragging) => {
+    const share = (/** @type {number} */ z) => Math.round(10_000 * Math.max(0, Math.min(0.9999, z))) / 10_000;
+    lab.update({ px: share(x), py: share(y) }, dragging);
+  });
+
+  function fill() {
+    const { light, material } = lightGroups(lab);
+    const place = (/** @type {'px' | 'py'} */ name) => slider({
+      label: text(name), name, min: 0, max: 0.999, step: 0.001, value: lab.state[name],
+      moved: (value, dragging) => lab.update({ [name]: value }, dragging),
+    });
+    controls.replaceChildren(
+      group(text('pixel'), place('px'), place('py'),
+        choice({
+          label: text('shading'), name: 'picture', value: lab.state.picture,
+          options: ['flat', 'gouraud', 'phong', 'exact'].map((kind) => [kind, text(`picture-${kind}`)]),
+          chosen: (picture) => lab.update({ picture }),
+        })),
+      material, light, meshGroup(lab));
+  }
+
+  /** @param {any} value */
+  function showTerms(value) {
+    const point = value.report.samples[0];
+    if (!point?.lit?.length) {
+      terms.replaceChildren(element('p', {}, text('background-only')));
+      return;
+    }
+    const vector = (/** @type {number[] | null} */ v) => (v ? `(${v.map((x) => number(x, 5)).join('; ')})` : '–');
+    const name = (/** @type {string} */ letter) => element('span', { class: `letter ${letter}` }, letter);
+    /** @type {(string | Node)[][]} */
+    const rows = [];
+    point.lit.forEach((/** @type {any} */ lit, /** @type {number} */ k) => {
+      if (point.lit.length > 1) {
+        rows.push([text('share-of-vertex', { vertex: point.vertices[k] ?? k }), number(lit.share, 6)]);
+      }
+      const light = lit.light;
+      const lamp = light?.lights[0];
+      if (!lamp) return;
+      if (point.lit.length === 1) {
+        rows.push([name('N'), vector(light.normal)], [name('L'), vector(lamp.towards)], [name('V'), vector(light.view)],
+          [name('R'), vector(lamp.reflected)], [name('H'), vector(lamp.half)],
+          ['N·L', number(lamp.n_dot_l, 7)], ['V·R', number(lamp.v_dot_r, 7)], ['N·H', lamp.n_dot_h === null ? '–' : number(lamp.n_dot_h, 7)]);
+        if (lamp.highlight) {
+          rows.push([`(${lamp.highlight.cosine_of})ⁿ, n = ${number(lamp.highlight.exponent)}`, number(lamp.highlight.power, 7)]);
+        }
+        rows.push([text('term-ambient'), vector(light.ambient)], [text('term-diffuse'), vector(lamp.diffuse.guarded)],
+          [text('term-specular'), vector(lamp.specular.guarded)]);
+      }
+      rows.push([point.lit.length > 1 ? text('light-there') : text('term-sum'), vector(light.sum)]);
+    });
+    if (point.lit.length > 1) rows.push([text('term-sum'), vector(value.report.linear)]);
+    rows.push([text('codes-8'), `(${value.report.picture.join(', ')})`]);
+    terms.replaceChildren(table(text('terms', { x: value.report.pixel[0], y: value.report.pixel[1] }), [], rows));
+  }
+
+  /** @param {boolean} dragging */
+  async function draw(dragging) {
+    const most = stageWidth(view.stage, 640);
+    const side = dragging ? Math.round(most / 2) : most;
+    const size = /** @type {[number, number]} */ ([side, side]);
+    const request = { ...viewOf(lab.state, size), creases: false, hairs: false, wire: false };
+    const picture = lab.state.picture;
+    const pixel = [lab.state.px, lab.state.py].map((share) => Math.floor(share * side));
+    try {
+      const answer = await lab.program.latest('draw', { verb: 'draw', view: request, pictures: [picture], marks: [] });
+      const drawn = answer?.value.pictures[0];
+      view.note.hidden = !drawn?.missing;
+      if (drawn?.missing) {
+        view.note.textContent = text(drawn.missing);
+        return;
+      }
+      if (answer) put(view.canvas, size, answer.buffers[0]);
+      const probed = await lab.program.latest('probe', { verb: 'probe', view: request, picture, pixel });
+      if (!probed) return;
+      drawArrows(arrows, size, probed.value.arrows);
+      const at = { cx: pixel[0] + 0.5, cy: pixel[1] + 0.5, r: size[0] / 90 };
+      arrows.append(drawing('circle', { class: 'spot halo', ...at }), drawing('circle', { class: 'spot', ...at }));
+      showTerms(probed.value);
+      const pre = full.querySelector('pre');
+      if (pre) pre.textContent = probed.value.text;
+      room.dataset.drawn = String(Number(room.dataset.drawn ?? 0) + 1);
+    } catch (error) {
+      lab.say(String(/** @type {Error} */ (error).message), true);
+    }
+  }
+
+  return { element: room, fill, draw };
+}

@@ -1,0 +1,38 @@
+// Texts in English and Portuguese, and numbers as each language writes them.
+
+/** @type {Record<string, Record<string, string>>} */
+const TEXTS = JSON.parse(document.getElementById('texts')?.textContent ?? '{}');
+
+/** The browser's language, if there are texts in it. */
+const usual = navigator.language.toLowerCase().startsWith('pt') ? 'pt' : 'en';
+let language = usual;
+
+export const currentLanguage = () => language;
+
+/** @param {string} tag an unknown one is the browser's */
+export function setLanguage(tag) {
+  language = tag in TEXTS ? tag : usual;
+  document.documentElement.lang = language === 'pt' ? 'pt-BR' : 'en';
+}
+
+/**
+ * The text of a key, its placeholders `{name}` filled.
+ * @param {string} key
+ * @param {Record<string, string | number>} [values]
+ */
+export function text(key, values = {}) {
+  const found = TEXTS[language]?.[key] ?? `{${key}}`;
+  return found.replace(/\{(\w+)\}/g, (all, name) => (name in values ? String(values[name]) : all));
+}
+
+/**
+ * @param {number} x
+ * @param {number} [digits] significant digits
+ */
+export function number(x, digits = 4) {
+  if (!Number.isFinite(x)) return String(x);
+  const size = Math.abs(x);
+  const options = { maximumSignificantDigits: digits };
+  if (size !== 0 && (size < 1e-4 || size >= 1e7)) return x.toExponential(digits - 1).replace('.', text('decimal-mark'));
+  return x.toLocaleString(language === 'pt' ? 'pt-BR' : 'en-GB', options);
+}
