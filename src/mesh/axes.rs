@@ -125,7 +125,7 @@ mod tests {
         for (up, axis) in ALL.into_iter().zip(DVec3::AXES) {
             let there = AxisConversion::to_y_up(up).scaled(0.25);
             assert_eq!(there.rotate(axis), DVec3::Y);
-            assert_eq!(DMat3::from_mat4(there.matrix()).determinant(), 0.25_f64.powi(3), "no mirror");
+            assert_eq!(DMat3::from_mat4(there.matrix()).determinant(), 0.25 * 0.25 * 0.25, "no mirror");
             let point = DVec3::new(1.0, -2.0, 3.5);
             assert_eq!(there.matrix().transform_point3(point), there.point(point));
             assert_eq!(there.inverse().point(there.point(point)), point);

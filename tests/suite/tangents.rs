@@ -268,7 +268,7 @@ fn morph_targets_have_the_difference_of_tangents() {
     // (x, y, 0) becomes (0, x, y): z becomes x, and x becomes y.
     let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     let same = |value: [f32; 3]| vec![value.to_vec(); 4];
-    let target = vec![
+    let target = [
         ("POSITION", corners.map(|[x, y]: [f32; 2]| vec![-x, x - y, y]).to_vec()),
         ("NORMAL", same([0.0, 0.0, 0.0])),
         ("TANGENT", same([9.0, 9.0, 9.0])),
