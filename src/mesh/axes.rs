@@ -141,7 +141,9 @@ mod tests {
         let mesh = MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() };
         let mesh = mesh.build().unwrap();
         let converted = mesh.converted(AxisConversion::to_y_up(UpAxis::Z).scaled(0.001)).unwrap();
-        let expected = vec![[0.001_f32, 0.003, -0.002], [0.000_1, 0.0, 0.0], [0.0, 0.0, -0.007]];
+        // The f32 nearest to 0.1 is a little larger than 0.1.
+        let tenth = (f64::from(0.1_f32) * 0.001) as f32;
+        let expected = vec![[0.001_f32, 0.003, -0.002], [tenth, 0.0, 0.0], [0.0, 0.0, -0.007]];
         assert_eq!(converted.positions(), Positions::from(expected).view());
         let huge = mesh.converted(AxisConversion::to_y_up(UpAxis::Y).scaled(1e38));
         assert_eq!(huge.err(), Some(TransformFault::Overflow), "7e38 is beyond f32");

@@ -101,7 +101,7 @@ fn files_replaced_in_place_are_done_once() {
 }
 
 #[test]
-fn failures_are_in_the_journal_and_are_tried_again() {
+fn failures_are_in_the_journal_and_are_retried() {
     let work = files(3);
     fs::write(work.path().join("in/0001.obj"), "v 0 0 nan\nf 1 1 1\n").unwrap();
     let args = [&TO_OUT[..], &["--journal", "journal", "-q"]].concat();

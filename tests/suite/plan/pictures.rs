@@ -81,6 +81,11 @@ fn plans_of_all_scene_files_are_within_the_tolerance() {
         let (name, folder) = (path.display().to_string(), path.parent().unwrap());
         let text = with_size(&scene_text(&path, &LoadOptions::default()).unwrap(), [40, 30]).unwrap();
         let declared = scene_in(&text, folder);
+        if text.contains("shading = \"traced\"") {
+            let refused = plan(&text, folder, &LoadOptions::default(), &options, &|_| ()).err();
+            assert!(refused.is_some_and(|error| error.to_string().contains("traced")), "{name}");
+            continue;
+        }
         let plan = plan(&text, folder, &LoadOptions::default(), &options, &|_| ())
             .unwrap_or_else(|error| panic!("{name}: {error}"));
         check(&declared, &scene_in(&plan.text, folder), options.tolerance, plan.worst.steps, &name);
