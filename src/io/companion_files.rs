@@ -71,7 +71,7 @@ pub(super) fn find(
     if !path.is_file() {
         return Err(Refusal::NoFile);
     }
-    options.companions.add(&path);
+    options.log.add(&path);
     Ok(path)
 }
 

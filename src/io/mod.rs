@@ -47,8 +47,8 @@ pub use format::Format;
 pub(crate) use gltf::NodeTree;
 pub use loaded::{Document, Loaded};
 pub use options::{
-    CompanionLog, Emit, Limits, MaterialFallback, Merge, MeshCompression, NonFinite, NormalFormat,
-    ReadOptions, TangentPolicy,
+    Emit, Limits, MaterialFallback, Merge, MeshCompression, NonFinite, NormalFormat, ReadLog, ReadOptions,
+    TangentPolicy,
 };
 pub use options::{OutputContent, OutputFile, WriteOptions, Written};
 pub use part::{FileNode, Part, PartEdit};

@@ -18,15 +18,15 @@ pub struct ReadOptions {
     pub allowed_extensions: Vec<String>,
     /// Bounds on the resources that a file may use.
     pub limits: Limits,
-    /// Receives the companion files that are found, if the caller keeps a copy.
-    pub companions: CompanionLog,
+    /// Receives the files that are read, inputs and companions, if the caller keeps a copy.
+    pub log: ReadLog,
 }
 
-/// The companion files that were found while files were read. Copies share one list.
+/// The files that were read, inputs and companions. Copies share one list.
 #[derive(Clone, Debug, Default)]
-pub struct CompanionLog(Arc<Mutex<BTreeSet<PathBuf>>>);
+pub struct ReadLog(Arc<Mutex<BTreeSet<PathBuf>>>);
 
-impl CompanionLog {
+impl ReadLog {
     /// The files since the last call.
     pub fn take(&self) -> BTreeSet<PathBuf> {
         self.0.lock().map(|mut found| std::mem::take(&mut *found)).unwrap_or_default()

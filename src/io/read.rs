@@ -46,6 +46,7 @@ fn likely(bytes: &[u8]) -> Option<Format> {
 /// format's reader.
 pub fn read(path: &Path, format: Option<Format>, options: &ReadOptions) -> Result<Loaded, ReadError> {
     let bytes = read_whole(path, &options.limits)?;
+    options.log.add(path);
     let format = format.or_else(|| detect(&bytes, Some(path)));
     if format.is_none() && path.extension().is_some_and(|name| name.eq_ignore_ascii_case("toml")) {
         let advice = "`crease render` draws scene files";

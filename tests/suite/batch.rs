@@ -121,6 +121,140 @@ fn failures_are_in_the_journal_and_are_retried() {
     assert_eq!(journal("merge").lines().count(), 3, "the last entry of each file");
 }
 
+/// Whatever is at work at the same time, the outputs, reports and their order are the same.
+#[test]
+fn jobs_within_any_memory_write_and_report_the_same() {
+    let work = files(40);
+    fs::write(work.path().join("in/0007.obj"), "v 0 0 nan\nf 1 1 1\n").unwrap();
+    fs::write(work.path().join("in/0021.obj"), "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    let all = |jobs: &str, memory: &str| {
+        let args =
+            ["--manifest", "list", "--out-dir", jobs, "--to", "gltf", "--jobs", jobs, "--memory", memory];
+        let (status, report, errors) = run(work.path(), &args);
+        assert_eq!(status, 5, "{errors}");
+        let folder = work.path().join(jobs).join("in");
+        let mut files: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+        files.sort();
+        let bytes: Vec<_> = files.iter().map(|path| fs::read(path).unwrap()).collect();
+        let names: Vec<_> = files.iter().map(|path| path.file_name().unwrap().to_owned()).collect();
+        let report = report.replace(&format!("{jobs}/in"), "out/in");
+        (names, bytes, report.lines().map(str::to_owned).collect::<Vec<_>>(), errors)
+    };
+    let one = all("1", "8G");
+    assert_eq!(one.0.len(), 2 * 39, "a buffer each");
+    for (jobs, memory) in [("2", "1"), ("8", "1G"), ("3", "4K")] {
+        assert_eq!(all(jobs, memory), one, "{jobs} jobs, {memory}");
+    }
+}
+
+/// Each has a companion of the same name with other content: the later one fails, whichever is ready first.
+#[test]
+fn of_two_companions_with_one_name_the_first_is_written() {
+    let work = folder(&[]);
+    let large = fs::read(data("bracket.obj")).unwrap();
+    for (folder, text) in [("a", &large[..]), ("b", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")] {
+        fs::create_dir(work.path().join(folder)).unwrap();
+        fs::write(work.path().join(folder).join("m.obj"), text).unwrap();
+    }
+    // The buffers of both would be `m.bin`.
+    let lines = [("a", "gltf"), ("b", "GLTF")]
+        .map(|(input, ending)| format!(r#"{{"input": "{input}/m.obj", "output": "m.{ending}"}}"#));
+    fs::write(work.path().join("list"), lines.join("\n")).unwrap();
+    let (status, _, errors) = run(work.path(), &["--manifest", "list", "--jobs", "2"]);
+    assert!(status == 5 && errors.contains("b/m.obj: ") && errors.contains("another output"), "{errors}");
+    assert!(work.path().join("m.gltf").is_file() && !work.path().join("m.GLTF").exists());
+}
+
+#[test]
+fn a_line_may_have_options_of_its_own() {
+    let work = files(3);
+    let lines = [
+        r#"{"input": "in/0000.obj", "output": "a.ply", "options": ["--to", "ply"]}"#,
+        r#"{"input": "in/0001.obj", "output": "b.glb", "options": ["--normal-format=i8", "--crease", "7"]}"#,
+        "in/0002.obj",
+    ];
+    fs::write(work.path().join("list"), lines.join("\n")).unwrap();
+    let args = ["--manifest", "list", "--out-dir", "out", "--crease", "30", "--json", "--journal", "journal"];
+    let (status, json, errors) = run(work.path(), &args);
+    assert_eq!(status, 0, "{errors}");
+    let creases: Vec<&str> = json
+        .lines()
+        .map(|line| line.split("\"crease\":").nth(2).unwrap().split(',').next().unwrap())
+        .collect();
+    assert_eq!(creases, ["30.0", "7.0", "30.0"], "{json}");
+    assert!(work.path().join("a.ply").is_file() && work.path().join("out/in/0002.obj").is_file());
+    let glb = fs::read(work.path().join("b.glb")).unwrap();
+    assert!(String::from_utf8_lossy(&glb).contains("KHR_mesh_quantization"));
+    // Other options of one line: that file alone is done anew.
+    fs::write(work.path().join("list"), lines.join("\n").replace('7', "8")).unwrap();
+    let (_, json, _) = run(work.path(), &args);
+    assert_eq!([statuses(&json, "ok"), statuses(&json, "skipped")], [1, 2]);
+    for (options, found) in [
+        (r#""--creese""#, "options of in/0000.obj: unknown option --creese"),
+        (r#""--jobs", "2""#, "--jobs is the same for all inputs"),
+        (r#""--crease", "x""#, "wrong value"),
+        (r#""x.obj""#, "cannot be used with"),
+    ] {
+        fs::write(work.path().join("list"), format!(r#"{{"input": "in/0000.obj", "options": [{options}]}}"#))
+            .unwrap();
+        let (status, _, errors) = run(work.path(), &["--manifest", "list", "--out-dir", "x"]);
+        assert!(status == 2 && errors.contains(found), "{options}: {status}: {errors}");
+    }
+}
+
+/// Runs a verb in a folder.
+fn run_verb(folder: &Path, args: &[&str]) -> (i32, String, String) {
+    let output = crease().args(args).current_dir(folder).output().unwrap();
+    (code(&output), text(&output.stdout).to_owned(), text(&output.stderr).to_owned())
+}
+
+#[test]
+fn files_are_inspected_from_a_list_and_findings_are_counted() {
+    let work = files(4);
+    // Two faces with opposite winding.
+    let reversed = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 3 4\n";
+    fs::write(work.path().join("in/0002.obj"), reversed).unwrap();
+    let args =
+        ["inspect", "--manifest", "list", "--journal", "journal", "--jobs", "2", "--fail-on", "warning"];
+    let (status, report, errors) = run_verb(work.path(), &args);
+    assert!(status == 1 && report.lines().count() == 5, "{status}: {report}{errors}");
+    let (status, report, _) = run_verb(work.path(), &args);
+    assert!(status == 1 && report.contains("4 files done (4 of them before)"), "{status}: {report}");
+    let (_, summary, _) = run_verb(work.path(), &["journal", "summary", "journal"]);
+    assert!(summary.contains("inconsistent-winding: 1 file (1 element)"), "{summary}");
+    fs::write(work.path().join("in/0002.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    assert_eq!(run_verb(work.path(), &args).0, 0);
+    fs::write(work.path().join("list"), r#"{"input": "in/0000.obj", "output": "x"}"#).unwrap();
+    let (status, _, errors) = run_verb(work.path(), &args);
+    assert!(status == 2 && errors.contains("`inspect` has no `output`"), "{status}: {errors}");
+}
+
+#[test]
+fn pictures_are_drawn_from_a_list_until_a_mesh_of_a_scene_changes() {
+    let work = files(2);
+    fs::write(work.path().join("scene.toml"), "[[object]]\nmesh = \"in/0001.obj\"\n").unwrap();
+    let lines =
+        ["in/0000.obj", r#"{"input": "scene.toml", "output": "s.png", "options": ["--size", "30x20"]}"#];
+    fs::write(work.path().join("list"), lines.join("\n")).unwrap();
+    let args = "render --manifest list --out-dir out --size 40x30 --journal journal --jobs 2 --json";
+    let args: Vec<&str> = args.split(' ').collect();
+    let drawn = || {
+        let (status, json, errors) = run_verb(work.path(), &args);
+        assert_eq!(status, 0, "{errors}");
+        ["ok", "skipped"].map(|status| statuses(&json, status))
+    };
+    assert_eq!(drawn(), [2, 0]);
+    let sides = |name: &str| fs::read(work.path().join(name)).unwrap()[16..24].to_vec();
+    assert_eq!(sides("s.png"), [0, 0, 0, 30, 0, 0, 0, 20]);
+    assert_eq!(sides("out/in/0000.png"), [0, 0, 0, 40, 0, 0, 0, 30]);
+    assert_eq!(drawn(), [0, 2]);
+    fs::write(work.path().join("in/0001.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    assert_eq!(drawn(), [1, 1]);
+    fs::write(work.path().join("list"), "in/0000.obj\nin/0000.obj\n").unwrap();
+    let (status, _, errors) = run_verb(work.path(), &args);
+    assert!(status == 2 && errors.contains("is the picture of two inputs"), "{status}: {errors}");
+}
+
 /// Killed at any moment, a batch leaves whole outputs and a journal that the next run goes on from.
 #[test]
 fn a_killed_batch_goes_on() {

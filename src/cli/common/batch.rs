@@ -1,17 +1,22 @@
-//! Options of large batches: inputs from a list, a share of them, and a journal of what is done.
+//! Options of large batches: inputs from a list, a share of them, several at a time, and a journal of what is done.
 
+use super::super::args::Cli;
+use super::command_line;
 use super::failure::Failure;
 use super::input::{Input, Source};
-use clap::Args;
-use crease::io::{Place, Problem, ReadError};
+use super::jobs::Jobs;
+use crate::cli::usage::explanation;
+use clap::{Args, CommandFactory, FromArgMatches};
+use crease::io::{Format, Place, Problem, ReadError};
 use serde::Deserialize;
+use std::ffi::OsString;
 use std::io::Read;
 use std::path::{Component, Path, PathBuf};
 
-#[derive(Args, Default)]
+#[derive(Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Batches")]
 pub struct BatchArgs {
-    #[arg(long, value_name = "FILE", conflicts_with = "inputs")]
+    #[arg(long, value_name = "FILE")]
     pub manifest: Option<PathBuf>,
     #[arg(long, value_name = "I/N", value_parser = shard)]
     pub shard: Option<Shard>,
@@ -19,7 +24,106 @@ pub struct BatchArgs {
     pub journal: Option<PathBuf>,
     #[arg(long, value_name = "N", default_value = "0", value_parser = clap::value_parser!(u8).range(0..=10))]
     pub retries: u8,
+    #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u16).range(1..=256))]
+    pub jobs: u16,
+    #[arg(long, value_name = "BYTES", value_parser = memory)]
+    pub memory: Option<u64>,
 }
+
+impl BatchArgs {
+    /// The inputs of the manifest, or else those of `otherwise`; of these the share.
+    ///
+    /// # Errors
+    /// Those of [`manifest`] and of `otherwise`.
+    pub fn inputs(
+        &self,
+        otherwise: impl FnOnce() -> Result<Vec<Input>, Failure>,
+    ) -> Result<Vec<Input>, Failure> {
+        let mut found = match &self.manifest {
+            Some(path) => manifest(path)?,
+            None => otherwise()?,
+        };
+        if let Some(shard) = self.shard {
+            found.retain(|input| shard.takes(&input.source.name()));
+        }
+        Ok(found)
+    }
+
+    /// How many inputs are in work at the same time.
+    pub fn jobs(&self) -> Jobs {
+        Jobs { most: self.jobs.into(), memory: self.memory.unwrap_or_else(free_memory) }
+    }
+}
+
+/// The memory that an input needs, in bytes: its length times the largest ratio measured for its format (docs/speed.md). The
+/// external buffers of a glTF are not counted.
+pub fn memory_need(source: &Source, format: Option<Format>) -> u64 {
+    let format = format.or_else(|| Format::from_path(source.path()?));
+    let ratio = match format {
+        Some(Format::Obj) => 4,
+        Some(Format::Ply) => 6,
+        Some(Format::Stl) => 8,
+        _ => 12,
+    };
+    source.length().unwrap_or_default().saturating_mul(ratio)
+}
+
+/// Three quarters of the memory that Linux reports as available; elsewhere 4 GiB.
+fn free_memory() -> u64 {
+    let text = std::fs::read_to_string("/proc/meminfo").unwrap_or_default();
+    let kibibytes =
+        text.lines().find_map(|line| line.strip_prefix("MemAvailable:")?.split_whitespace().next());
+    kibibytes.and_then(|number| number.parse::<u64>().ok()).map_or(4 << 30, |number| number * 768)
+}
+
+/// `8G`, `512M`, `1000K`, or bytes.
+fn memory(text: &str) -> Result<u64, String> {
+    let units = [("K", 10), ("M", 20), ("G", 30), ("T", 40)];
+    let (number, shift) =
+        units.iter().find_map(|(unit, shift)| Some((text.strip_suffix(unit)?, *shift))).unwrap_or((text, 0));
+    let bytes = number.parse::<u64>().ok().and_then(|number| number.checked_mul(1 << shift));
+    bytes
+        .filter(|&bytes| bytes > 0)
+        .ok_or_else(|| format!("{text:?} is not a number of bytes such as 8G or 512M"))
+}
+
+/// The options of the command line of a verb with those of a line of the manifest, which override them.
+///
+/// # Errors
+/// If an option is unknown, has a wrong value, or cannot differ within a batch.
+pub fn with_line<A: FromArgMatches>(verb: &str, input: &Input) -> Result<A, Failure> {
+    let refused = |why: String| Failure::usage(format!("options of {}: {why}", input.source.name()));
+    let command = Cli::command().mut_subcommand(verb, |command| command.args_override_self(true));
+    let options = command.find_subcommand(verb).expect("a verb");
+    for word in &input.options {
+        let name = word.split('=').next().unwrap_or_default();
+        let is_named = |arg: &&clap::Arg| match name.strip_prefix("--") {
+            Some(long) => arg.get_long() == Some(long),
+            None => name.strip_prefix('-').is_some_and(|it| it.chars().next() == arg.get_short()),
+        };
+        let is_fixed = |arg: &clap::Arg| {
+            let of_run = ["Batches", "Running and reporting"].map(Some).contains(&arg.get_help_heading());
+            of_run || FIXED.contains(&arg.get_id().as_str())
+        };
+        if options.get_arguments().find(is_named).is_some_and(is_fixed) {
+            return Err(refused(format!(
+                "{name} is the same for all inputs\nhelp: give it on the command line"
+            )));
+        }
+    }
+    let words = command_line::words().iter().cloned().chain(input.options.iter().map(OsString::from));
+    let explained = |error: &clap::Error| refused(explanation(verb, error));
+    let matches = command
+        .clone()
+        .try_get_matches_from(std::iter::once("crease".into()).chain(words))
+        .map_err(|error| explained(&error))?;
+    let (_, matches) = matches.subcommand().expect("a verb was given");
+    A::from_arg_matches(matches).map_err(|error| explained(&error))
+}
+
+/// Options, by their ids, that hold for the whole of a batch, besides those of batches and of reporting.
+const FIXED: [&str; 8] =
+    ["output", "out_dir", "in_place", "recursive", "dry_run", "sync", "fail_on", "explain"];
 
 /// One of several shares of the inputs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,16 +160,19 @@ fn fnv1a(bytes: &[u8]) -> u64 {
 struct Line {
     input: PathBuf,
     output: Option<PathBuf>,
+    #[serde(default)]
+    options: Vec<String>,
 }
 
 /// The largest manifest, in bytes.
 const MOST: u64 = 1 << 30;
 
-/// The inputs of a manifest: a path for each line, or a JSON object with `input` and perhaps `output`. Empty lines are skipped.
+/// The inputs of a manifest: a path for each line, or a JSON object with `input` and perhaps `output` and `options`. Empty lines
+/// are skipped.
 ///
 /// # Errors
 /// If the manifest cannot be read, or the first line that is neither.
-pub fn manifest(path: &Path) -> Result<Vec<Input>, Failure> {
+fn manifest(path: &Path) -> Result<Vec<Input>, Failure> {
     let name = Source::of(path).name();
     let fail = |place, found: String, advice: &str| {
         Failure::read(&name, ReadError::new(Problem::Syntax, place, found, advice))
@@ -83,18 +190,18 @@ pub fn manifest(path: &Path) -> Result<Vec<Input>, Failure> {
     }
     let mut inputs = Vec::new();
     for (number, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
-        let Line { input, output } = if line.starts_with('{') {
+        let Line { input, output, options } = if line.starts_with('{') {
             serde_json::from_str(line).map_err(|error| {
                 fail(
                     Place::Line(number as u64 + 1),
-                    format!("not an object with `input` and perhaps `output`: {error}"),
-                    "write a path, or {\"input\": \"…\", \"output\": \"…\"}",
+                    format!("not an object with `input` and perhaps `output` and `options`: {error}"),
+                    "write a path, or {\"input\": \"…\", \"output\": \"…\", \"options\": [\"--crease\", \"40\"]}",
                 )
             })?
         } else {
-            Line { input: PathBuf::from(line), output: None }
+            Line { input: PathBuf::from(line), output: None, options: Vec::new() }
         };
-        inputs.push(Input { place: below(&input), source: Source::File(input), output });
+        inputs.push(Input { place: below(&input), source: Source::File(input), output, options });
     }
     if inputs.is_empty() {
         return Err(fail(Place::File, "the manifest names no file".into(), "write a path on each line"));

@@ -2,11 +2,13 @@
 
 use super::console::{Console, HELP, escaped};
 use super::numbers::count;
+use super::report::{Head, SKIPPED};
 use crease::io::{Place, Problem, ReadError};
 use crease::report::ReportError;
 use serde::{Serialize, Serializer};
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
-use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, Once, PoisonError};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Exit {
@@ -131,31 +133,30 @@ pub struct Batch {
     inputs: usize,
     skipped: usize,
     failed: Vec<(String, Failure)>,
+    /// The exit code if no input fails.
+    pub exit: Exit,
 }
 
 impl Batch {
     pub fn new(inputs: usize) -> Self {
-        Self { inputs, skipped: 0, failed: Vec::new() }
+        Self { inputs, skipped: 0, failed: Vec::new(), exit: Exit::Done }
     }
 
-    /// Counts an input that an earlier run has done.
-    pub fn skip(&mut self) {
-        self.skipped += 1;
+    /// Counts an input by the first members of its report.
+    pub fn count(&mut self, path: &str, head: &Head) {
+        self.skipped += usize::from(head.status == SKIPPED);
+        self.failed.extend(head.error.clone().map(|failure| (path.to_owned(), failure)));
     }
 
-    pub fn record(&mut self, path: &str, failure: Failure) {
-        self.failed.push((path.to_owned(), failure));
-    }
-
-    /// Prints a summary of several inputs, and returns the exit code; `exit` if none failed.
-    pub fn finish(mut self, exit: Exit, console: &Console) -> Exit {
+    /// Prints a summary of several inputs, and returns the exit code.
+    pub fn finish(mut self, console: &Console) -> Exit {
         if self.inputs > 1 {
             console.text(|| self.summary());
         }
         let result = match self.failed.pop() {
             Some(_) if self.inputs > 1 => Ok(Exit::PartOfBatch),
             Some((_, failure)) => Err(failure),
-            None => Ok(exit),
+            None => Ok(self.exit),
         };
         exit_code(result, console)
     }
@@ -179,21 +180,29 @@ impl Batch {
     }
 }
 
-/// Runs one job. A panic, which would be a fault of this program or of a library, fails that job only.
+/// Runs one job. A panic, which would be a fault of this program or of a library, fails that job only. Several threads may run
+/// jobs at the same time.
 pub fn guarded<T>(work: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
-    static MESSAGE: Mutex<Option<String>> = Mutex::new(None);
-    let remember = |info: &PanicHookInfo<'_>| {
-        if let Ok(mut message) = MESSAGE.lock() {
-            message.get_or_insert_with(|| info.to_string());
-        }
-    };
-    let usual = panic::take_hook();
-    panic::set_hook(Box::new(remember));
+    static JOBS: AtomicUsize = AtomicUsize::new(0);
+    static MESSAGES: Mutex<Vec<String>> = Mutex::new(Vec::new());
+    static HOOK: Once = Once::new();
+    HOOK.call_once(|| {
+        let usual = panic::take_hook();
+        panic::set_hook(Box::new(move |info: &PanicHookInfo<'_>| match JOBS.load(Ordering::SeqCst) {
+            0 => usual(info),
+            _ => MESSAGES.lock().unwrap_or_else(PoisonError::into_inner).push(info.to_string()),
+        }));
+    });
+    JOBS.fetch_add(1, Ordering::SeqCst);
     let result = panic::catch_unwind(AssertUnwindSafe(work));
-    panic::set_hook(usual);
-    let message = MESSAGE.lock().ok().and_then(|mut message| message.take());
-    result.unwrap_or_else(|_| {
-        let message = message.unwrap_or_else(|| "panicked".into());
+    JOBS.fetch_sub(1, Ordering::SeqCst);
+    result.unwrap_or_else(|payload| {
+        let text = payload.downcast_ref::<String>().map(String::as_str);
+        let text = text.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or("panicked");
+        // The message of the hook has the place too.
+        let mut messages = MESSAGES.lock().unwrap_or_else(PoisonError::into_inner);
+        let own = messages.iter().position(|message| message.contains(text));
+        let message = own.map_or_else(|| text.to_owned(), |own| messages.swap_remove(own));
         let message = format!("internal error: {message}{HELP}please report it");
         Err(Failure::new(FailureKind::Internal, message))
     })

@@ -66,6 +66,14 @@ pub struct Input {
     pub place: PathBuf,
     /// The output that a manifest names for it.
     pub output: Option<PathBuf>,
+    /// Options for it alone, from a manifest.
+    pub options: Vec<String>,
+}
+
+impl Input {
+    fn new(source: Source, place: PathBuf) -> Self {
+        Self { source, place, output: None, options: Vec::new() }
+    }
 }
 
 /// Turns arguments into inputs, in the order given; what a folder holds is sorted by path.
@@ -81,7 +89,7 @@ pub fn expand(args: &[PathBuf], recursive: bool, out_dir: Option<&Path>) -> Resu
             if inputs.iter().any(|input: &Input| input.source == Source::Standard) {
                 return Err(Failure::usage("standard input can be read only once\nhelp: give `-` once"));
             }
-            inputs.push(Input { source: Source::Standard, place: PathBuf::from("-"), output: None });
+            inputs.push(Input::new(Source::Standard, PathBuf::from("-")));
         } else if arg.is_dir() {
             if !recursive {
                 let advice =
@@ -99,7 +107,7 @@ pub fn expand(args: &[PathBuf], recursive: bool, out_dir: Option<&Path>) -> Resu
             }
         } else {
             let place = arg.file_name().map(PathBuf::from).unwrap_or_else(|| arg.clone());
-            inputs.push(Input { source: Source::File(arg.clone()), place, output: None });
+            inputs.push(Input::new(Source::File(arg.clone()), place));
         }
     }
     Ok(inputs)
@@ -121,7 +129,7 @@ fn search(folder: &Path, out_dir: Option<&Path>, inputs: &mut Vec<Input>) -> Res
         let path = entry.into_path();
         if Format::from_path(&path).is_some() && !path.is_dir() {
             let place = path.strip_prefix(folder).unwrap_or(&path).to_path_buf();
-            inputs.push(Input { source: Source::File(path), place, output: None });
+            inputs.push(Input::new(Source::File(path), place));
         }
     }
     Ok(())

@@ -29,6 +29,12 @@ pub struct Entry {
     pub written: BTreeMap<String, String>,
     /// Normals that are fallbacks.
     pub faults: u64,
+    /// How many elements have each finding, by its id.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub findings: BTreeMap<String, u64>,
+    /// The severity of the worst finding.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub verdict: Option<String>,
     pub seconds: f64,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub error: Option<String>,
@@ -113,10 +119,9 @@ impl Journal {
         Ok(Self { file, sync, done, bad })
     }
 
-    /// Whether this work is done, and everything is as it was then.
-    pub fn has(&self, input: &str, output: Option<&str>, options: &str) -> bool {
-        let key = (input.to_owned(), output.map(str::to_owned));
-        self.done.get(&key).is_some_and(|entry| entry.is_valid(options))
+    /// The entry of earlier runs for an input and its output.
+    pub fn entry(&self, input: &str, output: Option<&str>) -> Option<&Entry> {
+        self.done.get(&(input.to_owned(), output.map(str::to_owned)))
     }
 
     /// Adds an entry.

@@ -12,8 +12,12 @@ pub mod console;
 pub mod failure;
 /// Files and standard input.
 pub mod input;
+/// Several inputs at a time.
+pub mod jobs;
 /// What a batch has done.
 pub mod journal;
+/// The journal of a batch in use.
+pub mod ledger;
 /// The known name that is most similar to an unknown one.
 pub mod nearest;
 /// Numbers with the words that belong to them.
@@ -26,5 +30,7 @@ pub mod output;
 pub mod progress;
 /// Members that JSON reports share.
 pub mod report;
+/// The loop over the inputs of a verb.
+pub mod run_batch;
 /// Files, and standard input and output.
 pub mod stream;

@@ -8,7 +8,7 @@ use crease::normals::{Crease, Weight, When};
 use crease::num::{Degrees, LinearRgb, Srgb8};
 use glam::DVec3;
 
-#[derive(Args, Default)]
+#[derive(Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Running and reporting")]
 pub struct RunArgs {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]

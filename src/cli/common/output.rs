@@ -12,6 +12,7 @@ use std::fs::{self, File};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Component, Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 use tempfile::NamedTempFile;
 
 /// What is written.
@@ -29,9 +30,16 @@ pub struct Store {
     sync: bool,
     /// Do everything but write.
     dry_run: bool,
-    companions: BTreeMap<PathBuf, u64>,
-    /// The files of the last output: its companions, then the main one.
-    pub last: Vec<PathBuf>,
+    companions: Mutex<BTreeMap<PathBuf, u64>>,
+}
+
+/// An output that is stored.
+#[derive(Debug, Default)]
+pub struct Stored {
+    /// A note for each companion that replaced a file with other content.
+    pub notes: Vec<Note>,
+    /// Its files: the companions, then the main one.
+    pub files: Vec<PathBuf>,
 }
 
 /// Identifies the content of a companion, without keeping its bytes.
@@ -69,12 +77,11 @@ impl Store {
         Self { sync, dry_run, ..Self::default() }
     }
 
-    /// Stores an output and its companion files. Returns a note for each of these that replaces a file with other content.
+    /// Stores an output and its companion files.
     ///
     /// # Errors
     /// If anything cannot be written; nothing half-written remains then.
-    pub fn store(&mut self, written: Written, target: &Target) -> Result<Vec<Note>> {
-        self.last.clear();
+    pub fn store(&self, written: Written, target: &Target) -> Result<Stored> {
         match target {
             Target::Standard => {
                 // A copied companion exists where the input refers to it; standard output has no folder for new ones.
@@ -88,7 +95,7 @@ impl Store {
                 if !self.dry_run {
                     to_stdout(&written.bytes)?;
                 }
-                Ok(Vec::new())
+                Ok(Stored::default())
             }
             Target::File(path) => self.store_file(written, path),
         }
@@ -114,11 +121,16 @@ impl Store {
         Ok(bytes.len() as u64)
     }
 
-    fn store_file(&mut self, written: Written, path: &Path) -> Result<Vec<Note>> {
+    fn store_file(&self, written: Written, path: &Path) -> Result<Stored> {
         let path = follow_links(path)?;
+        // Outputs without companions are stored by several threads at the same time.
+        let mut known = match written.companions.is_empty() {
+            true => None,
+            false => Some(self.companions.lock().unwrap_or_else(PoisonError::into_inner)),
+        };
         let mut claimed = Vec::new();
         for companion in written.companions {
-            claimed.extend(self.claim(companion, &path)?);
+            claimed.extend(claim(known.as_deref().expect("there are companions"), companion, &path)?);
         }
         // Each that is new has other content than what may be there, which may be somebody else's.
         let replaced = claimed.iter().filter(|claim| claim.is_new && claim.place.is_file());
@@ -127,7 +139,7 @@ impl Store {
             let text = "belongs to the output and replaces a file of that name with other content";
             Note::remark(format!("{path} {text}"))
         });
-        let replaced = replaced.collect();
+        let notes = replaced.collect();
         check_place(&path)?;
         if !self.dry_run {
             let mut staged = Vec::new();
@@ -140,44 +152,11 @@ impl Store {
                 file.put(self.sync)?;
             }
         }
-        self.last = claimed.iter().map(|claim| claim.place.clone()).chain([path]).collect();
-        self.companions.extend(claimed.into_iter().map(|claim| (claim.place, claim.mark)));
-        Ok(replaced)
-    }
-
-    /// The place that a companion will have; `None` if it is left where it is because its name leads out of the
-    /// output's folder.
-    fn claim(&self, companion: OutputFile, main: &Path) -> Result<Option<Claim>> {
-        let OutputFile { name, content } = companion;
-        let path = Path::new(&name);
-        if !path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
-            match content {
-                OutputContent::CopyOf(_) => return Ok(None),
-                OutputContent::Bytes(_) => bail!("{name} leads out of the output's folder"),
-            }
+        let files = claimed.iter().map(|claim| claim.place.clone()).chain([path]).collect();
+        if let Some(known) = &mut known {
+            known.extend(claimed.into_iter().map(|claim| (claim.place, claim.mark)));
         }
-        let place = follow_links(&folder_of(main).join(path))?;
-        ensure!(
-            place != main,
-            "{name} is both the output and a companion file\nhelp: give the output another name"
-        );
-        let mark = mark(&content);
-        let twin = self.companions.get(&place);
-        ensure!(
-            twin.is_none_or(|twin| *twin == mark),
-            "{} belongs to another output of this run too, with other content\nhelp: write them into different folders, or \
-             one by one under different names",
-            place.display()
-        );
-        let is_there = matches!(&content, OutputContent::CopyOf(source) if is_same_file(source, &place));
-        if let OutputContent::CopyOf(source) = &content {
-            ensure!(source.is_file(), "could not read {}, which belongs to the output", source.display());
-        }
-        let is_new = twin.is_none() && !is_there && !stands(&place, &content);
-        if is_new {
-            check_place(&place)?;
-        }
-        Ok(Some(Claim { is_new, place, mark, content }))
+        Ok(Stored { notes, files })
     }
 
     fn stage_bytes(&self, path: &Path, bytes: &[u8]) -> Result<Staged> {
@@ -214,6 +193,40 @@ impl Store {
         let length = file.as_file().metadata().with_context(could_not)?.len();
         Ok((Staged::Temporary(file, path.to_path_buf()), length))
     }
+}
+
+/// The place that a companion will have; `None` if it is left where it is because its name leads out of the output's folder.
+fn claim(known: &BTreeMap<PathBuf, u64>, companion: OutputFile, main: &Path) -> Result<Option<Claim>> {
+    let OutputFile { name, content } = companion;
+    let path = Path::new(&name);
+    if !path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
+        match content {
+            OutputContent::CopyOf(_) => return Ok(None),
+            OutputContent::Bytes(_) => bail!("{name} leads out of the output's folder"),
+        }
+    }
+    let place = follow_links(&folder_of(main).join(path))?;
+    ensure!(
+        place != main,
+        "{name} is both the output and a companion file\nhelp: give the output another name"
+    );
+    let mark = mark(&content);
+    let twin = known.get(&place);
+    ensure!(
+        twin.is_none_or(|twin| *twin == mark),
+        "{} belongs to another output of this run too, with other content\nhelp: write them into different folders, or \
+         one by one under different names",
+        place.display()
+    );
+    let is_there = matches!(&content, OutputContent::CopyOf(source) if is_same_file(source, &place));
+    if let OutputContent::CopyOf(source) = &content {
+        ensure!(source.is_file(), "could not read {}, which belongs to the output", source.display());
+    }
+    let is_new = twin.is_none() && !is_there && !stands(&place, &content);
+    if is_new {
+        check_place(&place)?;
+    }
+    Ok(Some(Claim { is_new, place, mark, content }))
 }
 
 /// An empty file in the folder of another, which is made if it is not there.
@@ -410,7 +423,7 @@ mod tests {
         let source = folder.path().join("source.png");
         fs::write(&source, "picture").unwrap();
         let out = folder.path().join("deep/out");
-        let mut store = Store::new(true, false);
+        let store = Store::new(true, false);
         let companions = [
             ("a.bin", OutputContent::Bytes(b"bin".to_vec())),
             ("textures/p.png", OutputContent::CopyOf(source.clone())),
@@ -432,7 +445,7 @@ mod tests {
     #[test]
     fn what_cannot_be_stored_leaves_nothing() {
         let folder = tempfile::tempdir().unwrap();
-        let mut store = Store::new(false, false);
+        let store = Store::new(false, false);
         let missing = [
             ("a.bin", OutputContent::Bytes(b"bin".to_vec())),
             ("p.png", OutputContent::CopyOf(folder.path().join("nowhere.png"))),
@@ -482,8 +495,8 @@ mod tests {
             let target = Target::File(folder.path().join(name));
             Store::new(false, false).store(written(b"main", &[("a.bin", content)]), &target)
         };
-        assert!(store("b.gltf", OutputContent::Bytes(b"bin".to_vec())).unwrap().is_empty());
-        assert!(store("c.gltf", OutputContent::CopyOf(there.clone())).unwrap().is_empty());
+        assert!(store("b.gltf", OutputContent::Bytes(b"bin".to_vec())).unwrap().notes.is_empty());
+        assert!(store("c.gltf", OutputContent::CopyOf(there.clone())).unwrap().notes.is_empty());
         assert!(store("d.gltf", OutputContent::Bytes(b"new".to_vec())).is_err());
         assert_eq!(names(folder.path()), ["a.bin", "b.gltf", "c.gltf"]);
     }
@@ -495,7 +508,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let (real, link) = (folder.path().join("real/file.obj"), folder.path().join("link.obj"));
         symlink("real/file.obj", &link).unwrap();
-        let mut store = Store::new(false, false);
+        let store = Store::new(false, false);
         store.store(written(b"one", &[]), &Target::File(link.clone())).unwrap();
         fs::set_permissions(&real, fs::Permissions::from_mode(0o640)).unwrap();
         store.store(written(b"two", &[]), &Target::File(link.clone())).unwrap();

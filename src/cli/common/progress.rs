@@ -30,7 +30,8 @@ pub struct Progress {
 #[derive(Debug)]
 pub struct FileProgress<'a> {
     bar: &'a ProgressBar,
-    start: u64,
+    /// How far this input has moved the bar.
+    shown: AtomicU64,
     /// How many bytes the input has, as far as is known.
     bytes: AtomicU64,
 }
@@ -83,7 +84,7 @@ impl Progress {
         }
     }
 
-    fn hidden() -> Self {
+    pub fn hidden() -> Self {
         Self { bar: ProgressBar::hidden(), waiting: None }
     }
 
@@ -110,7 +111,7 @@ impl Progress {
 
     pub fn begin(&self, source: &Source) -> FileProgress<'_> {
         let bytes = source.length().unwrap_or_default();
-        FileProgress { bar: &self.bar, start: self.bar.position(), bytes: AtomicU64::new(bytes) }
+        FileProgress { bar: &self.bar, shown: AtomicU64::new(0), bytes: AtomicU64::new(bytes) }
     }
 
     /// Prints something while the bar is away.
@@ -142,7 +143,13 @@ impl FileProgress<'_> {
     pub fn within(&self, stage: Stage, done: usize, all: usize) {
         let thirds = stage as u64 as f64 + done as f64 / all.max(1) as f64;
         let bytes = self.bytes.load(Ordering::Relaxed);
-        self.bar.set_position(self.start + (bytes as f64 * thirds / 3.0) as u64);
+        self.advance((bytes as f64 * thirds / 3.0) as u64);
+    }
+
+    /// Moves the bar to this number of bytes of the input. Other inputs move it at the same time.
+    fn advance(&self, bytes: u64) {
+        let before = self.shown.fetch_max(bytes, Ordering::Relaxed);
+        self.bar.inc(bytes.saturating_sub(before));
     }
 
     /// Reads an input; `bytes` becomes its length.
@@ -163,13 +170,13 @@ impl FileProgress<'_> {
     fn arrived(&self, bytes: u64) {
         let all = self.bytes.fetch_add(bytes, Ordering::Relaxed) + bytes;
         self.bar.inc_length(bytes);
-        self.bar.set_position(self.start + all / 3);
+        self.advance(all / 3);
     }
 }
 
 impl Drop for FileProgress<'_> {
     fn drop(&mut self) {
-        self.bar.set_position(self.start + self.bytes.load(Ordering::Relaxed));
+        self.advance(self.bytes.load(Ordering::Relaxed));
     }
 }
 

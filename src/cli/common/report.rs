@@ -30,6 +30,9 @@ impl Head {
     }
 }
 
+/// The status of an input that an earlier run has done.
+pub const SKIPPED: &str = "skipped";
+
 #[derive(Debug, Default, Serialize)]
 pub struct InputReport {
     pub path: String,

@@ -1,5 +1,6 @@
 //! The options of `crease inspect`.
 
+use crate::cli::common::batch::BatchArgs;
 use crate::cli::common::choice::{choices, one_of};
 use crate::cli::common::console::HELP;
 use crate::cli::common::nearest::did_you_mean;
@@ -14,9 +15,9 @@ use crease::report::Sight;
 use glam::DVec3;
 use std::path::PathBuf;
 
-#[derive(Args)]
+#[derive(Args, Clone, Debug)]
 pub struct InspectArgs {
-    #[arg(value_name = "INPUT", required_unless_present = "explain")]
+    #[arg(value_name = "INPUT", required_unless_present_any = ["explain", "manifest"], conflicts_with = "manifest")]
     pub inputs: Vec<PathBuf>,
     #[arg(short, long)]
     pub recursive: bool,
@@ -36,10 +37,12 @@ pub struct InspectArgs {
     #[command(flatten)]
     pub thresholds: ThresholdArgs,
     #[command(flatten)]
+    pub batch: BatchArgs,
+    #[command(flatten)]
     pub run: RunArgs,
 }
 
-#[derive(Args)]
+#[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Pictures (one input only)")]
 pub struct PictureArgs {
     #[arg(long, value_name = "FILE")]
@@ -50,7 +53,14 @@ pub struct PictureArgs {
     pub view: Sight,
 }
 
-#[derive(Args)]
+impl PictureArgs {
+    /// The outputs.
+    pub fn paths(&self) -> impl Iterator<Item = &PathBuf> {
+        self.html.iter().chain(&self.heatmap)
+    }
+}
+
+#[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Findings")]
 pub struct FindingArgs {
     #[arg(long, value_name = "SEVERITY", value_parser = one_of::<Severity>())]
@@ -84,7 +94,7 @@ impl FindingArgs {
 /// Makes the options of the thresholds: `option => field of Thresholds: type, parser, name of the value`.
 macro_rules! thresholds {
     ($($(#[$help:meta])* $option:ident => $field:ident: $type:ty, $parser:expr, $value:literal;)*) => {
-        #[derive(Args)]
+        #[derive(Args, Clone, Debug)]
         #[command(next_help_heading = "Thresholds (angles in degrees)")]
         pub struct ThresholdArgs {
             $($(#[$help])*

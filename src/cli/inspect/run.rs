@@ -1,23 +1,28 @@
-//! Runs `crease inspect`: checks of the command line, then all inputs one after the other.
+//! Runs `crease inspect`: checks of the command line, then all inputs.
 
 use super::args::{FindingArgs, InspectArgs, PictureArgs};
-use super::json::{Against, Counts, InspectReport};
+use super::json::{Against, Counts, FindingReport, InspectReport};
 use super::symptoms;
 use super::text::{self, Layout};
+use crate::cli::common::batch::with_line;
 use crate::cli::common::console::{Console, HELP, Style, Verbosity, escaped};
-use crate::cli::common::failure::{Batch, Exit, Failure, exit_code, guarded};
+use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
 use crate::cli::common::input::{Source, check_root, expand};
+use crate::cli::common::ledger::{self, Ledger, Work, skipped};
 use crate::cli::common::options::Color;
 use crate::cli::common::output::{Target, is_same_file, resolve_parent, stem};
-use crate::cli::common::progress::{FileProgress, Progress, Stage};
+use crate::cli::common::progress::{FileProgress, Stage};
+use crate::cli::common::report::SKIPPED;
+use crate::cli::common::run_batch::{Recorded, Shared, run_batch};
 use crate::cli::usage::{refused, usage_error};
-use crease::io::{Loaded, ReadOptions};
+use crease::io::{Format, Loaded, ReadLog, ReadOptions};
 use crease::num::Transfer;
 use crease::quality::catalogue::{Kind, entries};
-use crease::quality::{Diagnosis, Thresholds, compare, diagnose};
+use crease::quality::{Diagnosis, Severity, compare, diagnose};
 use crease::report::{After, DiagnosisPage, deviation_picture, encode_png};
-use std::collections::HashSet;
-use std::path::Path;
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Instant;
 
 /// What a heat map of a file without normals shows.
@@ -25,19 +30,18 @@ const NO_DEVIATION: &str =
     "no normals are stored: the picture shows no deviations\nhelp: compute normals with `crease normals`";
 
 pub fn main(args: &InspectArgs, color: Color) -> Exit {
-    let PictureArgs { html, heatmap, .. } = &args.pictures;
-    let to_stdout = [html, heatmap].into_iter().flatten().find(|path| Target::of(path) == Target::Standard);
+    let to_stdout = args.pictures.paths().find(|path| Target::of(path) == Target::Standard);
     let console = Console::new(&args.run, color, to_stdout.map(|path| path.as_path()));
     if !args.findings.explain.is_empty() {
         console.report(&explained(&args.findings.explain.join(" "), console.report_style));
         return exit_code(Ok(Exit::Done), &console);
     }
-    let sources = match sources(args) {
-        Ok(sources) => sources,
+    let jobs = match jobs(args) {
+        Ok(jobs) => jobs,
         Err(failure) => return refused("inspect", &failure, &console),
     };
     args.run.use_threads();
-    run(&sources, args, &console)
+    run(&jobs, args, &console)
 }
 
 /// What the catalogue has on a finding, on all, or on those that a symptom fits.
@@ -62,49 +66,74 @@ fn explained(words: &str, style: Style) -> String {
     }
 }
 
-fn run(sources: &[Source], args: &InspectArgs, console: &Console) -> Exit {
-    let progress = Progress::of_inputs(console, sources);
-    let allowed_extensions = args.allow_extension.clone();
-    let read = ReadOptions { root: args.root.clone(), allowed_extensions, ..ReadOptions::default() };
-    let thresholds = args.thresholds.resolve(args.findings.places);
-    let (mut batch, mut exit) = (Batch::new(sources.len()), Exit::Done);
-    let mut outputs = HashSet::new();
-    for source in sources {
-        let mut report = InspectReport::new(source);
-        let start = Instant::now();
-        let file = progress.begin(source);
-        let result = guarded(|| inspect(source, &read, args, &thresholds, &file, &mut outputs, &mut report));
-        drop(file);
-        report.seconds.total = start.elapsed().as_secs_f64();
-        report.head.record(&result);
-        if let Ok(Outcome { is_grave: true, .. }) = result {
-            (report.head.status, exit) = ("findings", Exit::Findings);
+fn run(jobs: &[Job], args: &InspectArgs, console: &Console) -> Exit {
+    let ledger = match Ledger::open(&args.batch, false, false) {
+        Ok(ledger) => ledger,
+        Err(failure) => return refused("inspect", &failure, console),
+    };
+    run_batch(console, &args.batch, &ledger, jobs, source, one, |job, (report, outcome), batch| {
+        batch.count(&report.input.path, &report.head);
+        if outcome.is_grave {
+            batch.exit = Exit::Findings;
         }
-        progress.suspended(|| {
-            if let Ok(Outcome { lacks_normals: true, .. }) = result {
-                let name = &report.input.path;
-                console.note(&format!("{name}: {NO_DEVIATION}"));
-            }
-            print(&report, args, sources.len() > 1, console);
-        });
-        if let Err(failure) = result {
-            batch.record(&report.input.path, failure);
+        if outcome.lacks_normals {
+            console.note(&format!("{}: {NO_DEVIATION}", report.input.path));
         }
-    }
-    drop(progress);
-    batch.finish(exit, console)
+        print(&report, &job.args, jobs.len() > 1, console);
+    })
 }
 
-/// Reads, diagnoses and draws. `outputs` are the names of fixed versions so far: each input has its own.
+fn source(job: &Job) -> (&Source, Option<Format>) {
+    (&job.source, job.args.format)
+}
+
+/// Inspects an input unless an earlier run has, and records it.
+fn one(job: &Job, shared: &Shared<'_>) -> Recorded<(InspectReport, Outcome)> {
+    let mut report = InspectReport::new(&job.source);
+    let start = Instant::now();
+    let work = Work { input: job.source.name(), output: None, options: job.options() };
+    if let Some(entry) = shared.ledger.done_before(&work) {
+        report.head.status = SKIPPED;
+        let worst = Severity::ALL.into_iter().find(|it| Some(it.name()) == entry.verdict.as_deref());
+        let is_grave = job.args.findings.fail_on.is_some_and(|least| worst >= Some(least));
+        return ((report, Outcome { is_grave, lacks_normals: false }), Ok(()));
+    }
+    let log = ReadLog::default();
+    let read = ReadOptions { log: log.clone(), ..job.read() };
+    let result = shared.ledger.retried(|| guarded(|| inspect(job, &read, shared.progress, &mut report)));
+    report.seconds.total = start.elapsed().as_secs_f64();
+    report.head.record(&result);
+    let mut findings = BTreeMap::new();
+    for FindingReport { finding, .. } in &report.findings {
+        *findings.entry(finding.kind.id().to_owned()).or_default() += finding.count;
+    }
+    let done = ledger::Outcome {
+        bytes: report.input.bytes.unwrap_or_default(),
+        error: result.as_ref().err(),
+        read: log.take().into_iter().collect(),
+        written: report.written.iter().map(|(_, path)| path.into()).collect(),
+        findings,
+        verdict: report.verdict.map(|worst| worst.name().to_owned()),
+        seconds: report.seconds.total,
+        ..ledger::Outcome::default()
+    };
+    let recorded = shared.ledger.record(work, done);
+    let outcome = result.unwrap_or_default();
+    if outcome.is_grave {
+        report.head.status = "findings";
+    }
+    ((report, outcome), recorded)
+}
+
+/// Reads, diagnoses and draws.
 fn inspect(
-    source: &Source,
+    job: &Job,
     read: &ReadOptions,
-    args: &InspectArgs,
-    thresholds: &Thresholds,
     progress: &FileProgress<'_>,
-    outputs: &mut HashSet<String>,
     report: &mut InspectReport,
 ) -> Result<Outcome, Failure> {
+    let (source, args) = (&job.source, &*job.args);
+    let thresholds = &args.thresholds.resolve(args.findings.places);
     progress.stage(Stage::Read);
     let start = Instant::now();
     let loaded = progress.read(source, args.format, read, &mut report.input.bytes)?.without_source();
@@ -133,10 +162,8 @@ fn inspect(
     }
     report.seconds.inspect = start.elapsed().as_secs_f64();
     let stem = source.path().map_or("stdin".into(), |path| stem(path).unwrap_or_default());
-    let output = |number: String| format!("{stem}-fixed{number}.{}", loaded.format.extension());
-    let numbers = (1..).map(|number| if number == 1 { String::new() } else { format!("-{number}") });
-    report.fix_as =
-        numbers.map(output).find(|name| outputs.insert(name.clone())).expect("numbers do not end");
+    let number = if job.number == 1 { String::new() } else { format!("-{}", job.number) };
+    report.fix_as = format!("{stem}-fixed{number}.{}", loaded.format.extension());
     let (wanted, names) = (&args.findings, [&*report.input.path, &*report.fix_as]);
     report.fix = diagnosis.fix(|finding| wanted.takes(finding), wanted.names_notes(), names);
     report.hidden = keep_wanted(&mut diagnosis, wanted);
@@ -149,6 +176,7 @@ fn inspect(
 }
 
 /// What came of an input that was read.
+#[derive(Default)]
 struct Outcome {
     /// Something is as grave as `--fail-on`.
     is_grave: bool,
@@ -218,15 +246,42 @@ fn print(report: &InspectReport, args: &InspectArgs, brief: bool, console: &Cons
         };
         match brief && !verbose {
             _ if report.head.error.is_some() => String::new(),
+            _ if report.head.status == SKIPPED => skipped(&report.input.path),
             true => layout.brief(report),
             false => layout.block(report),
         }
     });
 }
 
-pub fn sources(args: &InspectArgs) -> Result<Vec<Source>, Failure> {
+/// An input with its options.
+struct Job {
+    source: Source,
+    /// Its number among those of the same stem, from 1: each fixed version has a name of its own.
+    number: usize,
+    args: Arc<InspectArgs>,
+}
+
+impl Job {
+    fn read(&self) -> ReadOptions {
+        ReadOptions {
+            root: self.args.root.clone(),
+            allowed_extensions: self.args.allow_extension.clone(),
+            ..ReadOptions::default()
+        }
+    }
+
+    /// All options that affect the result, as text.
+    fn options(&self) -> String {
+        let InspectArgs { format, root, allow_extension, against, pictures, findings, thresholds, .. } =
+            &*self.args;
+        let findings = (findings.severity, &findings.ignore, &findings.only, findings.places);
+        format!("inspect {:?}", (format, root, allow_extension, against, pictures, findings, thresholds))
+    }
+}
+
+fn jobs(args: &InspectArgs) -> Result<Vec<Job>, Failure> {
     check_root(args.root.as_ref())?;
-    let found = expand(&args.inputs, args.recursive, None)?;
+    let found = args.batch.inputs(|| expand(&args.inputs, args.recursive, None))?;
     let options = [
         ("--html", args.pictures.html.is_some()),
         ("--heatmap", args.pictures.heatmap.is_some()),
@@ -238,14 +293,43 @@ pub fn sources(args: &InspectArgs) -> Result<Vec<Source>, Failure> {
             found.len()
         )));
     }
-    let sources: Vec<Source> = found.into_iter().map(|input| input.source).collect();
-    if args.against.as_deref().map(Source::of) == Some(Source::Standard)
-        && sources.contains(&Source::Standard)
-    {
-        return Err(Failure::usage("standard input can be read only once\nhelp: name one of the two files"));
+    let base = Arc::new(args.clone());
+    let (mut numbers, mut jobs) = (HashMap::new(), Vec::with_capacity(found.len()));
+    for input in found {
+        if input.output.is_some() {
+            return Err(Failure::usage(format!(
+                "{}: `inspect` has no `output`\nhelp: \"options\": [\"--html\", \"page.html\"] writes a page",
+                input.source.name()
+            )));
+        }
+        let args =
+            if input.options.is_empty() { base.clone() } else { Arc::new(with_line("inspect", &input)?) };
+        let number = numbers.entry(input.source.path().and_then(stem)).or_insert(0);
+        *number += 1;
+        jobs.push(Job { source: input.source, number: *number, args });
     }
-    check_outputs(&sources, args).map_err(Failure::usage)?;
-    Ok(sources)
+    let mut outputs = HashSet::new();
+    let sources: Vec<Source> = jobs.iter().map(|job| job.source.clone()).collect();
+    for args in jobs.iter().map(|job| &*job.args) {
+        if args.against.as_deref().map(Source::of) == Some(Source::Standard)
+            && sources.contains(&Source::Standard)
+        {
+            return Err(Failure::usage(
+                "standard input can be read only once\nhelp: name one of the two files",
+            ));
+        }
+        let pictures: Vec<&PathBuf> = args.pictures.paths().collect();
+        if !pictures.is_empty() {
+            check_outputs(&sources, args).map_err(Failure::usage)?;
+        }
+        if let Some(twice) = pictures.iter().find(|path| !outputs.insert(resolve_parent(path))) {
+            return Err(Failure::usage(format!(
+                "{} is written for two inputs\nhelp: name two outputs",
+                twice.display()
+            )));
+        }
+    }
+    Ok(jobs)
 }
 
 /// No picture may be written over an input, nor over the other picture.

@@ -57,12 +57,20 @@ struct Summary {
     failed: usize,
     /// Files with fallback normals.
     with_faults: usize,
+    /// Files with each finding, and elements in them.
+    findings: BTreeMap<String, FindingCount>,
     bytes: u64,
     /// Of work, summed over files.
     seconds: f64,
     /// Failed files by the first line of their error, without names of files.
     errors: BTreeMap<String, usize>,
     incomplete_lines: usize,
+}
+
+#[derive(Default, Serialize)]
+struct FindingCount {
+    files: usize,
+    count: u64,
 }
 
 impl Summary {
@@ -73,7 +81,14 @@ impl Summary {
             let first = entry.error.as_deref().and_then(|error| error.lines().next()).unwrap_or_default();
             *errors.entry(first.to_owned()).or_default() += 1;
         }
+        let mut findings = BTreeMap::<String, FindingCount>::new();
+        for (id, count) in entries.iter().flat_map(|entry| &entry.findings) {
+            let finding = findings.entry(id.clone()).or_default();
+            finding.files += 1;
+            finding.count += count;
+        }
         Self {
+            findings,
             schema: "crease-journal/1",
             files: entries.len(),
             done: entries.len() - failed().count(),
@@ -97,6 +112,12 @@ impl Summary {
             size(self.bytes),
             self.seconds,
         );
+        let mut findings: Vec<_> = self.findings.iter().collect();
+        findings.sort_by_key(|(_, finding)| std::cmp::Reverse(finding.files));
+        for (id, FindingCount { files, count: elements }) in findings {
+            let elements = count(*elements as usize, "element");
+            text += &format!("  {id}: {} ({elements})\n", count(*files, "file"));
+        }
         let mut errors: Vec<_> = self.errors.iter().collect();
         errors.sort_by_key(|(_, count)| std::cmp::Reverse(**count));
         errors.into_iter().for_each(|(error, count)| text += &format!("  {count} failed: {error}\n"));

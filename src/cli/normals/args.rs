@@ -12,10 +12,10 @@ use crease::pipeline::Degenerate;
 use serde::{Serialize, Serializer};
 use std::path::PathBuf;
 
-#[derive(Args)]
+#[derive(Args, Clone, Debug)]
 #[command(group = ArgGroup::new("destination").args(["output", "out_dir", "in_place"]))]
 pub struct NormalsArgs {
-    #[arg(value_name = "INPUT", required_unless_present = "manifest")]
+    #[arg(value_name = "INPUT", required_unless_present = "manifest", conflicts_with = "manifest")]
     pub inputs: Vec<PathBuf>,
 
     #[command(flatten)]
@@ -32,7 +32,7 @@ pub struct NormalsArgs {
     pub run: RunArgs,
 }
 
-#[derive(Args)]
+#[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Input and output")]
 pub struct OutputArgs {
     #[arg(short, long, value_name = "FILE")]
@@ -58,7 +58,7 @@ pub struct OutputArgs {
 }
 
 /// The member `recipe` of the report.
-#[derive(Args, Serialize)]
+#[derive(Args, Clone, Debug, Serialize)]
 #[command(next_help_heading = "Normals")]
 pub struct RecipeArgs {
     #[arg(long, value_name = "WHAT", default_value = "corner", value_parser = one_of::<Emit>())]
@@ -92,7 +92,7 @@ pub struct RecipeArgs {
     pub precision: Precision,
 }
 
-#[derive(Args)]
+#[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Mesh")]
 pub struct MeshArgs {
     #[arg(long, value_name = "exact|off|FRACTION", value_parser = merging, allow_negative_numbers = true)]
@@ -113,7 +113,7 @@ pub struct MeshArgs {
     pub force: bool,
 }
 
-#[derive(Args)]
+#[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "glTF")]
 pub struct GltfArgs {
     #[arg(long, value_name = "HOW", default_value = "auto", value_parser = one_of::<TangentPolicy>())]

@@ -1,7 +1,7 @@
 //! The report on one input file, as JSON. Members are described in `docs/json.md`.
 
 use super::args::RecipeArgs;
-use super::request::{Job, Request};
+use super::request::Job;
 use crate::cli::common::report::{Head, InputReport, MeshOutput};
 use crease::io::{Note, PartEdit};
 use crease::pipeline::PartOutcome;
@@ -14,7 +14,7 @@ pub struct Report<'a> {
     pub input: InputReport,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub output: Option<MeshOutput>,
-    dry_run: bool,
+    pub dry_run: bool,
     pub recipe: &'a RecipeArgs,
     pub parts: Vec<Part>,
     pub notes: Vec<Note>,
@@ -39,13 +39,13 @@ pub struct Part {
 }
 
 impl<'a> Report<'a> {
-    pub fn new(job: &Job, request: &'a Request) -> Self {
+    pub fn new(job: &'a Job) -> Self {
         Self {
             head: Head::new("crease-normals/1"),
             input: InputReport::new(&job.source, job.format),
             output: None,
-            dry_run: request.args.output.dry_run,
-            recipe: &request.args.normals,
+            dry_run: job.settings.args.output.dry_run,
+            recipe: &job.settings.args.normals,
             parts: Vec::new(),
             notes: Vec::new(),
             seconds: Seconds::default(),

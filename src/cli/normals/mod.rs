@@ -6,8 +6,6 @@ pub mod args;
 mod conversion;
 /// The report as JSON.
 mod json;
-/// What earlier runs have done.
-mod ledger;
 /// Options made into jobs.
 pub mod request;
 /// Reading, computing and writing.

@@ -1,7 +1,7 @@
 //! Options made into jobs. All errors of the command line are found here, before anything is read or written.
 
 use super::args::{HardEdge, Merging, NormalsArgs, RecipeArgs};
-use crate::cli::common::batch;
+use crate::cli::common::batch::with_line;
 use crate::cli::common::failure::Failure;
 use crate::cli::common::input::{Input, Source, check_root, expand};
 use crate::cli::common::output::{Target, file_target, resolve_parent};
@@ -10,10 +10,28 @@ use crease::normals::{Crease, HardEdges, NormalRecipe, Scope};
 use crease::pipeline::Task;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-pub struct Request<'a> {
-    pub args: &'a NormalsArgs,
+pub struct Request {
     pub jobs: Vec<Job>,
+}
+
+#[derive(Clone, Debug)]
+pub struct Job {
+    pub source: Source,
+    /// The input's format as typed; `None`: by its content, else by its name.
+    pub format: Option<Format>,
+    /// The output; `None` if nothing is written.
+    pub target: Option<Target>,
+    /// The output's format; `None`: that of the input.
+    pub to: Option<Format>,
+    pub settings: Arc<Settings>,
+}
+
+/// What options ask for. A line of a manifest may have options of its own.
+#[derive(Debug)]
+pub struct Settings {
+    pub args: NormalsArgs,
     pub task: Task,
     pub read: ReadOptions,
     pub write: WriteOptions,
@@ -23,48 +41,52 @@ pub struct Request<'a> {
     pub rows: bool,
 }
 
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Job {
-    pub source: Source,
-    /// The input's format as typed; `None`: by its content, else by its name.
-    pub format: Option<Format>,
-    /// The output; `None` if nothing is written.
-    pub target: Option<Target>,
-    /// The output's format; `None`: that of the input.
-    pub to: Option<Format>,
-}
-
-impl<'a> Request<'a> {
+impl Request {
     /// Checks the options, also against existing files.
-    pub fn resolve(args: &'a NormalsArgs) -> Result<Self, Failure> {
-        let rows = args.normals.emit == Emit::Face && args.run.json && !has_destination(args);
+    pub fn resolve(args: &NormalsArgs) -> Result<Self, Failure> {
+        let settings = Arc::new(Settings::new(args.clone()));
         // A manifest may name its outputs.
-        if !has_destination(args) && !rows && !args.output.dry_run && args.batch.manifest.is_none() {
+        if !has_destination(args) && !settings.rows && !args.output.dry_run && args.batch.manifest.is_none() {
             return usage(
                 "one of --output, --out-dir and --in-place is required\nhelp: --dry-run and --emit face --json need none",
             );
         }
         check_root(args.output.root.as_ref())?;
-        let mut found = match &args.batch.manifest {
-            Some(manifest) => batch::manifest(manifest)?,
-            None => expand(&args.inputs, args.output.recursive, args.output.out_dir.as_deref())?,
-        };
-        if let Some(shard) = args.batch.shard {
-            found.retain(|input| shard.takes(&input.source.name()));
-        }
+        let found = args
+            .batch
+            .inputs(|| expand(&args.inputs, args.output.recursive, args.output.out_dir.as_deref()))?;
         if args.output.output.is_some() && found.len() > 1 {
             return usage(format!(
                 "--output takes one input, not {}\nhelp: --out-dir takes several",
                 found.len()
             ));
         }
-        let jobs: Vec<Job> = found.iter().map(|input| job(input, args)).collect::<Result<_, _>>()?;
+        let mut of_lines: BTreeMap<&[String], Arc<Settings>> = BTreeMap::new();
+        let mut jobs = Vec::with_capacity(found.len());
+        for input in &found {
+            let known = match &input.options[..] {
+                [] => Some(&settings),
+                options => of_lines.get(options),
+            };
+            let settings = match known {
+                Some(known) => known.clone(),
+                None => Arc::new(Settings::new(with_line("normals", input)?)),
+            };
+            if !input.options.is_empty() {
+                of_lines.insert(&input.options, settings.clone());
+            }
+            jobs.push(job(input, settings)?);
+        }
         check_collisions(&jobs, args.output.in_place)?;
-        Ok(Request {
-            args,
-            jobs,
-            task: task(args),
-            read: read_options(args),
+        Ok(Request { jobs })
+    }
+}
+
+impl Settings {
+    fn new(args: NormalsArgs) -> Self {
+        Self {
+            task: task(&args),
+            read: read_options(&args),
             write: WriteOptions {
                 emit: args.normals.emit,
                 tangents: args.gltf.tangents,
@@ -82,8 +104,9 @@ impl<'a> Request<'a> {
                 Some(Merging::Near(fraction)) => Some(fraction),
                 _ => None,
             },
-            rows,
-        })
+            rows: args.normals.emit == Emit::Face && args.run.json && !has_destination(&args),
+            args,
+        }
     }
 }
 
@@ -134,7 +157,8 @@ fn read_options(args: &NormalsArgs) -> ReadOptions {
     }
 }
 
-fn job(input: &Input, args: &NormalsArgs) -> Result<Job, Failure> {
+fn job(input: &Input, settings: Arc<Settings>) -> Result<Job, Failure> {
+    let args = &settings.args;
     let output = &args.output;
     let format = output.format.or_else(|| Format::from_path(input.source.path()?));
     let named = input.output.as_ref().or(output.output.as_ref());
@@ -166,7 +190,7 @@ fn job(input: &Input, args: &NormalsArgs) -> Result<Job, Failure> {
             }
         }
     }
-    Ok(Job { source: input.source.clone(), format: output.format, target, to })
+    Ok(Job { source: input.source.clone(), format: output.format, target, to, settings })
 }
 
 fn folder_place(input: &Input, format: Option<Format>, to: Option<Format>) -> Result<PathBuf, Failure> {

@@ -1,114 +1,139 @@
-//! Runs `crease normals`: all inputs one after the other. A bad one does not stop the others.
+//! Runs `crease normals` on all inputs. A bad one does not stop the others.
 
 use super::args::NormalsArgs;
 use super::conversion::{Conversion, axes_note, conversion};
 use super::json::{Part, Report};
-use super::ledger::Ledger;
-use super::request::{Job, Request};
+use super::request::{Job, Request, Settings};
 use super::text;
 use crate::cli::common::console::{Console, Verbosity, escaped};
-use crate::cli::common::failure::{Batch, Exit, Failure, guarded};
+use crate::cli::common::failure::{Exit, Failure, guarded};
+use crate::cli::common::input::Source;
+use crate::cli::common::ledger::{Ledger, Outcome, Work, skipped};
 use crate::cli::common::options::Color;
-use crate::cli::common::output::{Store, folder_of, stem};
-use crate::cli::common::progress::{FileProgress, Progress, Stage};
-use crate::cli::common::report::MeshOutput;
+use crate::cli::common::output::{Store, Stored, Target, folder_of, stem};
+use crate::cli::common::progress::{FileProgress, Stage};
+use crate::cli::common::report::{MeshOutput, SKIPPED};
+use crate::cli::common::run_batch::{Recorded, Shared, run_batch};
 use crate::cli::usage::refused;
-use crease::io::{self, Format, Loaded, MeshCompression, Written};
+use crease::io::{self, Format, Loaded, MeshCompression, ReadLog, ReadOptions, Written};
 use crease::mesh::Movement;
-use crease::pipeline;
-use std::path::Path;
+use crease::pipeline::{self, Task};
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 pub fn main(args: &NormalsArgs, color: Color) -> Exit {
     let console = Console::new(&args.run, color, args.output.output.as_deref());
-    let request = match Request::resolve(args) {
-        Ok(request) => request,
+    let prepared = Request::resolve(args)
+        .and_then(|request| Ok((request, Ledger::open(&args.batch, args.output.dry_run, args.output.sync)?)));
+    let (Request { jobs }, ledger) = match prepared {
+        Ok(prepared) => prepared,
         Err(failure) => return refused("normals", &failure, &console),
     };
     args.run.use_threads();
-    let mut ledger = match Ledger::open(&request) {
-        Ok(ledger) => ledger,
-        Err(failure) => return refused("normals", &failure, &console),
-    };
-    ledger.note(&console);
-    let progress = Progress::of_inputs(&console, request.jobs.iter().map(|job| &job.source));
-    let mut store = Store::new(args.output.sync, args.output.dry_run);
-    let mut batch = Batch::new(request.jobs.len());
-    for job in &request.jobs {
-        let mut report = Report::new(job, &request);
-        let start = Instant::now();
-        let file = progress.begin(&job.source);
-        if ledger.has(job) {
-            report.head.status = "skipped";
-            batch.skip();
-            progress.suspended(|| print(&report, &request, &console));
-            continue;
-        }
-        let done = ledger.retried(|| guarded(|| run(job, &request, &mut store, &file, &mut report)));
-        drop(file);
-        report.seconds.total = start.elapsed().as_secs_f64();
-        report.head.record(&done);
-        let recorded = ledger.record(job, &report, &store);
-        if let Err(failure) = done {
-            batch.record(&report.input.path, failure);
+    let store = Store::new(args.output.sync, args.output.dry_run);
+    let work = |job, shared: &Shared<'_>| one(job, &store, shared);
+    run_batch(&console, &args.batch, &ledger, &jobs, source, work, |_, mut report: Report, batch| {
+        batch.count(&report.input.path, &report.head);
+        if report.head.error.is_some() {
             report.output = None;
         }
-        progress.suspended(|| print(&report, &request, &console));
-        if let Err(failure) = recorded {
-            drop(progress);
-            console.error(&failure.message);
-            return failure.exit();
-        }
-    }
-    drop(progress);
-    batch.finish(Exit::Done, &console)
+        print(&report, jobs.len(), &console);
+    })
 }
 
-fn print(report: &Report, request: &Request, console: &Console) {
+fn source(job: &Job) -> (&Source, Option<Format>) {
+    (&job.source, job.format)
+}
+
+/// Does one job unless an earlier run has, and records it.
+fn one<'a>(job: &'a Job, store: &Store, shared: &Shared<'_>) -> Recorded<Report<'a>> {
+    let mut report = Report::new(job);
+    let start = Instant::now();
+    let work = work(job);
+    if shared.ledger.done_before(&work).is_some() {
+        report.head.status = SKIPPED;
+        return (report, Ok(()));
+    }
+    let log = ReadLog::default();
+    let read = ReadOptions { log: log.clone(), ..job.settings.read.clone() };
+    let done = shared.ledger.retried(|| guarded(|| run(job, &read, store, shared, &mut report)));
+    report.seconds.total = start.elapsed().as_secs_f64();
+    report.head.record(&done);
+    let faults = report.parts.iter().flat_map(|part| part.outcome.faults.corners.values());
+    let outcome = Outcome {
+        bytes: report.input.bytes.unwrap_or_default(),
+        error: done.as_ref().err(),
+        read: log.take().into_iter().collect(),
+        written: done.as_ref().ok().cloned().unwrap_or_default(),
+        faults: faults.sum::<usize>() as u64,
+        seconds: report.seconds.total,
+        ..Outcome::default()
+    };
+    let recorded = shared.ledger.record(work, outcome);
+    (report, recorded)
+}
+
+/// The work of a job, with all options that affect its result.
+fn work(job: &Job) -> Work {
+    let Settings { args, task, read, write, merge_distance, .. } = &*job.settings;
+    // Edges are counted for reports only.
+    let task = Task { edge_counts: false, ..task.clone() };
+    let mesh = (args.mesh.up, args.mesh.scale, merge_distance);
+    let reading = (&read.root, read.non_finite, &read.allowed_extensions);
+    Work {
+        input: job.source.name(),
+        output: job.target.as_ref().map(Target::name),
+        options: format!("normals {:?}", (task, write, mesh, reading, job.format, job.to)),
+    }
+}
+
+fn print(report: &Report, jobs: usize, console: &Console) {
     if let Some(error) = &report.head.error {
         // The message itself names outputs.
         console.error(&format!("{}: {}", escaped(&report.input.path), error.message));
     }
-    let brief = request.jobs.len() > 1 && console.verbosity < Verbosity::Verbose;
+    let brief = jobs > 1 && console.verbosity < Verbosity::Verbose;
     console.print(report, || {
         console.notes(&report.input.path, &report.notes, brief);
         match brief {
             _ if report.head.error.is_some() => String::new(),
-            _ if report.head.status == "skipped" => text::skipped(report),
+            _ if report.head.status == SKIPPED => skipped(&report.input.path),
             true => text::line(report, console.report_style),
-            false => text::block(report, request.args.output.dry_run, console),
+            false => text::block(report, console),
         }
     });
 }
 
-/// Carries out one job: read, compute, write, store. The report contains the results up to the first error.
+/// Carries out one job: read, compute, write, store. The report contains the results up to the first error. Returns the files that
+/// were written.
 fn run(
     job: &Job,
-    request: &Request,
-    store: &mut Store,
-    progress: &FileProgress<'_>,
-    report: &mut Report,
-) -> Result<(), Failure> {
+    read: &ReadOptions,
+    store: &Store,
+    shared: &Shared<'_>,
+    report: &mut Report<'_>,
+) -> Result<Vec<PathBuf>, Failure> {
+    let (settings, progress) = (&*job.settings, shared.progress);
     progress.stage(Stage::Read);
     let start = Instant::now();
-    let mut loaded = progress.read(&job.source, job.format, &request.read, &mut report.input.bytes)?;
+    let mut loaded = progress.read(&job.source, job.format, read, &mut report.input.bytes)?;
     report.seconds.read = start.elapsed().as_secs_f64();
     report.input.format = Some(loaded.format);
     report.notes.extend_from_slice(&loaded.notes);
 
     progress.stage(Stage::Compute);
     let start = Instant::now();
-    let target = (!request.rows).then(|| job.to.unwrap_or(loaded.format));
+    let target = (!settings.rows).then(|| job.to.unwrap_or(loaded.format));
     if let Some(target) =
-        target.filter(|&target| request.write.compression != MeshCompression::None && target != Format::Glb)
+        target.filter(|&target| settings.write.compression != MeshCompression::None && target != Format::Glb)
     {
         return Err(Failure::usage(format!(
             "--compress meshopt needs a GLB, but the output is {target}\nhelp: name an output that ends in .glb, or use --to glb"
         )));
     }
-    pipeline::forget_unused(&mut loaded, &request.task, target);
-    let moved = match (request.merge_distance, target) {
+    pipeline::forget_unused(&mut loaded, &settings.task, target);
+    let moved = match (settings.merge_distance, target) {
         (Some(fraction), Some(target)) if !target.edits(loaded.format) => loaded.move_together(fraction),
         (Some(_), Some(target)) => {
             return Err(Failure::usage(format!(
@@ -119,22 +144,22 @@ fn run(
         _ => Movement::default(),
     };
     let conversion = match target {
-        Some(target) => conversion(&request.args.mesh, loaded.format, target)?,
+        Some(target) => conversion(&settings.args.mesh, loaded.format, target)?,
         None => None,
     };
     report.notes.extend(target.and_then(|to| axes_note(conversion.as_ref(), loaded.format, to)));
-    let revision = compute(&loaded, request, target, progress);
+    let revision = compute(&loaded, settings, target, progress);
     report.seconds.compute = start.elapsed().as_secs_f64();
     let parts = revision.parts.into_iter().zip(&revision.edits);
-    report.parts = parts.map(|(part, edit)| Part::new(part, request.rows.then_some(edit))).collect();
-    let Some(format) = target else { return Ok(()) };
+    report.parts = parts.map(|(part, edit)| Part::new(part, settings.rows.then_some(edit))).collect();
+    let Some(format) = target else { return Ok(Vec::new()) };
 
     progress.stage(Stage::Write);
     let start = Instant::now();
     let place = place(job);
     let (stem, folder) = (place.and_then(stem), place.map(folder_of));
     let map = conversion.as_ref().map(|conversion| conversion.map).filter(|map| !map.is_identity());
-    let options = io::WriteOptions { stem, folder, conversion: map, ..request.write.clone() };
+    let options = io::WriteOptions { stem, folder, conversion: map, ..settings.write.clone() };
     let written = io::write(&loaded, revision.edits, format, &options).map_err(Failure::output)?;
     let unchanged = loaded.document.is_unchanged(&written.bytes);
     // A large input takes as long to give back as its output to write.
@@ -147,20 +172,25 @@ fn run(
         }
         None => output,
     });
-    report.notes.extend(put(job, store, written, unchanged)?);
+    if !written.companions.is_empty() {
+        // Of two inputs with different companions of one name, the later one fails.
+        shared.turn.wait();
+    }
+    let stored = put(job, store, written, unchanged)?;
+    report.notes.extend(stored.notes);
     report.seconds.write = start.elapsed().as_secs_f64();
-    Ok(())
+    Ok(stored.files)
 }
 
 fn compute(
     loaded: &Loaded,
-    request: &Request,
+    settings: &Settings,
     target: Option<Format>,
     progress: &FileProgress<'_>,
 ) -> pipeline::Revision {
     let all = loaded.parts.iter().map(|part| part.mesh.face_count()).sum();
     let done = AtomicUsize::new(0);
-    pipeline::revise(loaded, &request.task, target, &|faces| {
+    pipeline::revise(loaded, &settings.task, target, &|faces| {
         let before = done.fetch_add(faces, Ordering::Relaxed);
         progress.within(Stage::Compute, before + faces, all);
     })
@@ -173,12 +203,12 @@ fn place(job: &Job) -> Option<&Path> {
     (!is_device).then_some(path)
 }
 
-/// Stores the output and returns a note for each other file that it replaces.
-fn put(job: &Job, store: &mut Store, written: Written, unchanged: bool) -> Result<Vec<io::Note>, Failure> {
-    let Some(target) = &job.target else { return Ok(Vec::new()) };
+/// Stores the output.
+fn put(job: &Job, store: &Store, written: Written, unchanged: bool) -> Result<Stored, Failure> {
+    let Some(target) = &job.target else { return Ok(Stored::default()) };
     // An unchanged input keeps its modification time too.
     if unchanged && *target == job.source && target.path().is_some() {
-        return Ok(Vec::new());
+        return Ok(Stored::default());
     }
     Ok(store.store(written, target)?)
 }

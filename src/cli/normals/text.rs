@@ -34,11 +34,7 @@ pub fn line(report: &Report, style: Style) -> String {
     line
 }
 
-pub fn skipped(report: &Report) -> String {
-    format!("{}: done before, unchanged\n", escaped(&report.input.path))
-}
-
-pub fn block(report: &Report, dry_run: bool, console: &Console) -> String {
+pub fn block(report: &Report, console: &Console) -> String {
     let verbose = console.verbosity == Verbosity::Verbose;
     let parts = &report.parts[..];
     let mut out = title(report, console.report_style);
@@ -68,7 +64,7 @@ pub fn block(report: &Report, dry_run: bool, console: &Console) -> String {
         row(&mut out, label, &text);
     }
     if let Some(output) = &report.output {
-        row(&mut out, "output", &written(output, dry_run));
+        row(&mut out, "output", &written(output, report.dry_run));
     }
     let times = &report.seconds;
     let stages = [("read", times.read), ("compute", times.compute), ("write", times.write)];

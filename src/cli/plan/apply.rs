@@ -182,11 +182,11 @@ pub fn store(args: &PlanArgs, source: &Source, plan: &mut Plan) -> Result<Vec<Fi
         return Err(Failure::usage(not_below(target)));
     }
     check_inputs(args.scene(), &applied.files)?;
-    let mut store = Store::default();
+    let store = Store::default();
     let mut reports = Vec::new();
     for file in applied.files {
         let mut notes = file.written.notes.clone();
-        notes.extend(store.store(file.written, &Target::File(file.home.path.clone()))?);
+        notes.extend(store.store(file.written, &Target::File(file.home.path.clone()))?.notes);
         let mut report = FileReport {
             input: file.input.display().to_string(),
             output: file.home.path.display().to_string(),

@@ -2,6 +2,7 @@
 
 use super::fields::{self, CameraChange, TypedMaterial};
 use super::values::{self, FileKind, GuardSwitch, HiddenLines, ReflectionChoice, Variant};
+use crate::cli::common::batch::BatchArgs;
 use crate::cli::common::choice::one_of;
 use crate::cli::common::options::{RunArgs, crease_angle};
 use crate::cli::common::options::{colour, not_negative, vector};
@@ -16,9 +17,9 @@ use crease::shade::{Light, Terminator, ToneRule};
 use glam::DVec3;
 use std::path::PathBuf;
 
-#[derive(Args)]
+#[derive(Args, Clone, Debug)]
 pub struct RenderArgs {
-    #[arg(value_name = "INPUT", required_unless_present = "scene_help")]
+    #[arg(value_name = "INPUT", required_unless_present_any = ["scene_help", "manifest"], conflicts_with = "manifest")]
     pub input: Option<PathBuf>,
 
     #[command(flatten)]
@@ -32,14 +33,18 @@ pub struct RenderArgs {
     #[command(flatten)]
     pub colour: ColourArgs,
     #[command(flatten)]
+    pub batch: BatchArgs,
+    #[command(flatten)]
     pub run: RunArgs,
 }
 
-#[derive(Args)]
+#[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Input and output")]
 pub struct PictureArgs {
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    #[arg(long, value_name = "DIR", requires = "manifest", conflicts_with = "output")]
+    pub out_dir: Option<PathBuf>,
     #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>())]
     pub format: Option<Format>,
     #[arg(long, value_name = "FORMAT", value_parser = one_of::<FileKind>())]
@@ -65,7 +70,7 @@ pub struct PictureArgs {
     pub probe: Option<[u32; 2]>,
 }
 
-#[derive(Args)]
+#[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Shading")]
 pub struct ShadingArgs {
     #[arg(long, value_name = "HOW", value_parser = one_of::<Shading>())]
@@ -90,7 +95,7 @@ pub struct ShadingArgs {
     pub two_sided: bool,
 }
 
-#[derive(Args)]
+#[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Scene")]
 pub struct SceneArgs {
     #[arg(long, value_name = "CAMERA", value_parser = fields::camera)]
@@ -111,7 +116,7 @@ pub struct SceneArgs {
     pub rotate: Option<DVec3>,
 }
 
-#[derive(Args)]
+#[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Normals (as for `crease normals`)")]
 pub struct NormalArgs {
     #[arg(long, value_name = "WEIGHT", value_parser = one_of::<Weight>())]
@@ -128,7 +133,7 @@ impl NormalArgs {
     }
 }
 
-#[derive(Args)]
+#[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Formulas and numbers")]
 pub struct ColourArgs {
     #[arg(long, value_name = "NAME=on|off", value_parser = values::guard)]

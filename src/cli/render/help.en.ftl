@@ -10,6 +10,7 @@ example-3 = crease render scene.toml --camera 'eye=3,2,5 target=0,0,0 angle=40' 
 
 input = Mesh, glTF file, scene in TOML, or `-` for a mesh from standard input
 output = Output picture: PNG, JPEG, WebP or GIF by its name, or `-` for standard output
+out-dir = Folder for the pictures of a manifest. The folders of the inputs' paths are kept
 to = Format of the picture [default: by its name, else png]
 root = Further folder from which companion files (meshes of a scene, MTL, glTF buffers) may be read; the only one for standard
     input [default: the input's folder]

@@ -2,6 +2,8 @@
 
 /// Options.
 pub mod args;
+/// Pictures of many scenes.
+mod batch;
 /// A scene changed by options.
 pub mod changes;
 /// Pictures, panels and animations.

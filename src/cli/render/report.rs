@@ -133,11 +133,23 @@ impl Serialize for Settings {
 /// More drawings than this are reported in one line.
 const EACH: usize = 8;
 
-pub fn block(report: &Report, style: Style) -> String {
+/// The report on a file of a batch, in one line.
+pub fn line(report: &Report, style: Style) -> String {
+    let size = report.output.as_ref().map(|output| format!(", {}x{}", output.width, output.height));
+    let faces = report.scene.as_ref().map_or(0, |scene| scene.faces);
+    format!("{}: {}{}\n", title(report, style), count(faces, "face"), size.unwrap_or_default())
+}
+
+fn title(report: &Report, style: Style) -> String {
     let mut out = style.paint(Style::BOLD, &escaped(&report.input.path));
     if let Some(output) = &report.output {
         let _ = write!(out, " -> {}", style.paint(Style::BOLD, &escaped(&output.path)));
     }
+    out
+}
+
+pub fn block(report: &Report, style: Style) -> String {
+    let mut out = title(report, style);
     out.push('\n');
     if let Some(scene) = &report.scene {
         row(&mut out, "scene", &of_scene(scene));

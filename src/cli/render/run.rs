@@ -1,6 +1,7 @@
 //! Runs `crease render`: load a scene, change it, draw it, store the picture.
 
 use super::args::RenderArgs;
+use super::batch;
 use super::changes::change;
 use super::draw::{Drawing, draw, turn_of};
 use super::report::{PictureReport, Report, SceneReport, Settings, block};
@@ -25,11 +26,14 @@ pub fn main(args: &RenderArgs, color: Color) -> Exit {
         console.report(&scene_help(include_str!("../../../docs/scenes.md")));
         return exit_code(Ok(Exit::Done), &console);
     }
+    if args.batch.manifest.is_some() {
+        return batch::main(args, &console);
+    }
     let request = Request::resolve(args).unwrap_or_else(|message| usage_error("render", message));
     args.run.use_threads();
     let mut report = Report::new(&request);
     let start = Instant::now();
-    let result = guarded(|| run(&request, &console, &mut report));
+    let result = guarded(|| run(&request, Some(&console), &mut report));
     report.seconds.total = start.elapsed().as_secs_f64();
     report.head.record(&result);
     if result.is_err() {
@@ -96,7 +100,8 @@ fn without_links(text: &str) -> String {
     }
 }
 
-fn run(request: &Request, console: &Console, report: &mut Report) -> Result<Exit, Failure> {
+/// Loads, draws and stores. Frames have a bar of their own if there is a console.
+pub fn run(request: &Request, console: Option<&Console>, report: &mut Report) -> Result<Exit, Failure> {
     let start = Instant::now();
     let mut file = read(request)?;
     if !request.has_places() {
@@ -117,7 +122,9 @@ fn run(request: &Request, console: &Console, report: &mut Report) -> Result<Exit
         Subject::Turntable(frames) => turn_of(frames).drawings(file.settings.size),
         _ => 1,
     };
-    let progress = Progress::of_count(console, "drawing", "frames", frames as u64);
+    let progress = console.map_or_else(Progress::hidden, |console| {
+        Progress::of_count(console, "drawing", "frames", frames as u64)
+    });
     let drawn = draw(&mut file, request, &progress)?;
     drop(progress);
     report.drawings = drawn.drawings;
@@ -242,7 +249,7 @@ fn probe(file: &SceneFile, image: &Image, pixel: [u32; 2]) -> Result<PixelReport
     Ok(report)
 }
 
-fn print(report: &Report, request: &Request, console: &Console) {
+pub fn print(report: &Report, request: &Request, console: &Console) {
     if let Some(error) = &report.head.error {
         let path = escaped(&report.input.path);
         let help = match error.message.contains(HELP) {

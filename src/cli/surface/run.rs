@@ -56,7 +56,7 @@ fn run(args: &SurfaceArgs, request: &Request, report: &mut SurfaceReport) -> Res
     let written = write_new(&parts, request.format, &options).map_err(Failure::output)?;
     report.notes.extend_from_slice(&written.notes);
     report.output = Some(MeshOutput::new(Some(&request.target), request.format, false, &written));
-    report.notes.extend(Store::new(args.sync, false).store(written, &request.target)?);
+    report.notes.extend(Store::new(args.sync, false).store(written, &request.target)?.notes);
     Ok(Exit::Done)
 }
 

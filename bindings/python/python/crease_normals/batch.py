@@ -1,0 +1,383 @@
+"""Batches of `crease normals` over processes, or over a Ray cluster.
+
+    python -m crease_normals.batch --manifest list.txt --out out -- --crease 40
+    python -m crease_normals.batch --manifest list.txt --out s3://bucket/out --ray auto -- --to glb
+
+The driver divides the inputs into chunks. A worker runs the program on a chunk, so that the outputs have the same bytes as those of
+the program alone, and returns the lines of its journal. The driver adds them to the journal of the batch. Paths must mean the same
+on all workers; URLs need fsspec.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from collections import Counter
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from pathlib import Path, PurePosixPath
+from typing import Any, Callable, Iterable, Iterator, NamedTuple, Optional
+
+PROGRAM = [sys.executable, "-m", "crease_normals", "normals"]
+
+
+class Job(NamedTuple):
+    """An input, its output, and options for it alone."""
+
+    input: str
+    output: str
+    options: list[str]
+
+
+class Chunk(NamedTuple):
+    """Some inputs for one worker, with their entries of the journal so far."""
+
+    jobs: list[Job]
+    entries: list[dict[str, Any]]
+    options: list[str]
+
+
+def is_url(name: str) -> bool:
+    return "://" in name
+
+
+def read_manifest(path: str, out: str, options: list[str]) -> list[Job]:
+    """The jobs of a manifest: a path or URL on each line, or an object with `input`, and perhaps `output` and `options`.
+
+    Raises ValueError with the number of the line."""
+    source = sys.stdin if path == "-" else open(path, encoding="utf-8")
+    jobs = []
+    with source:
+        for number, line in enumerate(source, 1):
+            line = line.rstrip("\r\n")
+            if not line.strip():
+                continue
+            entry = {"input": line}
+            if line.startswith("{"):
+                try:
+                    entry = json.loads(line)
+                    unknown = entry.keys() - {"input", "output", "options"}
+                except ValueError as error:
+                    raise ValueError(f"{path}: line {number}: {error}") from None
+                if unknown or not isinstance(entry.get("input"), str):
+                    raise ValueError(f"{path}: line {number}: expected `input`, and perhaps `output` and `options`")
+            own = list(entry.get("options", []))
+            name = absolute(entry["input"])
+            output = entry.get("output") or below(out, entry["input"], options + own)
+            jobs.append(Job(name, absolute(output), own))
+    outputs = Counter(job.output for job in jobs)
+    twice = next((name for name, count in outputs.items() if count > 1), None)
+    if twice:
+        raise ValueError(f"{path}: {twice} is the output of two inputs")
+    return jobs
+
+
+def absolute(name: str) -> str:
+    """A name that means the same in every working folder. `file://` is a path."""
+    if name.startswith("file://"):
+        name = name[len("file://"):]
+    return name if is_url(name) else os.path.abspath(name)
+
+
+def below(out: str, name: str, options: list[str]) -> str:
+    """The output of an input below a folder: the same folders, and the ending that `--to` names."""
+    parts = [part for part in PurePosixPath(name.split("://")[-1]).parts if part not in ("/", "..", ".")]
+    place = PurePosixPath(*parts)
+    words = [word for option in options for word in option.split("=", 1)]
+    if "--to" in words:
+        place = place.with_suffix("." + words[len(words) - 1 - words[::-1].index("--to") + 1])
+    return f"{out.rstrip('/')}/{place}"
+
+
+def run_chunk(chunk: Chunk) -> list[dict[str, Any]]:
+    """Runs the program on a chunk; returns the new entries of its journal. Entries that hold already are not repeated.
+
+    Raises RuntimeError if the program was killed, and ValueError if it refuses the options."""
+    with tempfile.TemporaryDirectory(prefix="crease-") as name:
+        folder = Path(name)
+        copies = Copies(chunk, folder)
+        copies.fetch()
+        journal = folder / "journal"
+        old = [json.dumps(renamed(entry, copies.here)) + "\n" for entry in chunk.entries]
+        journal.write_text("".join(old), encoding="utf-8")
+        before = journal.stat().st_size
+        jobs = [
+            {"input": copies.here(job.input), "output": copies.here(job.output), "options": job.options}
+            for job in chunk.jobs
+        ]
+        done = subprocess.run(
+            [*PROGRAM, "--manifest", "-", "--journal", str(journal), *chunk.options, "--json"],
+            input="".join(json.dumps(job) + "\n" for job in jobs),
+            cwd=folder if copies.folders else None,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            encoding="utf-8",
+            errors="replace",
+        )
+        if done.returncode == 2:
+            raise ValueError(done.stderr.strip().removeprefix("error: "))
+        if done.returncode not in (0, 3, 4, 5):
+            raise RuntimeError(done.stderr.strip() or f"the program ended with {done.returncode}")
+        with journal.open(encoding="utf-8") as file:
+            file.seek(before)
+            entries = [json.loads(line) for line in file]
+        entries = [renamed(entry, copies.there) for entry in entries]
+        copies.store(entries)
+        return entries
+
+
+def renamed(entry: dict[str, Any], name: Callable[[str], str]) -> dict[str, Any]:
+    """An entry with other names of files."""
+    hashes = {key: {name(path): value for path, value in entry.get(key, {}).items()} for key in ("read", "written")}
+    output = {"output": name(entry["output"])} if "output" in entry else {}
+    return {**entry, "input": name(entry["input"]), **output, **hashes}
+
+
+class Copies:
+    """The files of a chunk that are at URLs, and their copies in a local folder."""
+
+    def __init__(self, chunk: Chunk, root: Path) -> None:
+        self.chunk, self.root = chunk, root
+        urls = {name.rsplit("/", 1)[0] for job in chunk.jobs for name in (job.input, job.output) if is_url(name)}
+        self.folders = {url + "/": f"{number}/" for number, url in enumerate(sorted(urls, key=len, reverse=True))}
+
+    def here(self, name: str) -> str:
+        """The local name of a file at a URL. Other names stay."""
+        found = ((url, folder) for url, folder in self.folders.items() if name.startswith(url))
+        return next((folder + name[len(url) :] for url, folder in found), name)
+
+    def there(self, name: str) -> str:
+        """The URL of a local name. Other names stay."""
+        found = ((url, folder) for url, folder in self.folders.items() if name.startswith(folder))
+        return next((url + name[len(folder) :] for url, folder in found), name)
+
+    def copy(self, url: str) -> bool:
+        import fsspec
+
+        filesystem, path = fsspec.core.url_to_fs(url)
+        place = self.root / self.here(url)
+        place.parent.mkdir(parents=True, exist_ok=True)
+        is_there = filesystem.exists(path)
+        if is_there:
+            filesystem.get_file(path, str(place))
+        return is_there
+
+    def fetch(self) -> None:
+        """Copies inputs, with the files that they refer to, and what an earlier run wrote."""
+        for folder in self.folders.values():
+            (self.root / folder).mkdir()
+        for job in self.chunk.jobs:
+            if is_url(job.input) and self.copy(job.input):
+                for name in companions(self.root / self.here(job.input)):
+                    self.copy(f"{job.input.rsplit('/', 1)[0]}/{name}")
+        for name in (name for entry in self.chunk.entries for name in entry.get("written", {})):
+            if is_url(name):
+                self.copy(name)
+
+    def store(self, entries: list[dict[str, Any]]) -> None:
+        """Copies what was written to its URL: companions first, so that a reader of the main file finds them."""
+        for entry in entries:
+            for url in sorted(entry["written"], key=lambda name: name == entry.get("output")):
+                if is_url(url):
+                    import fsspec
+
+                    filesystem, target = fsspec.core.url_to_fs(url)
+                    filesystem.makedirs(target.rsplit("/", 1)[0], exist_ok=True)
+                    filesystem.put_file(str(self.root / self.here(url)), target)
+
+
+def companions(path: Path) -> Iterable[str]:
+    """The relative names in a glTF or OBJ file, which lie in its folder or below."""
+    ending = path.suffix.lower()
+    text = path.read_text(encoding="utf-8", errors="replace") if ending in (".gltf", ".obj") else ""
+    found = re.findall(r'"uri"\s*:\s*"([^"]+)"' if ending == ".gltf" else r"(?m)^mtllib[ \t]+(.+?)\s*$", text)
+    return (name for name in found if ":" not in name and not name.startswith("/") and ".." not in name.split("/"))
+
+
+def chunks(jobs: list[Job], size: int, known: dict[str, dict[str, Any]], options: list[str]) -> Iterator[Chunk]:
+    for start in range(0, len(jobs), size):
+        part = jobs[start : start + size]
+        yield Chunk(part, [known[job.output] for job in part if job.output in known], options)
+
+
+def on_processes(all_chunks: Iterator[Chunk], workers: int, retries: int) -> Iterator[tuple[Chunk, Any]]:
+    """Runs chunks on local processes; yields each with its entries or its exception. At most two for each worker wait."""
+
+    def tried(chunk: Chunk) -> list[dict[str, Any]]:
+        for attempt in range(retries + 1):
+            try:
+                return run_chunk(chunk)
+            except RuntimeError:
+                if attempt == retries:
+                    raise
+        raise AssertionError("unreachable")
+
+    with ThreadPoolExecutor(workers) as pool:
+        pending: dict[Future[list[dict[str, Any]]], Chunk] = {}
+        for chunk in all_chunks:
+            pending[pool.submit(tried, chunk)] = chunk
+            while len(pending) >= 2 * workers:
+                yield from finished(pending)
+        while pending:
+            yield from finished(pending)
+
+
+def finished(pending: dict[Future[Any], Chunk]) -> Iterator[tuple[Chunk, Any]]:
+    for future in wait(pending, return_when=FIRST_COMPLETED).done:
+        yield pending.pop(future), future.exception() or future.result()
+
+
+def on_ray(all_chunks: Iterator[Chunk], address: str, retries: int) -> Iterator[tuple[Chunk, Any]]:
+    """Runs chunks as tasks of a Ray cluster. Ray repeats the tasks of a worker that dies on another one."""
+    import ray
+
+    if not ray.is_initialized():
+        ray.init(address=None if address == "local" else address, log_to_driver=False)
+    task = ray.remote(max_retries=retries, retry_exceptions=[RuntimeError])(run_chunk)
+    most = 2 * max(1, int(ray.cluster_resources().get("CPU", 1)))
+    pending: dict[Any, Chunk] = {}
+
+    def ready() -> Iterator[tuple[Chunk, Any]]:
+        done, _ = ray.wait(list(pending), num_returns=1)
+        for reference in done:
+            chunk = pending.pop(reference)
+            try:
+                yield chunk, ray.get(reference)
+            except Exception as error:  # noqa: BLE001 - whatever a task raised belongs to its chunk
+                yield chunk, error
+
+    for chunk in all_chunks:
+        pending[task.remote(chunk)] = chunk
+        while len(pending) >= most:
+            yield from ready()
+    while pending:
+        yield from ready()
+
+
+def read_journal(path: Optional[str]) -> dict[str, dict[str, Any]]:
+    """The last entry for each output. Lines that a stopped run left incomplete are skipped."""
+    entries: dict[str, dict[str, Any]] = {}
+    if path and os.path.exists(path):
+        with open(path, encoding="utf-8", errors="replace") as file:
+            for line in file:
+                try:
+                    entry = json.loads(line)
+                except ValueError:
+                    continue
+                entries[entry.get("output", "")] = entry
+    return entries
+
+
+def write_table(path: str, entries: list[dict[str, Any]]) -> None:
+    """A row for each input: Parquet by the name, else lines of JSON."""
+    rows = [
+        {**entry, "read": json.dumps(entry.get("read", {})), "written": json.dumps(entry.get("written", {}))}
+        for entry in entries
+    ]
+    if not path.endswith(".parquet"):
+        Path(path).write_text("".join(json.dumps(row) + "\n" for row in rows), encoding="utf-8")
+        return
+    import pyarrow
+    import pyarrow.parquet
+
+    columns = sorted({key for row in rows for key in row})
+    pyarrow.parquet.write_table(pyarrow.table({key: [row.get(key) for row in rows] for key in columns}), path)
+
+
+def run(
+    manifest: str,
+    out: str,
+    options: Optional[list[str]] = None,
+    *,
+    ray: Optional[str] = None,
+    workers: Optional[int] = None,
+    chunk: int = 32,
+    retries: int = 3,
+    journal: Optional[str] = None,
+    table: Optional[str] = None,
+    report: Callable[[str], None] = lambda _: None,
+) -> Counter[str]:
+    """Runs a batch and counts the files by outcome: "done", "failed", "skipped" (the journal has them, and nothing has changed).
+
+    `ray` is the address of a cluster ("auto", "local" for a new one, or host:port); without it, `workers` local processes run.
+    `journal` is a file to which entries are added; `table` receives a row for each input.
+
+    Raises ValueError for wrong manifests and options, OSError for files that cannot be read or written."""
+    options = list(options or [])
+    jobs = read_manifest(manifest, out, options)
+    known = read_journal(journal)
+    parts = chunks(jobs, chunk, known, options)
+    results = on_ray(parts, ray, retries) if ray else on_processes(parts, workers or os.cpu_count() or 1, retries)
+    counts: Counter[str] = Counter()
+    file = open(journal, "a", encoding="utf-8") if journal else None
+    try:
+        for part, result in results:
+            if isinstance(result, ValueError):
+                raise result
+            if isinstance(result, Exception):
+                result = [failed(job, result) for job in part.jobs]
+            for entry in result:
+                known[entry.get("output", "")] = entry
+                counts[entry["status"]] += 1
+                if file:
+                    file.write(json.dumps(entry) + "\n")
+                if entry["status"] == "failed":
+                    report(f"{entry['input']}: {entry.get('error', '')}")
+            if file:
+                file.flush()
+            counts["skipped"] += len(part.jobs) - len(result)
+    finally:
+        if file:
+            file.close()
+    if table:
+        write_table(table, [known[job.output] for job in jobs if job.output in known])
+    return counts
+
+
+def failed(job: Job, error: Exception) -> dict[str, Any]:
+    """The entry of a job whose worker could not do it."""
+    empty: dict[str, Any] = {"bytes": 0, "crease": "", "options": "", "read": {}, "written": {}, "faults": 0, "seconds": 0.0}
+    return {"input": job.input, "output": job.output, "status": "failed", **empty, "error": str(error)}
+
+
+def main(words: Optional[list[str]] = None) -> int:
+    """The command. Exit codes as of the program: 0, 2 (usage), 4 (journal or table), 5 (some files failed)."""
+    parser = argparse.ArgumentParser(
+        prog="python -m crease_normals.batch",
+        description="Runs `crease normals` over many files, on local processes or on a Ray cluster.",
+        epilog="Options after -- are those of `crease normals`, such as: -- --crease 40 --to glb",
+    )
+    parser.add_argument("--manifest", required=True, help="list of paths or URLs, or lines of JSON; - is standard input")
+    parser.add_argument("--out", required=True, help="folder or URL for the outputs")
+    parser.add_argument("--ray", metavar="ADDRESS", help="Ray cluster: auto, host:port, or local for a new one")
+    parser.add_argument("--workers", type=int, help="local processes (default: one for each processor)")
+    parser.add_argument("--chunk", type=int, default=32, help="inputs for one call of the program (default: 32)")
+    parser.add_argument("--retries", type=int, default=3, help="further tries for a chunk whose worker died (default: 3)")
+    parser.add_argument("--journal", help="file that receives a line for each input; a later run skips what is done")
+    parser.add_argument("--table", help="results, a row for each input: .parquet (needs pyarrow) or .jsonl")
+    parser.add_argument("options", nargs="*", help=argparse.SUPPRESS)
+    args = vars(parser.parse_args(words))
+    for name in ("workers", "chunk"):
+        if args[name] is not None and args[name] < 1:
+            parser.error(f"--{name} is at least 1")
+    try:
+        counts = run(args.pop("manifest"), args.pop("out"), args.pop("options"), report=print_error, **args)
+    except ValueError as error:
+        parser.error(str(error))
+    except (OSError, ImportError) as error:
+        print_error(f"error: {error}")
+        return 4
+    print(", ".join(f"{counts[key]} {key}" for key in ("done", "failed", "skipped")))
+    return 5 if counts["failed"] else 0
+
+
+def print_error(text: str) -> None:
+    print(text, file=sys.stderr)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

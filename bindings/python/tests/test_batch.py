@@ -1,0 +1,120 @@
+"""Batches over processes and over a Ray cluster."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import pytest
+from crease_normals import batch
+
+TRIANGLE = "v 0 0 0\nv {} 0 0\nv 0 1 0\nf 1 2 3\n"
+
+
+@pytest.fixture()
+def work(tmp_path, monkeypatch):
+    """A folder with forty meshes and a manifest, in which the test runs."""
+    (tmp_path / "in").mkdir()
+    for number in range(40):
+        (tmp_path / f"in/{number:02}.obj").write_text(TRIANGLE.format(number + 1))
+    (tmp_path / "list").write_text("".join(f"in/{number:02}.obj\n" for number in range(40)))
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def alone(*options):
+    """The bytes that the program writes without the driver, by name."""
+    words = ["normals", "--manifest", "list", "--out-dir", "alone", "-q", *options]
+    subprocess.run([sys.executable, "-m", "crease_normals", *words], check=True)
+    return files("alone/in")
+
+
+def files(folder):
+    return {name: open(f"{folder}/{name}", "rb").read() for name in sorted(os.listdir(folder))}
+
+
+def test_processes_write_the_bytes_of_the_program_alone(work):
+    counts = batch.run("list", "out", ["--crease", "30"], workers=2, chunk=7, journal="journal", table="table.jsonl")
+    assert counts == {"done": 40, "skipped": 0}
+    assert files("out/in") == alone("--crease", "30")
+    assert sum(1 for _ in open("table.jsonl")) == 40
+    # Only what changed is done again.
+    (work / "in/03.obj").write_text(TRIANGLE.format(99))
+    os.remove("out/in/05.obj")
+    counts = batch.run("list", "out", ["--crease", "30"], workers=2, chunk=7, journal="journal")
+    assert counts == {"done": 2, "skipped": 38}
+
+
+def test_failures_are_counted_and_wrong_options_refused(work, capsys):
+    (work / "in/01.obj").write_text("v 0 0 nan\nf 1 1 1\n")
+    words = ["--manifest", "list", "--out", "out", "--workers", "1", "--journal", "journal"]
+    assert batch.main([*words, "--", "--to", "ply"]) == 5
+    said = capsys.readouterr()
+    assert said.out == "39 done, 1 failed, 0 skipped\n" and "01.obj: line 1" in said.err
+    assert os.path.exists("out/in/00.ply")
+    for wrong in (["--", "--creese"], ["--chunk", "0"]):
+        with pytest.raises(SystemExit):
+            batch.main([*words, *wrong])
+    (work / "list").write_text('in/00.obj\n{"input": 7}\n')
+    with pytest.raises(ValueError, match="line 2"):
+        batch.run("list", "out")
+    (work / "list").write_text('in/00.obj\n{"input": "in/01.obj", "output": "out/in/00.obj"}\n')
+    with pytest.raises(ValueError, match="output of two inputs"):
+        batch.run("list", "out")
+
+
+def test_a_table_is_written_as_parquet(work):
+    parquet = pytest.importorskip("pyarrow.parquet")
+    batch.run("list", "out", table="table.parquet")
+    table = parquet.read_table("table.parquet")
+    assert table.num_rows == 40 and set(table["status"].to_pylist()) == {"done"}
+
+
+def test_urls_are_read_and_written_with_their_companions(work):
+    fsspec = pytest.importorskip("fsspec")
+    memory = fsspec.filesystem("memory")
+    for name in ("00", "01"):
+        memory.pipe(f"/bucket/in/{name}.obj", (work / f"in/{name}.obj").read_bytes())
+    (work / "list").write_text(f"memory://bucket/in/00.obj\nmemory://bucket/in/01.obj\nfile://{work}/in/02.obj\n")
+    run = lambda: batch.run("list", "memory://out", ["--to", "gltf"], workers=2, chunk=2, journal="journal")  # noqa: E731
+    assert run() == {"done": 3, "skipped": 0}
+    names = [name for name in memory.find("/out") if name.endswith("00.gltf") or name.endswith("00.bin")]
+    assert names == ["/out/bucket/in/00.bin", "/out/bucket/in/00.gltf"]
+    assert json.loads(memory.cat("/out/bucket/in/00.gltf"))["buffers"][0]["uri"] == "00.bin"
+    assert run() == {"skipped": 3}
+    # A buffer that was lost.
+    memory.rm("/out/bucket/in/00.bin")
+    memory.pipe("/bucket/in/01.obj", TRIANGLE.format(7).encode())
+    assert run() == {"done": 2, "skipped": 1}
+
+
+def test_a_killed_worker_of_a_cluster_loses_nothing(work):
+    ray = pytest.importorskip("ray")
+    expected = alone("--crease", "30")
+    ray.init(num_cpus=2, log_to_driver=False, include_dashboard=False)
+    killed = []
+
+    def kill_one():
+        for _ in range(2000):
+            found = subprocess.run(["pgrep", "-f", "ray::run_chunk"], capture_output=True, text=True).stdout.split()
+            if found:
+                os.kill(int(found[0]), signal.SIGKILL)
+                killed.append(found[0])
+                return
+            time.sleep(0.005)
+
+    killer = threading.Thread(target=kill_one)
+    killer.start()
+    try:
+        counts = batch.run("list", "out", ["--crease", "30"], ray="auto", chunk=4, journal="journal")
+    finally:
+        killer.join()
+        ray.shutdown()
+    assert killed, "no worker was found"
+    assert counts == {"done": 40, "skipped": 0}
+    entries = [json.loads(line)["input"] for line in open("journal")]
+    assert len(entries) == len(set(entries)) == 40, "each file is in the journal once"
+    assert files("out/in") == expected

@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# A batch over the processors of one machine, or of several by SSH, with GNU parallel.
+#
+#     bash examples/parallel.sh list.txt out [SHARES] [OPTIONS OF crease normals...]
+#
+# Each share writes a journal of its own. A second call skips what is done; a share that was killed is repeated.
+set -euo pipefail
+list=$1 out=$2 shares=${3:-$(nproc)}
+shift $(($# < 3 ? $# : 3))
+crease=${CREASE:-crease}
+mkdir -p "$out"
+
+status=0
+seq 0 $((shares - 1)) | parallel --halt never --retries 3 --line-buffer \
+    "$crease" normals --manifest "$list" --out-dir "$out" --shard "{}/$shares" --journal "$out/share-{}.jsonl" --threads 1 -q "$@" || status=$?
+
+"$crease" journal merge "$out"/share-*.jsonl >"$out/batch.jsonl"
+"$crease" journal summary "$out/batch.jsonl"
+exit "$status"

@@ -1,0 +1,116 @@
+//! The journal of a batch in use: which inputs need no work, what was done, and further tries.
+
+use super::batch::BatchArgs;
+use super::console::{Console, escaped};
+use super::failure::Failure;
+use super::journal::{Entry, Journal, Status, hash_of, hash_of_text};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
+
+/// The journal, if there is one.
+pub struct Ledger {
+    journal: Option<Mutex<Journal>>,
+    retries: u8,
+}
+
+/// What identifies a piece of work.
+pub struct Work {
+    pub input: String,
+    pub output: Option<String>,
+    /// All options that affect the result, as text.
+    pub options: String,
+}
+
+/// What came of a piece of work.
+#[derive(Default)]
+pub struct Outcome<'a> {
+    pub bytes: u64,
+    pub error: Option<&'a Failure>,
+    /// The files that were read, and those that were written.
+    pub read: Vec<PathBuf>,
+    pub written: Vec<PathBuf>,
+    pub faults: u64,
+    pub findings: BTreeMap<String, u64>,
+    pub verdict: Option<String>,
+    pub seconds: f64,
+}
+
+impl Ledger {
+    /// Opens the journal that options name, unless nothing is to be written.
+    ///
+    /// # Errors
+    /// If it cannot be read or written.
+    pub fn open(batch: &BatchArgs, dry_run: bool, sync: bool) -> Result<Self, Failure> {
+        let path = batch.journal.as_deref().filter(|_| !dry_run);
+        let journal = path.map(|path| Journal::open(path, sync)).transpose()?;
+        Ok(Self { journal: journal.map(Mutex::new), retries: batch.retries })
+    }
+
+    /// Reports lines of the journal that are no entries.
+    pub fn note(&self, console: &Console) {
+        let bad = self.journal.as_ref().map(|journal| journal.lock().map_or(0, |journal| journal.bad));
+        if let Some(bad @ 1..) = bad {
+            console.note(&format!("the journal has {bad} incomplete lines, which are ignored"));
+        }
+    }
+
+    /// The entry of an earlier run that has done this, if nothing has changed since.
+    pub fn done_before(&self, work: &Work) -> Option<Entry> {
+        let entry = {
+            let journal = self.journal.as_ref()?.lock().unwrap_or_else(PoisonError::into_inner);
+            journal.entry(&work.input, work.output.as_deref())?.clone()
+        };
+        entry.is_valid(&hash_of_text(&work.options)).then_some(entry)
+    }
+
+    /// Does something, again if it failed for a reason that may pass. The wait doubles each time.
+    ///
+    /// # Errors
+    /// Those of the last try.
+    pub fn retried<T>(&self, mut work: impl FnMut() -> Result<T, Failure>) -> Result<T, Failure> {
+        let mut done = work();
+        for number in 0..self.retries {
+            match &done {
+                Err(failure) if failure.may_pass() => {
+                    std::thread::sleep(Duration::from_millis(100 << number));
+                    done = work();
+                }
+                _ => break,
+            }
+        }
+        done
+    }
+
+    /// Adds what was done to the journal.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn record(&self, work: Work, outcome: Outcome<'_>) -> Result<(), Failure> {
+        let Some(journal) = &self.journal else { return Ok(()) };
+        let hashed = |path: &Path| Some((path.to_str()?.to_owned(), hash_of(path).ok()?));
+        let hashes = |paths: &[PathBuf]| paths.iter().filter_map(|path| hashed(path)).collect();
+        let entry = Entry {
+            input: work.input,
+            bytes: outcome.bytes,
+            output: work.output,
+            status: if outcome.error.is_some() { Status::Failed } else { Status::Done },
+            crease: env!("CARGO_PKG_VERSION").into(),
+            options: hash_of_text(&work.options),
+            read: hashes(&outcome.read),
+            written: if outcome.error.is_some() { BTreeMap::new() } else { hashes(&outcome.written) },
+            faults: outcome.faults,
+            findings: outcome.findings,
+            verdict: outcome.verdict,
+            seconds: outcome.seconds,
+            error: outcome.error.map(|failure| failure.message.clone()),
+        };
+        journal.lock().unwrap_or_else(PoisonError::into_inner).add(&entry)
+    }
+}
+
+/// The line of the report on an input that an earlier run has done.
+pub fn skipped(path: &str) -> String {
+    format!("{}: done before, unchanged\n", escaped(path))
+}

@@ -1,0 +1,139 @@
+//! Pictures of many scenes: those of a manifest.
+
+use super::args::RenderArgs;
+use super::report::{Report, line};
+use super::request::Request;
+use super::run::{print, run};
+use super::values::FileKind;
+use crate::cli::common::batch::{BatchArgs, with_line};
+use crate::cli::common::choice::Choose;
+use crate::cli::common::console::{Console, Verbosity};
+use crate::cli::common::failure::{Exit, Failure, guarded};
+use crate::cli::common::input::{Input, Source};
+use crate::cli::common::ledger::{Ledger, Outcome, Work, skipped};
+use crate::cli::common::options::RunArgs;
+use crate::cli::common::output::{Target, resolve_parent};
+use crate::cli::common::report::SKIPPED;
+use crate::cli::common::run_batch::{Recorded, Shared, run_batch};
+use crate::cli::usage::refused;
+use crease::io::{Format, ReadLog};
+use std::collections::HashSet;
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// Draws all inputs of the manifest that options name.
+pub fn main(args: &RenderArgs, console: &Console) -> Exit {
+    let failed = |failure| refused("render", &failure, console);
+    let all = match options(args) {
+        Ok(all) => all,
+        Err(failure) => return failed(failure),
+    };
+    let prepared = requests(&all).and_then(|it| Ok((it, Ledger::open(&args.batch, false, false)?)));
+    let (requests, ledger) = match prepared {
+        Ok(prepared) => prepared,
+        Err(failure) => return failed(failure),
+    };
+    args.run.use_threads();
+    run_batch(console, &args.batch, &ledger, &requests, source, one, |request, report: Report, batch| {
+        batch.count(&report.input.path, &report.head);
+        if report.head.status == SKIPPED {
+            console.print(&report, || skipped(&report.input.path));
+        } else if report.head.error.is_none() && console.verbosity < Verbosity::Verbose {
+            console.print(&report, || {
+                console.notes(&report.input.path, &report.notes, true);
+                line(&report, console.report_style)
+            });
+        } else {
+            print(&report, request, console);
+        }
+    })
+}
+
+fn source<'a>(request: &'a Request<'_>) -> (&'a Source, Option<Format>) {
+    (&request.source, request.format)
+}
+
+/// The options of each input.
+fn options(args: &RenderArgs) -> Result<Vec<RenderArgs>, Failure> {
+    let inputs = args.batch.inputs(|| Ok(Vec::new()))?;
+    let own = |input: &Input| match input.options.is_empty() {
+        true => of_input(args.clone(), input),
+        false => of_input(with_line("render", input)?, input),
+    };
+    inputs.iter().map(own).collect()
+}
+
+/// What is drawn for each. Each picture has a place of its own, which is no input.
+fn requests(all: &[RenderArgs]) -> Result<Vec<Request<'_>>, Failure> {
+    let inputs: HashSet<PathBuf> =
+        all.iter().filter_map(|args| args.input.as_deref()).map(resolve_parent).collect();
+    let mut outputs = HashSet::new();
+    let mut requests = Vec::with_capacity(all.len());
+    for args in all {
+        let mut request = Request::resolve(args).map_err(Failure::usage)?;
+        if let Some(Target::File(path)) = &request.target {
+            let place = resolve_parent(path);
+            let refused =
+                |why| Err(Failure::usage(format!("{} {why}\nhelp: name another output", path.display())));
+            if inputs.contains(&place) {
+                return refused("is an input of this batch");
+            }
+            if !outputs.insert(place) {
+                return refused("is the picture of two inputs");
+            }
+        }
+        request.load.read.log = ReadLog::default();
+        requests.push(request);
+    }
+    Ok(requests)
+}
+
+/// The options for one input.
+fn of_input(mut args: RenderArgs, input: &Input) -> Result<RenderArgs, Failure> {
+    let output = &mut args.output;
+    let kind = output.to.unwrap_or(if output.turntable.is_some() { FileKind::Gif } else { FileKind::Png });
+    output.output = match (&input.output, &output.out_dir) {
+        (Some(named), _) => Some(named.clone()),
+        (None, Some(folder)) => Some(folder.join(input.place.with_extension(kind.choice()))),
+        (None, None) => {
+            return Err(Failure::usage(format!(
+                "no output for {}\nhelp: give --out-dir, or name an `output` in the manifest",
+                input.source.name()
+            )));
+        }
+    };
+    args.input = input.source.path().map(PathBuf::from);
+    Ok(args)
+}
+
+/// Draws a picture unless an earlier run has, and records it.
+fn one(request: &Request<'_>, shared: &Shared<'_>) -> Recorded<Report> {
+    let start = Instant::now();
+    let mut report = Report::new(request);
+    let own = RenderArgs { batch: BatchArgs::default(), run: RunArgs::default(), ..request.args.clone() };
+    let work = Work {
+        input: request.source.name(),
+        output: request.target.as_ref().map(Target::name),
+        options: format!("render {own:?}"),
+    };
+    if shared.ledger.done_before(&work).is_some() {
+        report.head.status = SKIPPED;
+        return (report, Ok(()));
+    }
+    let result = shared.ledger.retried(|| guarded(|| run(request, None, &mut report)));
+    report.seconds.total = start.elapsed().as_secs_f64();
+    report.head.record(&result);
+    if result.is_err() {
+        report.output = None;
+    }
+    let done = Outcome {
+        bytes: report.input.bytes.unwrap_or_default(),
+        error: result.as_ref().err(),
+        read: request.load.read.log.take().into_iter().chain(own.input).collect(),
+        written: own.output.output.into_iter().collect(),
+        seconds: report.seconds.total,
+        ..Outcome::default()
+    };
+    let recorded = shared.ledger.record(work, done);
+    (report, recorded)
+}
