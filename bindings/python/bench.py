@@ -63,10 +63,9 @@ def igl(weight):
 
 def open3d(vertices, faces):
     o3d = importlib.import_module("open3d")
-    mesh = o3d.geometry.TriangleMesh(
-        o3d.utility.Vector3dVector(vertices), o3d.utility.Vector3iVector(faces.astype(np.int32))
-    )
-    return Call(lambda _: mesh.compute_vertex_normals())
+    arrays = o3d.utility.Vector3dVector(vertices), o3d.utility.Vector3iVector(faces.astype(np.int32))
+    # A mesh keeps the normals of its triangles: each run has a new one.
+    return Call(lambda mesh: mesh.compute_vertex_normals(), lambda: o3d.geometry.TriangleMesh(*arrays))
 
 
 def pymeshlab(mode):

@@ -62,7 +62,7 @@ struct Summary {
     bytes: u64,
     /// Of work, summed over files.
     seconds: f64,
-    /// Failed files by the first line of their error, without names of files.
+    /// Failed files by the first line of their error. Names of input and output are `FILE`.
     errors: BTreeMap<String, usize>,
     incomplete_lines: usize,
 }
@@ -79,7 +79,10 @@ impl Summary {
         let mut errors = BTreeMap::new();
         for entry in failed() {
             let first = entry.error.as_deref().and_then(|error| error.lines().next()).unwrap_or_default();
-            *errors.entry(first.to_owned()).or_default() += 1;
+            // Without names, equal errors of different files are one.
+            let names = entry.output.iter().chain([&entry.input]);
+            let first = names.fold(first.to_owned(), |text, name| text.replace(&**name, "FILE"));
+            *errors.entry(first).or_default() += 1;
         }
         let mut findings = BTreeMap::<String, FindingCount>::new();
         for (id, count) in entries.iter().flat_map(|entry| &entry.findings) {
