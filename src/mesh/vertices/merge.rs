@@ -184,20 +184,59 @@ impl Mesh {
             (None, Some(_)) => 3,
             (None, None) => 2,
         };
-        let first = first_of_places(split.source.len(), &Places { key, shapes });
+        let (vertices, representative) = self.representatives(split, shapes);
+        let first = first_of_places(
+            vertices.len(),
+            &Places { key: |item: u32, shape: usize| key(vertices[item as usize], shape), shapes },
+        );
         let mut merged = VertexSplit::default();
         let mut number = vec![NONE; first.len()];
         for (item, &first) in first.iter().enumerate() {
             if first as usize == item {
                 number[item] = merged.source.len() as u32;
-                merged.source.push(split.source[item]);
-                merged.sample.push(split.sample[item]);
+                merged.source.push(split.source[vertices[item] as usize]);
+                merged.sample.push(split.sample[vertices[item] as usize]);
             } else {
                 number[item] = number[first as usize];
             }
         }
-        merged.corners = split.corners.iter().map(|&vertex| number[vertex as usize]).collect();
+        let corners = split.corners.par_iter();
+        merged.corners = corners.map(|&vertex| number[representative[vertex as usize] as usize]).collect();
         merged
+    }
+
+    /// Some vertices of a split and, for each of all, the number of one among them that agrees with it. In a mesh that was smoothed
+    /// across equal positions, most corners at a place have one entry of the normals: that is found without hashing.
+    fn representatives(&self, split: &VertexSplit, shapes: usize) -> (Vec<u32>, Vec<u32>) {
+        let normals = self.columns.normals.as_ref().filter(|_| shapes == 2);
+        let entries = normals.and_then(|column| match &column.index {
+            ColumnIndex::PerCorner(index) => Some((index, vec![NONE; column.values.len()])),
+            ColumnIndex::PerVertex => None,
+        });
+        let all = split.source.len() as u32;
+        let Some((index, mut first)) = entries else { return ((0..all).collect(), (0..all).collect()) };
+        let positions = self.positions();
+        let place = |item: u32| place_key(positions.at(split.source[item as usize]));
+        let mut vertices = Vec::new();
+        let mut representative = Vec::with_capacity(all as usize);
+        for item in 0..all {
+            let corner = split.sample[item as usize];
+            let entry = if corner == NONE { None } else { first.get_mut(index[corner as usize] as usize) };
+            let known = entry.as_deref().copied().filter(|&known| known != NONE);
+            if let Some(known) = known
+                && place(vertices[known as usize]) == place(item)
+            {
+                representative.push(known);
+                continue;
+            }
+            let number = vertices.len() as u32;
+            if let Some(entry) = entry {
+                *entry = number;
+            }
+            vertices.push(item);
+            representative.push(number);
+        }
+        (vertices, representative)
     }
 
     /// The mesh whose normals and texture coordinates are per corner, so that vertices differ in their positions only.
