@@ -2,7 +2,7 @@
 
 use super::args::RenderArgs;
 use super::changes::change;
-use super::draw::{Drawing, draw, turn_of};
+use super::draw::{Drawing, draw, fit_deviation, turn_of};
 use super::report::{PictureReport, Report, SceneReport, Settings, block};
 use super::request::{Request, Subject};
 use super::warnings;
@@ -105,6 +105,7 @@ fn run(request: &Request, console: &Console, report: &mut Report) -> Result<Exit
     }
     report.notes.append(&mut file.notes);
     change(request, &mut file)?;
+    fit_deviation(&mut file, request)?;
     report.notes.extend(warnings::notes(request, &file));
     report.scene = Some(SceneReport::new(&file));
     report.settings = Some(Settings(file.settings));
