@@ -174,7 +174,7 @@ impl Ball {
         });
         let stripes: Vec<TriangleMesh> = stripes.collect();
         let colour = |k: usize| {
-            if k % 2 == 0 { LinearRgb::new(0.1, 0.2, 0.5) } else { LinearRgb::new(0.8, 0.75, 0.6) }
+            if k.is_multiple_of(2) { LinearRgb::new(0.1, 0.2, 0.5) } else { LinearRgb::new(0.8, 0.75, 0.6) }
         };
         let mut objects: Vec<Object> =
             stripes.iter().enumerate().map(|(k, stripe)| stripe.object(Material::matte(colour(k)))).collect();
