@@ -13,8 +13,8 @@ use crate::shade::{Attenuation, Light, Material, Reflectance};
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
-/// The background: a dark grey that differs from black and white surfaces.
-pub(super) const BACKGROUND: LinearRgb = LinearRgb::grey(0.05);
+/// The background: a grey that differs from black and white surfaces, and that paper shows well.
+pub(super) const BACKGROUND: LinearRgb = LinearRgb::grey(0.4);
 
 /// A white surface that only diffuses: its luminance is N·L.
 pub(super) fn chalk() -> Material {

@@ -128,6 +128,15 @@ pub struct Amount {
     pub present: Threshold,
 }
 
+/// The scale of a map: from 0, violet, to the full value, yellow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MapScale {
+    /// The value of the last colour.
+    pub full: f64,
+    /// Its unit; empty for linear luminance and other numbers without one.
+    pub unit: &'static str,
+}
+
 /// A picture.
 #[derive(Clone, Debug, Serialize)]
 pub struct Shot {
@@ -142,6 +151,9 @@ pub struct Shot {
     /// The amount that determines its role; `None` for differences and for the surface itself.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub measured: Option<Amount>,
+    /// The scale of its colours, if it is a map.
+    #[serde(skip)]
+    pub map: Option<MapScale>,
     /// The picture, with its linear samples.
     #[serde(rename = "size", serialize_with = "size")]
     pub image: Image,
@@ -182,7 +194,7 @@ impl Effect {
         let caption = SHARED.with("caption", &values);
         let measured =
             Amount { name: self.name.clone(), unit: self.unit, value, present: self.present.clone() };
-        Shot { name, role, label, caption, measured: Some(measured), image }
+        Shot { name, role, label, caption, measured: Some(measured), map: None, image }
     }
 }
 

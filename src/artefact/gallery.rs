@@ -4,14 +4,14 @@ use super::error::ArtefactError;
 use super::experiment::{Experiment, FrameFn};
 use super::parameters::Setup;
 use super::{
-    attenuation_and_overflow, false_smoothing, flat_validity, lost_highlight, mach_bands, orientation,
-    perspective_distortion, precision, reflection_models, shading_terminator, shared_vertices, silhouette,
-    triangulation, vertex_average,
+    attenuation_and_overflow, false_smoothing, flat_validity, local_and_global, lost_highlight, mach_bands,
+    orientation, perspective_distortion, precision, reflection_models, refraction, shading_terminator,
+    shared_vertices, silhouette, triangulation, vertex_average,
 };
 use crate::raster::Image;
 
 /// All experiments, in the order in which they are read.
-pub static EXPERIMENTS: [&Experiment; 14] = [
+pub static EXPERIMENTS: [&Experiment; 16] = [
     &silhouette::EXPERIMENT,
     &mach_bands::EXPERIMENT,
     &orientation::EXPERIMENT,
@@ -26,6 +26,8 @@ pub static EXPERIMENTS: [&Experiment; 14] = [
     &shading_terminator::EXPERIMENT,
     &triangulation::EXPERIMENT,
     &precision::EXPERIMENT,
+    &local_and_global::EXPERIMENT,
+    &refraction::EXPERIMENT,
 ];
 
 /// The experiment of an id.

@@ -47,6 +47,8 @@ mod attenuation_and_overflow;
 mod false_smoothing;
 // When one colour for each face is exact.
 mod flat_validity;
+// One scene under a local model and traced.
+mod local_and_global;
 // A highlight that falls between vertices.
 mod lost_highlight;
 // Mach bands on a cylinder: steps of flat shading, slope jumps of Gouraud's and Phong's.
@@ -59,6 +61,8 @@ mod perspective_distortion;
 mod precision;
 // Phong's and Blinn's highlights.
 mod reflection_models;
+// A stick in water and a glass ball.
+mod refraction;
 // The border between light and shadow on a coarse mesh.
 mod shading_terminator;
 // Vertices that neighbours do not share: T-junctions, cracks, seams.
@@ -73,7 +77,7 @@ mod vertex_average;
 mod gallery;
 
 pub use crate::text::{Language, Text};
-pub use effect::{Amount, Effect, Role, Shot, Threshold};
+pub use effect::{Amount, Effect, MapScale, Role, Shot, Threshold};
 pub use error::ArtefactError;
 pub use experiment::{Experiment, Formula};
 pub use gallery::{EXPERIMENTS, experiment};

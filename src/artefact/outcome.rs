@@ -266,6 +266,7 @@ mod tests {
                 label: Text::same("x"),
                 caption: Text::same("y"),
                 measured: None,
+                map: None,
                 image: image.clone(),
             };
             let outcome = Outcome {

@@ -63,7 +63,9 @@ fn run(setup: &Setup) -> Result<Outcome> {
     out.cured("perspective", &effect, board(&right));
     out.cured("pieces", &of_pieces, board(&cut));
     out.difference("error", error_map(&affine, &right));
+    out.scaled(FULL, "");
     out.difference("error-pieces", error_map(&cut, &right));
+    out.scaled(FULL, "");
     Ok(out.finish(Verdict::HoldsOnlyIf(out.text("holds-only-if")), effect))
 }
 

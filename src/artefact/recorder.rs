@@ -1,6 +1,6 @@
 //! Collects the findings of an experiment. Each text is looked up by the name of what it describes.
 
-use super::effect::{Caption, Role, Shot};
+use super::effect::{Caption, MapScale, Role, Shot};
 use super::effect::{Effect, Threshold};
 use super::outcome::{Chart, Curve, Drawn, Expected, Measure, Outcome, Range, Scale, Verdict};
 use crate::raster::Image;
@@ -96,6 +96,13 @@ impl Recorder {
         self.unmeasured(name, Role::Difference, image);
     }
 
+    /// States the scale of the last picture, which is a map: the value of its last colour, and its unit.
+    pub(super) fn scaled(&mut self, full: f64, unit: &'static str) {
+        if let Some(shot) = self.shots.last_mut() {
+            shot.map = Some(MapScale { full, unit });
+        }
+    }
+
     /// Records a picture of an artefact that is too faint to be visible without maps.
     pub(super) fn seen(&mut self, name: &'static str, image: Image) {
         self.unmeasured(name, Role::Seen, image);
@@ -107,7 +114,7 @@ impl Recorder {
 
     fn unmeasured(&mut self, name: &'static str, role: Role, image: Image) {
         let Caption { label, drawn, .. } = self.caption(name);
-        self.shots.push(Shot { name, role, label, caption: drawn, measured: None, image });
+        self.shots.push(Shot { name, role, label, caption: drawn, measured: None, map: None, image });
     }
 
     fn caption(&self, name: &str) -> Caption {

@@ -78,6 +78,7 @@ fn waves(
     out.bad("waves-rising", &effect, rising);
     out.cured("waves-falling", &of_cut, falling);
     out.difference("waves-difference", difference);
+    out.scaled(FULL, "");
     out.cured("waves-fine", &effect, fine);
     out.truth("waves-themselves", exact);
     Ok(effect)

@@ -61,6 +61,11 @@ impl Tally {
     }
 
     fn keep(&mut self, spot: Spot, most: usize) {
+        if most == usize::MAX {
+            // All are kept, and `take` sorts them once.
+            self.worst.push(spot);
+            return;
+        }
         if self.worst.len() >= most && self.worst.last().is_none_or(|last| last.order(&spot).is_lt()) {
             return;
         }
@@ -141,7 +146,11 @@ impl<K: Copy + PartialEq> Tallies<K> {
     }
 
     pub(crate) fn take(&mut self, key: K) -> Tally {
-        std::mem::take(self.tally(key))
+        let mut tally = std::mem::take(self.tally(key));
+        if self.most == usize::MAX {
+            tally.worst.sort_unstable_by(Spot::order);
+        }
+        tally
     }
 
     pub(crate) fn add(&mut self, key: K, spot: Spot, area: f64) {
@@ -204,5 +213,8 @@ mod tests {
         all.sort_by(Spot::order);
         assert_eq!(tally.worst, all[..10]);
         assert!(tally.worst.iter().all(|spot| spot.weight == 999.0));
+        let add =
+            |range: Range<usize>, found: &mut Tallies<()>| range.for_each(|i| found.add((), spot(i), 0.5));
+        assert_eq!(scan(100_000, usize::MAX, add).take(()).worst, all);
     }
 }

@@ -94,7 +94,7 @@ mod comparison;
 mod survey;
 
 pub use comparison::changes::{Comparison, Incomparable, compare};
-pub use diagnosis::{Diagnosis, PartDiagnosis, diagnose};
+pub use diagnosis::{Diagnosis, Occurrence, PartDiagnosis, diagnose, occurrences};
 pub use effect::key_light_steps;
 pub use element::{Element, Severity};
 pub use estimate::recipe::{Estimate, SAMPLE};

@@ -2,7 +2,9 @@
 
 use crate::io::Loaded;
 use crate::mesh::{Mesh, place_key};
+use crate::normals::{NormalRecipe, Weight, compute};
 use crate::quality::angles::degrees_between;
+use crate::quality::estimate::recipe::Estimate;
 use crate::quality::facts::Facts;
 use crate::quality::input::file::FileContext;
 use crate::quality::thresholds::Thresholds;
@@ -29,6 +31,26 @@ pub struct Survey {
     pub valences: Vec<f64>,
     /// The length of the edge that leaves each corner, divided by their median.
     pub edge_lengths: Vec<f64>,
+}
+
+impl Survey {
+    /// Replaces the expected normals by those of a weight, with the crease angle and the groups of the estimate, or the default
+    /// ones; and the deviations by the angles to these.
+    pub fn compare_with(&mut self, mesh: &Mesh, weight: Weight, estimate: Option<Estimate>) {
+        if mesh.face_count() == 0 {
+            return;
+        }
+        let recipe = estimate.map_or_else(NormalRecipe::default, |estimate| estimate.recipe());
+        let recipe = NormalRecipe { weight, ..recipe };
+        let field = compute(mesh, &recipe);
+        for (corner, &vertex) in mesh.faces().corners().iter().enumerate() {
+            let Some(&expected) = field.normals.get(corner, vertex) else { continue };
+            self.expected[corner] = expected;
+            if let Some(degrees) = &mut self.deviations[corner] {
+                *degrees = degrees_between(self.shaded[corner], expected);
+            }
+        }
+    }
 }
 
 /// Measures each part of a file.

@@ -30,6 +30,7 @@ mod load;
 
 pub use error::RenderError;
 pub use frame::empty_picture::Unseen;
+pub use frame::job::depth_range;
 pub(crate) use frame::render::pixel_colour;
 pub use frame::render::render;
 pub use load::{

@@ -83,7 +83,8 @@ pub enum Show {
     Shaded,
     /// Its interpolated unit normal n in the scene's axes, as (n + 1)/2.
     Normals,
-    /// Which side is seen: front faces light blue, back faces dark red.
+    /// Which side is seen: front faces light blue, back faces dark red. They are darker where the interpolated normal is at a
+    /// larger angle to the camera's axis, so that the shape is visible.
     Facing,
     /// Distance along the camera's axis: white at the nearest vertex of the scene, black at the farthest.
     Depth,

@@ -162,7 +162,8 @@ impl Page {
         let classes: Vec<Option<&str>> =
             (0..table.columns.len()).map(|column| table.has_words(column).then_some("words")).collect();
         self.push(html! {
-            div.wide { table {
+            // A region that scrolls needs a name, and the focus for keys.
+            div.wide role="region" tabindex="0" aria-label=(table.caption) { table {
                 caption { (table.caption) }
                 thead { tr {
                     @for (name, class) in table.columns.iter().zip(&classes) {

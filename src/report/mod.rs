@@ -18,6 +18,12 @@ mod error;
 mod picture;
 // Text in pictures, and pictures side by side with captions.
 mod panel;
+// Legends below pictures.
+mod legend;
+// Legends of false colours.
+mod show_legend;
+// Pictures without their background.
+mod transparency;
 // GIF files, and the palette of an animation.
 mod animation;
 // Edges, creases and normals as lines over a picture.
@@ -44,17 +50,20 @@ pub use artefact::{
     chart_plot, experiment_page, experiment_sheet, index_page, list_table, mathml, measure_table, misses,
     page_name, picture_name, running, spoken, verdict_text,
 };
-pub use diagnosis::{After, DiagnosisPage, Sight, deviation_picture};
+pub use diagnosis::{After, DiagnosisPage, HeatMap, Sight, heat_map};
 pub use error::ReportError;
 pub use html::{Drawing, Page, escape_html, svg_file};
+pub use legend::{ColourScale, Key, Legend};
 pub use overlay::{Overlay, overlay};
 pub use panel::{Panel, draw_text, panels, panels_size, text_width};
-pub use picture::{Picture, encode_jpeg, encode_png, encode_webp};
+pub use picture::{Picture, encode_jpeg, encode_png, encode_png_cut_out, encode_webp, encode_webp_cut_out};
 pub use plan::{PlanPage, plan_page, plan_sheet};
 pub use plot::{Axis, Mark, Plot, Scale, Series};
 pub use probe::{PixelReport, SampleReport, probe_pixel};
+pub use show_legend::{deviation_range, show_legend};
 pub use table::Table;
 pub use trade::{
     approximation_table, box_table, class_table, cost_table, encoding_table, frontier_table, order_table,
     own_page, own_table, precision_table, shading_table, shading_times, surface_table, trade_page,
 };
+pub use transparency::{CutOut, cut_out};

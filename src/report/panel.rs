@@ -62,8 +62,8 @@ pub struct Panel {
 
 const COLUMNS: usize = 4;
 /// The sheet and its text, as shares of the full code.
-const PAPER: [f32; 3] = [0.13; 3];
-const INK: [f32; 3] = [0.93; 3];
+const PAPER: [f32; 3] = [1.0; 3];
+const INK: [f32; 3] = [0.1; 3];
 /// Text is this share of a panel's height, within limits: below the smaller one letters of the font run together.
 const TEXT_SHARE: f32 = 1.0 / 18.0;
 const TEXT_RANGE: [f32; 2] = [14.0, 56.0];
@@ -73,6 +73,8 @@ const LARGEST: u32 = 16_384;
 
 struct Layout {
     columns: usize,
+    /// How many panels there are.
+    count: usize,
     /// Height of the text.
     text: f32,
     gap: u32,
@@ -83,12 +85,16 @@ struct Layout {
 
 impl Layout {
     /// Of panels whose largest sides are these.
-    fn new<'a>(captions: impl ExactSizeIterator<Item = &'a str>, largest: [u32; 2]) -> Result<Self> {
+    fn new<'a>(
+        captions: impl ExactSizeIterator<Item = &'a str>,
+        largest: [u32; 2],
+        most_columns: usize,
+    ) -> Result<Self> {
         let count = captions.len();
         if count == 0 {
             return Err(ReportError::Empty);
         }
-        let rows = count.div_ceil(COLUMNS);
+        let rows = count.div_ceil(most_columns);
         let columns = count.div_ceil(rows);
         let text = (largest[1] as f32 * TEXT_SHARE).clamp(TEXT_RANGE[0], TEXT_RANGE[1]).round();
         let gap = (0.75 * text).round() as u32;
@@ -103,13 +109,16 @@ impl Layout {
             let format = "panel";
             return Err(ReportError::Size { format, largest: LARGEST, width, height });
         }
-        Ok(Self { columns, text, gap, cell, sheet })
+        Ok(Self { columns, count, text, gap, cell, sheet })
     }
 
-    /// The upper left corner of a cell.
+    /// The upper left corner of a cell. A last row with fewer cells is in the middle.
     fn corner(&self, number: usize) -> [u32; 2] {
+        let row = number / self.columns;
+        let free = self.columns - (self.count - row * self.columns).min(self.columns);
         let at = |count: usize, axis: usize| self.gap + count as u32 * (self.cell[axis] + self.gap);
-        [at(number % self.columns, 0), at(number / self.columns, 1)]
+        let aside = free as u32 * (self.cell[0] + self.gap) / 2;
+        [at(number % self.columns, 0) + aside, at(row, 1)]
     }
 }
 
@@ -118,7 +127,7 @@ impl Layout {
 /// # Errors
 /// As [`panels`], without a picture having been drawn.
 pub fn panels_size(captions: &[&str], size: [u32; 2]) -> Result<[u32; 2]> {
-    Layout::new(captions.iter().copied(), size).map(|layout| layout.sheet)
+    Layout::new(captions.iter().copied(), size, COLUMNS).map(|layout| layout.sheet)
 }
 
 /// Puts pictures side by side, in rows of at most four, with a gap between them and a caption below each.
@@ -129,9 +138,14 @@ pub fn panels_size(captions: &[&str], size: [u32; 2]) -> Result<[u32; 2]> {
 /// # Errors
 /// If there is no picture, or the sheet would be wider or higher than 16384 pixels.
 pub fn panels(panels: &[Panel]) -> Result<Picture> {
+    panels_in(panels, COLUMNS)
+}
+
+/// As [`panels`], in rows of at most so many.
+pub(super) fn panels_in(panels: &[Panel], most_columns: usize) -> Result<Picture> {
     let largest = |axis: usize| panels.iter().map(|panel| panel.picture.size[axis]).max().unwrap_or(0);
     let captions = panels.iter().map(|panel| &*panel.caption);
-    let layout = Layout::new(captions, [largest(0), largest(1)])?;
+    let layout = Layout::new(captions, [largest(0), largest(1)], most_columns)?;
     let is_sixteen = panels.iter().any(|panel| panel.picture.is_sixteen());
     let mut sheet = Picture::filled(layout.sheet, is_sixteen, PAPER);
     for (number, Panel { caption, picture }) in panels.iter().enumerate() {
@@ -166,14 +180,14 @@ mod tests {
 
     #[test]
     fn panels_are_separate_with_captions() {
-        let sheet = panels(&[panel("flat", [96, 96], 1.0), panel("Gouraud", [96, 96], 0.0)]).unwrap();
+        let sheet = panels(&[panel("flat", [96, 96], 0.5), panel("Gouraud", [96, 96], 0.0)]).unwrap();
         // Gaps of 11 (0.75 of 14 pixels of text, rounded half up), captions of 14 and half a gap above them.
         assert_eq!(sheet.size, [11 + 2 * (96 + 11), 11 + (96 + 5 + 14) + 11]);
-        assert_eq!(columns_of(&sheet, [255; 3]), (11..107).collect::<Vec<_>>());
+        assert_eq!(columns_of(&sheet, [128; 3]), (11..107).collect::<Vec<_>>());
         assert_eq!(columns_of(&sheet, [0; 3]), (118..214).collect::<Vec<_>>());
         let Pixels::Eight(list) = &sheet.pixels else { panic!("8 bits") };
         let below = &list[(11 + 96) * sheet.size[0] as usize..];
-        assert!(below.iter().filter(|pixel| pixel[0] > 150).count() > 50, "there is text");
+        assert!(below.iter().filter(|pixel| pixel[0] < 100).count() > 50, "there is text");
     }
 
     #[test]
@@ -181,6 +195,13 @@ mod tests {
         let many: Vec<Panel> = (0..5).map(|_| panel("x", [40, 30], 0.5)).collect();
         let sheet = panels(&many).unwrap();
         assert_eq!(sheet.size, [11 + 3 * 51, 11 + 2 * (30 + 5 + 14 + 11)]);
+        // Three, and two in the middle below them.
+        let Pixels::Eight(list) = &sheet.pixels else { panic!("8 bits") };
+        let columns = |top: usize| -> Vec<usize> {
+            let row = &list[top * sheet.size[0] as usize..][..sheet.size[0] as usize];
+            (0..row.len()).filter(|&x| row[x] == [128; 3] && (x == 0 || row[x - 1] != [128; 3])).collect()
+        };
+        assert_eq!([columns(11), columns(11 + 60)], [vec![11, 62, 113], vec![36, 87]]);
         let long = panel("a caption much wider than its picture", [20, 20], 1.0);
         assert!(panels(&[long]).unwrap().size[0] > 200);
         assert!(matches!(panels(&[]), Err(ReportError::Empty)));

@@ -1,6 +1,7 @@
 //! Pictures to combine and to draw on, and their PNG, JPEG and WebP files.
 
 use super::error::{ReportError, Result};
+use super::transparency::CutOut;
 use crate::num::Transfer;
 use crate::raster::{Image, Pixels};
 use image::codecs::jpeg::JpegEncoder;
@@ -119,9 +120,21 @@ const DIRECT: &str = "Codes are the computed numbers themselves: no transfer cur
 /// # Errors
 /// Sizes that do not fit the pixels or the format.
 pub fn encode_png(picture: &Picture, transfer: Transfer) -> Result<Vec<u8>> {
+    png(picture, None, transfer)
+}
+
+/// As [`encode_png`], with an alpha channel.
+///
+/// # Errors
+/// As [`encode_png`].
+pub fn encode_png_cut_out(cut: &CutOut, transfer: Transfer) -> Result<Vec<u8>> {
+    png(&cut.picture, Some(&cut.opacity), transfer)
+}
+
+fn png(picture: &Picture, opacity: Option<&[f32]>, transfer: Transfer) -> Result<Vec<u8>> {
     picture.check("PNG", LARGEST)?;
     let mut file = Vec::new();
-    write(picture, transfer, &mut file).map_err(|error| ReportError::Encoder(error.to_string()))?;
+    write(picture, opacity, transfer, &mut file).map_err(|error| ReportError::Encoder(error.to_string()))?;
     Ok(file)
 }
 
@@ -154,20 +167,51 @@ pub fn encode_webp(picture: &Picture) -> Result<Vec<u8>> {
     Ok(file)
 }
 
+/// As [`encode_webp`], with an alpha channel.
+///
+/// # Errors
+/// As [`encode_webp`].
+pub fn encode_webp_cut_out(CutOut { picture, opacity }: &CutOut) -> Result<Vec<u8>> {
+    picture.check("WebP", LARGEST_WEBP)?;
+    let [width, height] = picture.size;
+    let with_alpha = |([r, g, b], &opacity): ([u8; 3], &f32)| [r, g, b, code(opacity, 255.0) as u8];
+    let bytes: Vec<[u8; 4]> = eight_bits(picture).into_iter().zip(opacity).map(with_alpha).collect();
+    let mut file = Vec::new();
+    let written = WebPEncoder::new_lossless(&mut file).write_image(
+        bytes.as_flattened(),
+        width,
+        height,
+        ExtendedColorType::Rgba8,
+    );
+    written.map_err(|error| ReportError::Encoder(error.to_string()))?;
+    Ok(file)
+}
+
+fn eight_bits(picture: &Picture) -> Vec<[u8; 3]> {
+    match &picture.pixels {
+        Pixels::Eight(list) => list.clone(),
+        Pixels::Sixteen(list) => {
+            list.iter().map(|pixel| pixel.map(|component| (component >> 8) as u8)).collect()
+        }
+    }
+}
+
 fn encoded_by(encoder: impl ImageEncoder, picture: &Picture) -> Result<()> {
     let [width, height] = picture.size;
-    let bytes: Vec<u8> = match &picture.pixels {
-        Pixels::Eight(list) => list.as_flattened().to_vec(),
-        Pixels::Sixteen(list) => list.as_flattened().iter().map(|component| (component >> 8) as u8).collect(),
-    };
-    let written = encoder.write_image(&bytes, width, height, ExtendedColorType::Rgb8);
+    let bytes = eight_bits(picture);
+    let written = encoder.write_image(bytes.as_flattened(), width, height, ExtendedColorType::Rgb8);
     written.map_err(|error| ReportError::Encoder(error.to_string()))
 }
 
-fn write(picture: &Picture, transfer: Transfer, file: &mut Vec<u8>) -> Result<(), png::EncodingError> {
+fn write(
+    picture: &Picture,
+    opacity: Option<&[f32]>,
+    transfer: Transfer,
+    file: &mut Vec<u8>,
+) -> Result<(), png::EncodingError> {
     let [width, height] = picture.size;
     let mut encoder = Encoder::new(file, width, height);
-    encoder.set_color(ColorType::Rgb);
+    encoder.set_color(if opacity.is_some() { ColorType::Rgba } else { ColorType::Rgb });
     encoder.set_depth(if picture.is_sixteen() { BitDepth::Sixteen } else { BitDepth::Eight });
     match transfer {
         Transfer::Srgb => encoder.set_source_srgb(SrgbRenderingIntent::Perceptual),
@@ -175,14 +219,24 @@ fn write(picture: &Picture, transfer: Transfer, file: &mut Vec<u8>) -> Result<()
     }
     let mut writer = encoder.write_header()?;
     let mut stream = writer.stream_writer()?;
+    let alpha = |index: usize, full: f32| opacity.map(|opacity| code(opacity[index], full));
+    let mut bytes = Vec::with_capacity(width as usize * 8);
     match &picture.pixels {
-        Pixels::Eight(list) => stream.write_all(list.as_flattened())?,
-        Pixels::Sixteen(list) => {
-            // Row by row: the numbers are stored with the upper byte first.
-            let mut bytes = Vec::with_capacity(width as usize * 6);
-            for row in list.chunks(width as usize) {
+        Pixels::Eight(list) if opacity.is_none() => stream.write_all(list.as_flattened())?,
+        Pixels::Eight(list) => {
+            for (index, pixel) in list.iter().enumerate() {
                 bytes.clear();
-                bytes.extend(row.as_flattened().iter().flat_map(|component| component.to_be_bytes()));
+                bytes.extend(pixel);
+                bytes.extend(alpha(index, 255.0).map(|alpha| alpha as u8));
+                stream.write_all(&bytes)?;
+            }
+        }
+        Pixels::Sixteen(list) => {
+            // The numbers are stored with the upper byte first.
+            for (index, pixel) in list.iter().enumerate() {
+                bytes.clear();
+                bytes.extend(pixel.iter().flat_map(|component| component.to_be_bytes()));
+                bytes.extend(alpha(index, 65_535.0).iter().flat_map(|&alpha| (alpha as u16).to_be_bytes()));
                 stream.write_all(&bytes)?;
             }
         }

@@ -32,7 +32,7 @@ fn all_experiments_agree_with_their_checks_and_any_number_of_threads_writes_the_
         let output = artefact(&["all", "--size", "192", "-q", "--json", "--threads", threads, "-o", &to]);
         assert_eq!(code(&output), 0, "{}", text(&output.stderr));
         let reports = reports(&output);
-        assert_eq!(reports.len(), 14);
+        assert_eq!(reports.len(), 16);
         for report in &reports {
             let name = &report["experiment"];
             assert_eq!((&report["schema"], &report["status"]), (&"crease-artefact/2".into(), &"ok".into()));
@@ -186,7 +186,7 @@ fn all_leaves_out_what_does_not_take_a_value() {
     let output = artefact(&["all", "--segments", "3", "--size", "32", "--json"]);
     assert_eq!(code(&output), 0, "{}", text(&output.stderr));
     let reports = reports(&output);
-    assert_eq!(reports.len(), 14);
+    assert_eq!(reports.len(), 16);
     for report in &reports {
         let is_out = report["ranges"]["segments"][0].as_f64().is_some_and(|fewest| fewest > 3.0);
         let status = if is_out { "left-out" } else { "ok" };

@@ -1,5 +1,6 @@
 //! The verb `render` from outside.
 
+mod backgrounds;
 mod files;
 mod gallery;
 mod golden;

@@ -6,7 +6,7 @@ use crate::normals::Groups;
 
 /// Full scale of the maps of angles, in degrees, and of light.
 pub(super) const FULL_ANGLE: f64 = 60.0;
-const FULL_LIGHT: f64 = 0.5;
+pub(super) const FULL_LIGHT: f64 = 0.5;
 
 pub(super) struct LitMesh {
     pub(super) mesh: Mesh,
@@ -120,7 +120,9 @@ pub(super) fn run(own: &UserMesh, parameters: &Parameters, mut out: Recorder) ->
     out.bad("own", &effect, smooth.lit);
     out.cured("own-split", &effect, sharp.lit);
     out.difference("own-angles", angles);
+    out.scaled(FULL_ANGLE, "°");
     out.difference("own-light", light);
+    out.scaled(FULL_LIGHT, "");
     let (notes, verdict) = (vec![out.text("own-note")], Verdict::Holds(out.text("own-holds")));
     Ok(out.finish_with_notes(notes, verdict, effect))
 }

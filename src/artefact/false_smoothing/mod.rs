@@ -9,7 +9,7 @@ mod meshes;
 mod tests;
 
 use super::prelude::*;
-use lit_mesh::{FULL_ANGLE, LitMesh, Rendering};
+use lit_mesh::{FULL_ANGLE, FULL_LIGHT, LitMesh, Rendering};
 
 static TEXTS: Catalogue = catalogue!("texts");
 
@@ -89,9 +89,12 @@ fn shapes(parameters: &Parameters, out: &mut Recorder) -> Result<Effect> {
     let ([gear_angles, gear_light], [cube_angles, _]) = (gear[0].maps(), cube[0].maps());
     let effect = show(["gear", "gear-split"], gear, out);
     out.difference("gear-angles", gear_angles);
+    out.scaled(FULL_ANGLE, "°");
     out.difference("gear-light", gear_light);
+    out.scaled(FULL_LIGHT, "");
     show(["cube", "cube-split"], cube, out);
     out.difference("cube-angles", cube_angles);
+    out.scaled(FULL_ANGLE, "°");
     show(["zigzag", "zigzag-split"], zigzag, out);
     show(["roof", "roof-split"], roof, out);
     Ok(Effect { name: out.text("gear-effect"), ..effect })

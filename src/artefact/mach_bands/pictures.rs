@@ -13,7 +13,16 @@ pub(super) fn record(
     [of_step, of_shading, of_finer]: [&Effect; 3],
     out: &mut Recorder,
 ) -> Result<()> {
-    let draw = |tube: &Tube, shading| tube.draw([size; 2], light, shading);
+    // Kinks of slope are where surfaces are bright, at which a step of luminance is few codes.
+    let exact = tube.draw([size; 2], light, Shading::Exact)?;
+    let white = luminance(&exact).into_iter().zip(&exact.coverage).filter(|(_, covered)| **covered > 0);
+    let white = white.map(|(light, _)| light).fold(0.0, f64::max);
+    let dark = DARK * white;
+    out.set("white", white);
+    out.set("dark", dark);
+    let draw = |tube: &Tube, shading| -> Result<Image> {
+        Ok(stretched(&tube.draw([size; 2], light, shading)?, [dark, white]))
+    };
     out.bad("flat", of_step, draw(tube, Shading::Flat)?);
     for (name, shading) in [("gouraud", Shading::Gouraud), ("phong", Shading::Phong)] {
         match shading == worse {
@@ -22,8 +31,22 @@ pub(super) fn record(
         }
     }
     out.cured("fine", of_finer, draw(fine, worse)?);
-    out.truth("exact", draw(tube, Shading::Exact)?);
+    out.truth("exact", stretched(&exact, [dark, white]));
     Ok(())
+}
+
+/// The luminance that pictures show as black, as a share of the largest one.
+const DARK: f64 = 0.6;
+
+/// A picture whose surfaces are black at one luminance and white at another.
+fn stretched(image: &Image, [dark, white]: [f64; 2]) -> Image {
+    let stretch = |light: f32| ((f64::from(light) - dark) / (white - dark)).clamp(0.0, 1.0) as f32;
+    let is_lit = white > dark;
+    let pixel = |(colour, &covered): (&[f32; 3], &u8)| {
+        if covered > 0 && is_lit { colour.map(stretch) } else { *colour }
+    };
+    let colours = linear(image).iter().zip(&image.coverage).map(pixel).collect();
+    picture(image.size, colours, image.coverage.clone())
 }
 
 /// The slope jumps of Phong's and Gouraud's shading at the edges of a cylinder: position across the picture, and jump.
@@ -52,7 +75,9 @@ impl Jumps {
         let (gouraud, phong) = (draw(Shading::Gouraud)?, draw(Shading::Phong)?);
         let map = |image, jumps: &[[f64; 2]]| jump_map(image, &self.tube, light, jumps, full);
         out.bad("phong-80-jumps", effect, map(&phong, &self.phong));
+        out.scaled(full, "1/R");
         out.cured("gouraud-80-jumps", effect, map(&gouraud, &self.gouraud));
+        out.scaled(full, "1/R");
         out.seen("phong-80", phong);
         out.seen("gouraud-80", gouraud);
         Ok(())

@@ -46,6 +46,7 @@ flat-title = flat
 flat-caption =
     Flat shading of { $segments } facets, with the light { $light }° from the view direction. Each facet has one
     luminance.
+    In these pictures, luminance { $white } is white, and { $dark } or less is black.
 flat-seen = Each facet is visible as a stripe of one grey.
 fine-seen = The slope jumps are about a quarter as large.
 exact-title = exact cylinder

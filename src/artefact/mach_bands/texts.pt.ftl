@@ -49,6 +49,7 @@ flat-title = plana
 flat-caption =
     Tonalização plana de { $segments } facetas, com a luz a { $light }° da direção de visão. Cada faceta tem uma só
     luminância.
+    Nestas imagens, a luminância { $white } é branca, e { $dark } ou menos é preta.
 flat-seen = Cada faceta é visível como uma faixa de um só tom de cinza.
 fine-seen = Os saltos de inclinação têm cerca de um quarto do tamanho.
 exact-title = cilindro exato

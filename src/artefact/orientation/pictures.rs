@@ -49,10 +49,12 @@ impl Pictures {
         out.bad("turned-45", effect, half);
         out.bad("position-2", effect, turned);
         out.difference("difference", difference);
+        out.scaled(FULL, "");
         out.cured("diagonal-13", effect, one);
         out.cured("diagonal-24", effect, other);
         if !has_one_cut {
             out.difference("diagonals", between);
+            out.scaled(FULL, "");
         }
     }
 }

@@ -90,6 +90,7 @@ fn sphere(
     out.bad("hard", &effect, hard);
     out.cured("smooth", &effect, smooth);
     out.difference("concerned", map([size; 2], &map_of_coarse, 1.0));
+    out.scaled(1.0, "");
     Ok((effect, Cost { effect: cost, coarse, fine }))
 }
 

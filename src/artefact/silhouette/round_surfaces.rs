@@ -210,6 +210,7 @@ fn show(
     let lacking = between(&coarse, &round);
     out.bad("ball", of_ball, coarse);
     out.difference("lacking", lacking);
+    out.scaled(1.0, "px");
     out.cured("ball-fine", of_ball, ball.picture(fine)?);
     out.truth("ball-itself", round);
     out.bad("torus", of_torus, torus.picture(segments)?);

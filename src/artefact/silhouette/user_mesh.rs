@@ -66,6 +66,7 @@ fn measure(own: &UserMesh, parameters: &Parameters, mut out: Recorder) -> Result
     let between = between(&coarse, &truth);
     out.bad("own", &effect, coarse);
     out.difference("lacking", between);
+    out.scaled(1.0, "px");
     out.cured("own-curved", &effect, cured);
     out.truth("finer", truth);
     let verdict = match (effect.is_present(), own.finer) {

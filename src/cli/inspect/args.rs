@@ -8,6 +8,7 @@ use crate::cli::common::options::{RunArgs, confidence};
 use clap::Args;
 use crease::io::Format;
 use crease::mesh::Confidence;
+use crease::normals::Weight;
 use crease::num::Degrees;
 use crease::quality::catalogue::{Kind, entries};
 use crease::quality::{Finding, Severity, Thresholds};
@@ -49,6 +50,8 @@ pub struct PictureArgs {
     pub html: Option<PathBuf>,
     #[arg(long, value_name = "FILE")]
     pub heatmap: Option<PathBuf>,
+    #[arg(long, value_name = "WHAT", value_parser = heat_map_of, requires = "heatmap")]
+    pub heatmap_of: Option<HeatMapOf>,
     #[arg(long, value_name = "SIDE", default_value = "auto", value_parser = one_of::<Sight>())]
     pub view: Sight,
 }
@@ -167,6 +170,26 @@ choices! { Sight:
 }
 
 choices! { Severity: "error" => Error, "warning" => Warning, "note" => Note }
+
+/// What `--heatmap-of` shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum HeatMapOf {
+    Finding(Kind),
+    Deviation,
+    Weight(Weight),
+}
+
+fn heat_map_of(text: &str) -> Result<HeatMapOf, String> {
+    let weight = || Weight::ALL.into_iter().find(|weight| weight.name() == text);
+    match text {
+        "deviation" => Ok(HeatMapOf::Deviation),
+        _ => Kind::of_id(text).map(HeatMapOf::Finding).or_else(|| weight().map(HeatMapOf::Weight)).ok_or_else(|| {
+            let names = entries().map(|entry| entry.id).chain(Weight::ALL.map(Weight::name));
+            let similar = did_you_mean(text, names.chain(["deviation"]));
+            format!("expected the id of a finding, a weight or `deviation`{HELP}{similar}`crease inspect --explain all` lists the findings")
+        }),
+    }
+}
 
 fn kind(id: &str) -> Result<Kind, String> {
     Kind::of_id(id).ok_or_else(|| {

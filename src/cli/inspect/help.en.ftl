@@ -15,8 +15,10 @@ against = Compare with this file of the same shape: by how many degrees the norm
     matter. `-` is standard input (one input only). --fail-on judges the input, not this file
 html = File for a page with pictures, histograms and explanations; `-` is standard output, and the report then goes to
     standard error
-heatmap = PNG file for the mesh coloured by the deviation of its stored normals, or `-` for standard output. The picture has a
-    legend, and a ring around the worst position of each error and warning
+heatmap = PNG file for the findings on the lit mesh, or `-` for standard output. Each error and warning has a colour, which
+    deepens with the angle. The picture has a legend, and a ring around the worst position of each
+heatmap-of = Content of the heat map: one finding by its id, `deviation` (angle between stored normals and those of the
+    estimated recipe), or a weight (angle between stored normals and those of that weight) [default: errors and warnings]
 view = View direction of the pictures
 fail-on = Exit with code 1 if a reported finding has at least this severity. If a file of a batch cannot be read, the exit
     code is 5
@@ -55,7 +57,8 @@ size = Width of the mesh on the screen for outlines and bands, in pixels [defaul
 recursive-short = Include all mesh files in folders and below, except hidden ones
 against-short = Compare with this file of the same shape
 html-short = File for a page with pictures, histograms and explanations
-heatmap-short = PNG file for the mesh coloured by the deviation of its stored normals
+heatmap-short = PNG file for the findings on the lit mesh
+heatmap-of-short = Content of the heat map: a finding, `deviation` or a weight [default: errors and warnings]
 view-short = View direction of the pictures
 severity-short = Report only findings of at least this severity [default: note in JSON, warning in text without -v]
 fail-on-short = Exit with code 1 if a reported finding has at least this severity

@@ -1,6 +1,6 @@
 //! Runs `crease inspect`: checks of the command line, then all inputs.
 
-use super::args::{FindingArgs, InspectArgs, PictureArgs};
+use super::args::{FindingArgs, HeatMapOf, InspectArgs, PictureArgs};
 use super::json::{Against, Counts, FindingReport, InspectReport};
 use super::symptoms;
 use super::text::{self, Layout};
@@ -18,16 +18,19 @@ use crate::cli::usage::{refused, usage_error};
 use crease::io::{Format, Loaded, ReadLog, ReadOptions};
 use crease::num::Transfer;
 use crease::quality::catalogue::{Kind, entries};
-use crease::quality::{Diagnosis, Severity, compare, diagnose};
-use crease::report::{After, DiagnosisPage, deviation_picture, encode_png};
+use crease::quality::{Diagnosis, Severity, Thresholds, compare, diagnose};
+use crease::report::{After, DiagnosisPage, HeatMap, encode_png, heat_map};
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
-/// What a heat map of a file without normals shows.
+/// What a map of angles of a file without normals shows.
 const NO_DEVIATION: &str =
     "no normals are stored: the picture shows no deviations\nhelp: compute normals with `crease normals`";
+
+/// The side of a heat map in pixels.
+const SIDE: u32 = 800;
 
 pub fn main(args: &InspectArgs, color: Color) -> Exit {
     let to_stdout = args.pictures.paths().find(|path| Target::of(path) == Target::Standard);
@@ -168,9 +171,10 @@ fn inspect(
     report.fix = diagnosis.fix(|finding| wanted.takes(finding), wanted.names_notes(), names);
     report.hidden = keep_wanted(&mut diagnosis, wanted);
     report.fill(&diagnosis);
-    draw(&loaded, &diagnosis, after.as_ref(), report, args)?;
+    draw(&loaded, (&diagnosis, thresholds), after.as_ref(), report, args)?;
     let is_grave = args.findings.fail_on.is_some_and(|least| diagnosis.worst() >= Some(least));
-    let has_pictures = args.pictures.html.is_some() || args.pictures.heatmap.is_some();
+    let of_angles = matches!(args.pictures.heatmap_of, Some(HeatMapOf::Deviation | HeatMapOf::Weight(_)));
+    let has_pictures = args.pictures.html.is_some() || of_angles;
     let has_faces = loaded.parts.iter().any(|part| part.mesh.face_count() > 0);
     Ok(Outcome { is_grave, lacks_normals: has_pictures && has_faces && !has_normals(&loaded) })
 }
@@ -192,14 +196,12 @@ fn has_normals(loaded: &Loaded) -> bool {
 /// Makes and stores the pictures that were asked for. `after` is the file that `--against` names.
 fn draw(
     loaded: &Loaded,
-    diagnosis: &Diagnosis,
+    (diagnosis, thresholds): (&Diagnosis, &Thresholds),
     after: Option<&Loaded>,
     report: &mut InspectReport,
     args: &InspectArgs,
 ) -> Result<(), Failure> {
-    /// Pixels along the sides of a heat map of its own.
-    const SIDE: u32 = 800;
-    let PictureArgs { html, heatmap, view } = &args.pictures;
+    let PictureArgs { html, heatmap, heatmap_of, view } = &args.pictures;
     if let Some(path) = html {
         let after = after.zip(report.against.as_ref());
         let after =
@@ -216,7 +218,20 @@ fn draw(
         report.written.push(("page", Target::of(path).name()));
     }
     if let Some(path) = heatmap {
-        let picture = deviation_picture(loaded, diagnosis, *view, SIDE).map_err(Failure::input)?;
+        let (mut one, mut shown) = (None, diagnosis);
+        let of = match heatmap_of {
+            Some(HeatMapOf::Deviation) => HeatMap::Deviation,
+            Some(HeatMapOf::Weight(weight)) => HeatMap::From(*weight),
+            Some(HeatMapOf::Finding(kind)) => {
+                let diagnosis: &mut Diagnosis = one.insert(diagnosis.clone());
+                diagnosis.findings.retain(|finding| finding.kind == *kind);
+                shown = diagnosis;
+                HeatMap::AllFindings
+            }
+            None if args.findings.names_notes() => HeatMap::AllFindings,
+            None => HeatMap::Findings,
+        };
+        let picture = heat_map(loaded, (shown, thresholds), of, *view, SIDE).map_err(Failure::input)?;
         Target::of(path).store(encode_png(&picture, Transfer::Srgb).map_err(Failure::input)?)?;
         report.written.push(("picture", Target::of(path).name()));
     }

@@ -1,7 +1,7 @@
 //! The options of `crease render`.
 
 use super::fields::{self, CameraChange, TypedMaterial};
-use super::values::{self, FileKind, GuardSwitch, HiddenLines, ReflectionChoice, Variant};
+use super::values::{self, Background, FileKind, GuardSwitch, HiddenLines, ReflectionChoice, Shown, Variant};
 use crate::cli::common::batch::BatchArgs;
 use crate::cli::common::choice::one_of;
 use crate::cli::common::options::{RunArgs, crease_angle};
@@ -11,7 +11,7 @@ use crease::io::Format;
 use crease::mesh::UpAxis;
 use crease::normals::{Weight, When};
 use crease::num::{Degrees, LinearRgb, Transfer};
-use crease::raster::{Bits, Cull, FlatSample, Interpolation, Samples, Shading, Show};
+use crease::raster::{Bits, Cull, FlatSample, Interpolation, Samples, Shading};
 use crease::report::Overlay;
 use crease::shade::{Light, Terminator, ToneRule};
 use glam::DVec3;
@@ -84,7 +84,9 @@ pub struct ShadingArgs {
     #[arg(long, value_name = "WHERE", value_parser = one_of::<FlatSample>())]
     pub flat_sample: Option<FlatSample>,
     #[arg(long, value_name = "WHAT", value_parser = values::show)]
-    pub show: Option<Show>,
+    pub show: Option<Shown>,
+    #[arg(long, requires = "show")]
+    pub no_legend: bool,
     #[arg(long, value_name = "WHAT,WHAT", value_parser = one_of::<Overlay>(), value_delimiter = ',')]
     pub overlay: Vec<Overlay>,
     #[arg(long, value_name = "HOW", value_parser = one_of::<HiddenLines>())]
@@ -110,8 +112,8 @@ pub struct SceneArgs {
     pub ambient: Option<LinearRgb>,
     #[arg(long, value_name = "MATERIAL", value_parser = fields::material)]
     pub material: Option<TypedMaterial>,
-    #[arg(long, value_name = "COLOUR", value_parser = colour)]
-    pub background: Option<LinearRgb>,
+    #[arg(long, value_name = "COLOUR", value_parser = values::background)]
+    pub background: Option<Background>,
     #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
     pub rotate: Option<DVec3>,
 }

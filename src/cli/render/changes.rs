@@ -3,7 +3,7 @@
 use super::args::RenderArgs;
 use super::fields::TypedMaterial;
 use super::request::{Request, Subject};
-use super::values::{FileKind, ReflectionChoice, Variant};
+use super::values::{Background, FileKind, GRADIENT, LIGHT_GREY, ReflectionChoice, Shown, Variant};
 use super::warnings::contrast;
 use crate::cli::common::failure::Failure;
 use crease::mesh::{AxisConversion, UpAxis};
@@ -23,13 +23,24 @@ pub fn change(request: &Request, file: &mut SceneFile) -> Result<(), Failure> {
     request.check_probe(&file.settings).map_err(Failure::usage)?;
     change_materials(request.args, file).map_err(Failure::input)?;
     let scene = &request.args.scene;
-    file.background = scene.background.unwrap_or(file.background);
+    file.background = match scene.background {
+        Some(Background::Colour(colour)) => colour,
+        // Drawn before black and before white.
+        Some(Background::Transparent | Background::Gradient) => LinearRgb::BLACK,
+        None if request.has_settings() => file.background,
+        None => LIGHT_GREY,
+    };
     let is_typed = request.args.colour.transfer.is_some();
     if !is_typed && (transfer, file.settings.transfer) == (Transfer::Srgb, Transfer::Direct) {
         // The same codes as behind the lit picture.
         file.background = file.background.to_array().map(|light| Transfer::Srgb.encode(light)).into();
     }
-    let reported = |wire| contrast(wire, file.background, file.settings.transfer);
+    let behind = match scene.background {
+        Some(Background::Transparent) => LinearRgb::WHITE,
+        Some(Background::Gradient) => GRADIENT[1],
+        _ => file.background,
+    };
+    let reported = |wire| contrast(wire, behind, file.settings.transfer);
     if !request.has_settings() && reported(LinearRgb::BLACK) > reported(LinearRgb::WHITE) {
         file.settings.wire.colour = LinearRgb::BLACK;
     }
@@ -84,7 +95,12 @@ fn change_settings(request: &Request, file: &mut SceneFile) {
             object.settings.two_sided = None;
         }
     }
-    if let Some(show) = shading.show {
+    if let Some(shown) = shading.show {
+        let show = match shown {
+            Shown::Fixed(show) => show,
+            // `fit_deviation` finds the range.
+            Shown::FittedDeviation => Show::Deviation(Degrees(180.0)),
+        };
         set.show = show;
         // Codes are then proportional to what is shown, as in any normal map.
         if matches!(show, Show::Normals | Show::Depth) {

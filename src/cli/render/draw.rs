@@ -2,15 +2,16 @@
 
 use super::changes::{about, blame, pivot, turn};
 use super::request::{Request, Subject};
-use super::values::FileKind;
+use super::values::{Background, FileKind, GRADIENT, Shown};
 use crate::cli::common::choice::Choose;
 use crate::cli::common::failure::Failure;
 use crate::cli::common::output::Store;
 use crate::cli::common::progress::Progress;
-use crease::num::Degrees;
-use crease::raster::{Image, RenderError, RenderSettings, SceneFile, Statistics, render};
+use crease::num::{Degrees, LinearRgb};
+use crease::raster::{Image, RenderError, RenderSettings, SceneFile, Show, Statistics, render};
 use crease::report::{
-    Animation, Panel, Picture, ReportError, encode_jpeg, encode_png, encode_webp, overlay, panels,
+    Animation, CutOut, Panel, Picture, ReportError, cut_out, deviation_range, encode_jpeg, encode_png,
+    encode_png_cut_out, encode_webp, encode_webp_cut_out, overlay, panels, show_legend,
 };
 
 /// A picture as a file, and what was drawn for it.
@@ -42,13 +43,17 @@ pub fn draw(file: &mut SceneFile, request: &Request, progress: &Progress) -> Res
         Subject::Picture => {
             let image = image(file, &file.settings, request)?;
             let drawings = vec![Drawing { name: None, statistics: image.statistics }];
-            let picture = Picture { size: image.size, pixels: image.pixels };
-            let bytes = match request.target {
-                Some(_) => as_file(&picture, &file.settings, request.file)?,
-                None => Vec::new(),
+            if request.target.is_none() {
+                let size = image.size;
+                return Ok(Drawn { image: Some(image), ..Drawn::of_bytes(Vec::new(), size, drawings, None) });
+            }
+            let settings = file.settings;
+            let cut = finished(image.clone(), file, &settings, request)?;
+            let bytes = match request.background() {
+                Some(Background::Transparent) => as_cut_out(&cut, &file.settings, request.file)?,
+                _ => as_file(&cut.picture, &file.settings, request.file)?,
             };
-            let image = Image { pixels: picture.pixels, ..image };
-            Ok(Drawn::of_bytes(bytes, image.size, drawings, Some(image)))
+            Ok(Drawn::of_bytes(bytes, cut.picture.size, drawings, Some(image)))
         }
         Subject::Panels(variants) => {
             let (mut drawings, mut list) = (Vec::new(), Vec::new());
@@ -56,7 +61,8 @@ pub fn draw(file: &mut SceneFile, request: &Request, progress: &Progress) -> Res
                 let settings = variant.settings(&file.settings);
                 let image = image(file, &settings, request)?;
                 drawings.push(Drawing { name: Some(variant.choice().into()), statistics: image.statistics });
-                list.push(Panel { caption: variant.caption().into(), picture: image.into() });
+                let picture = finished(image, file, &settings, request)?.picture;
+                list.push(Panel { caption: variant.caption().into(), picture });
             }
             let sheet = panels(&list)?;
             drop(list);
@@ -83,6 +89,63 @@ fn image(file: &SceneFile, settings: &RenderSettings, request: &Request) -> Resu
         };
         blame(request.args, &error, lights).map_or_else(|| of_input(error), Failure::usage)
     })
+}
+
+/// An image with the background and the legend that were asked for. Only a transparent background has opacities.
+fn finished(
+    image: Image,
+    file: &mut SceneFile,
+    settings: &RenderSettings,
+    request: &Request,
+) -> Result<CutOut, Failure> {
+    let mut cut = CutOut { picture: Picture::from(image), opacity: Vec::new() };
+    if let Some(background @ (Background::Transparent | Background::Gradient)) = request.background() {
+        let black = std::mem::replace(&mut file.background, LinearRgb::WHITE);
+        let on_white = self::image(file, settings, request);
+        file.background = black;
+        cut = cut_out(cut.picture, &on_white?.into(), settings.transfer);
+        if background == Background::Gradient {
+            cut = CutOut { picture: cut.over(GRADIENT, settings.transfer), opacity: Vec::new() };
+        }
+    }
+    let is_fitted = request.args.shading.show == Some(Shown::FittedDeviation);
+    let legend = show_legend(&file.scene(), settings, is_fitted);
+    if let Some(legend) = legend.filter(|_| !request.args.shading.no_legend) {
+        cut.picture = legend.below(&cut.picture);
+        let [width, height] = cut.picture.size.map(|side| side as usize);
+        if !cut.opacity.is_empty() {
+            cut.opacity.resize(width * height, 1.0);
+        }
+    }
+    Ok(cut)
+}
+
+/// Sets the range of fitted deviations to one that holds all of a picture, or of eight positions of a turntable.
+pub fn fit_deviation(file: &mut SceneFile, request: &Request) -> Result<(), Failure> {
+    if request.args.shading.show != Some(Shown::FittedDeviation) {
+        return Ok(());
+    }
+    let positions = if matches!(request.subject, Subject::Turntable(_)) { 8 } else { 1 };
+    let (pivot, up) = (pivot(file), file.scene().camera.up);
+    let placed: Vec<_> = file.objects.iter().map(|object| object.transform).collect();
+    let mut largest = Degrees(0.0);
+    for position in 0..positions {
+        turn(file, about(up, Degrees(360.0 / f64::from(positions) * f64::from(position))), pivot);
+        let range = deviation_range(&file.scene(), &file.settings);
+        file.objects.iter_mut().zip(&placed).for_each(|(object, &transform)| object.transform = transform);
+        // What cannot be drawn is reported when it is drawn.
+        largest.0 = largest.0.max(range.map_or(0.0, |range| range.0));
+    }
+    file.settings.show = Show::Deviation(if largest.0 > 0.0 { largest } else { Degrees(180.0) });
+    Ok(())
+}
+
+fn as_cut_out(cut: &CutOut, settings: &RenderSettings, kind: FileKind) -> Result<Vec<u8>, ReportError> {
+    match kind {
+        FileKind::WebP => encode_webp_cut_out(cut),
+        // Others are refused before.
+        _ => encode_png_cut_out(cut, settings.transfer),
+    }
 }
 
 fn as_file(picture: &Picture, settings: &RenderSettings, kind: FileKind) -> Result<Vec<u8>, ReportError> {
@@ -128,8 +191,10 @@ fn turntable(
         if frame == drawings.len() {
             drawings.push(Drawing { name: Some(format!("{}°", angle.0)), statistics: image.statistics });
         }
+        let settings = file.settings;
+        let picture = finished(image, file, &settings, request)?.picture;
         progress.done();
-        Ok(image.into())
+        Ok(picture)
     };
     let length = match &request.target {
         Some(target) => Store::default().stream(target, |out| turn_of(frames).write_gif(out, draw))?,

@@ -29,10 +29,11 @@ interpolation = Interpolation of values over a face [default: perspective]
 reflection = Highlight model, or the stored vertex colours without light [default: blinn]
 exponent = Exponent of the highlight, 0 or more: a larger exponent gives a smaller highlight [default: the material's, or 32]
 flat-sample = Point at which flat faces are lit [default: centroid]
-show = Draw normals, facing, depth, face-id or deviation in place of light. `normals`: (n + 1)/2; `facing`: front light blue,
-    back dark red; `depth`: white near, black far; `face-id`: a colour for each face. `deviation[=DEG]`: the angle between the
-    interpolated normal and that of the analytic surface, or of the face if there is none. Its colours run from black over red and
-    yellow to white at 15° or the given angle
+show = Draw normals, facing, depth, face-id or deviation in place of light, with a legend below. `normals`: (n + 1)/2; `facing`:
+    front light blue, back dark red; `depth`: white near, black far; `face-id`: a colour for each face. `deviation[=DEG]`: the
+    angle between the interpolated normal and that of the analytic surface, or of the face if there is none. Its colours run from
+    black over red and yellow to white at the given angle, or at one that no visible deviation exceeds
+no-legend = Omit the legend of --show, which adds to the height of the picture
 overlay = Draw lines over the picture
 hidden-lines = Treatment of lines behind surfaces [default: remove]
 cull = Omit faces by their visible side; wireframes omit their edges, overlays keep all lines [default: none]
@@ -42,7 +43,8 @@ light = Light, in place of all lights of the scene except ambient light; repeata
 scene-help = Print the keys of scene files and exit
 ambient = Ambient light, in place of that of the scene
 material = Material of all objects
-background = Background colour; the wireframe of a mesh is black on a bright one [default: black]
+background = Background: a colour, black, white, `transparent` (PNG and WebP) or `gradient` (grey, darker towards the bottom);
+    the wireframe of a mesh is black on a bright one [default: light grey; for scenes in TOML their own colour, or black]
 up = Up axis of the mesh, for the automatic camera [default: y]
 rotate = Rotate the objects about the centre of their bounding box, in degrees: about x, then y, then z; camera and lights
     stay

@@ -1,7 +1,7 @@
 //! Options of `crease render` made into what is drawn.
 
 use super::args::RenderArgs;
-use super::values::{FileKind, HiddenLines, Variant};
+use super::values::{Background, FileKind, HiddenLines, Variant};
 use crate::cli::common::choice::Choose;
 use crate::cli::common::input::Source;
 use crate::cli::common::output::{Target, is_same_file};
@@ -94,6 +94,16 @@ impl<'a> Request<'a> {
                 self.file.choice().to_uppercase()
             ));
         }
+        if self.background() == Some(Background::Transparent) {
+            if !matches!(self.file, FileKind::Png | FileKind::WebP) {
+                return usage("--background transparent needs a PNG or WebP output\nhelp: name a .png file");
+            }
+            if self.subject != Subject::Picture {
+                return usage(
+                    "--background transparent does not work with --compare\nhelp: use --background white",
+                );
+            }
+        }
         let compares = |wanted: fn(&Variant) -> bool| args.output.compare.iter().any(wanted);
         if args.shading.shading.is_some() && compares(|it| matches!(it, Variant::Shading(_))) {
             return usage("--shading cannot be used with a --compare of shadings");
@@ -107,6 +117,11 @@ impl<'a> Request<'a> {
     pub fn has_settings(&self) -> bool {
         let is_toml = |path: &Path| path.extension().is_some_and(|name| name.eq_ignore_ascii_case("toml"));
         matches!(&self.source, Source::File(path) if is_toml(path)) && self.format.is_none()
+    }
+
+    /// The background that was asked for.
+    pub fn background(&self) -> Option<Background> {
+        self.args.scene.background
     }
 
     pub fn panels(&self, settings: &RenderSettings) -> Vec<RenderSettings> {

@@ -3,7 +3,7 @@
 use super::args::RenderArgs;
 use super::batch;
 use super::changes::change;
-use super::draw::{Drawing, draw, turn_of};
+use super::draw::{Drawing, draw, fit_deviation, turn_of};
 use super::report::{PictureReport, Report, SceneReport, Settings, block};
 use super::request::{Request, Subject};
 use super::warnings;
@@ -110,6 +110,7 @@ pub fn run(request: &Request, console: Option<&Console>, report: &mut Report) ->
     }
     report.notes.append(&mut file.notes);
     change(request, &mut file)?;
+    fit_deviation(&mut file, request)?;
     report.notes.extend(warnings::notes(request, &file));
     report.scene = Some(SceneReport::new(&file));
     report.settings = Some(Settings(file.settings));

@@ -1,8 +1,8 @@
 //! Values of options of `crease render`.
 
 use crate::cli::common::choice::{Choose, choices};
-use crate::cli::common::options::number;
-use crease::num::{Degrees, Transfer};
+use crate::cli::common::options::{colour, number};
+use crease::num::{Degrees, LinearRgb, Transfer};
 use crease::raster::{Bits, Cull, FlatSample, Interpolation, RenderSettings, Samples, Shading, Show};
 use crease::report::Overlay;
 use crease::shade::{Terminator, ToneRule};
@@ -27,20 +27,61 @@ pub fn pixel(text: &str) -> Result<[u32; 2], String> {
     }
 }
 
+/// What `--show` shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shown {
+    Fixed(Show),
+    /// Deviations, over a range that holds all visible ones.
+    FittedDeviation,
+}
+
 /// `normals`, `facing`, `depth`, `face-id`, `deviation` or `deviation=5`.
-pub fn show(text: &str) -> Result<Show, String> {
+pub fn show(text: &str) -> Result<Shown, String> {
+    if text == "deviation" {
+        return Ok(Shown::FittedDeviation);
+    }
+    fixed_show(text).map(Shown::Fixed)
+}
+
+fn fixed_show(text: &str) -> Result<Show, String> {
     let (name, range) = text.split_once('=').map_or((text, None), |(name, range)| (name, Some(range)));
     match (name, range) {
         ("normals", None) => Ok(Show::Normals),
         ("facing", None) => Ok(Show::Facing),
         ("depth", None) => Ok(Show::Depth),
         ("face-id", None) => Ok(Show::FaceId),
-        ("deviation", None) => Ok(Show::DEVIATION),
         ("deviation", Some(range)) => match number(range) {
             Ok(degrees) if degrees > 0.0 && degrees <= 180.0 => Ok(Show::Deviation(Degrees(degrees))),
             _ => Err("expected an angle above 0 and up to 180 degrees after deviation=".into()),
         },
         _ => Err("expected normals, facing, depth, face-id, deviation or deviation=DEG".into()),
+    }
+}
+
+/// What `--background` is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Background {
+    Colour(LinearRgb),
+    Transparent,
+    Gradient,
+}
+
+/// The default background of meshes: light enough for paper, and darker than highlights.
+pub const LIGHT_GREY: LinearRgb = LinearRgb::grey(0.7);
+
+/// The upper and the lower end of `--background gradient`.
+pub const GRADIENT: [LinearRgb; 2] = [LinearRgb::grey(0.9), LinearRgb::grey(0.45)];
+
+/// `transparent`, `gradient`, `black`, `white` or a colour.
+pub fn background(text: &str) -> Result<Background, String> {
+    match text {
+        "transparent" => Ok(Background::Transparent),
+        "gradient" => Ok(Background::Gradient),
+        "black" => Ok(Background::Colour(LinearRgb::BLACK)),
+        "white" => Ok(Background::Colour(LinearRgb::WHITE)),
+        _ => colour(text)
+            .map(Background::Colour)
+            .map_err(|error| format!("{error}; or black, white, transparent or gradient")),
     }
 }
 
@@ -181,7 +222,8 @@ mod tests {
 
     #[test]
     fn what_is_shown_and_guarded_has_names() {
-        assert_eq!(show("deviation=5"), Ok(Show::Deviation(Degrees(5.0))));
+        assert_eq!(show("deviation=5"), Ok(Shown::Fixed(Show::Deviation(Degrees(5.0)))));
+        assert_eq!(show("deviation"), Ok(Shown::FittedDeviation));
         assert!(show("deviation=0").is_err() && show("depth=3").is_err() && show("").is_err());
         assert_eq!(guard("spot=off"), Ok(GuardSwitch { name: "spot".into(), on: false }));
         assert!(guard("spot").unwrap_err().contains("renormalise"));

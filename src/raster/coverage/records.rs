@@ -100,9 +100,9 @@ impl ValueKind {
         let RenderSettings { shading, show, .. } = object.settings;
         let flat = shading == Shading::Flat;
         match (show, &object.colour) {
-            (Show::Facing | Show::Depth | Show::FaceId, _) => Self::Nothing,
-            (Show::Normals | Show::Deviation(_), _) if flat => Self::FaceNormal,
-            (Show::Normals | Show::Deviation(_), _) => Self::CornerNormals,
+            (Show::Depth | Show::FaceId, _) => Self::Nothing,
+            (Show::Normals | Show::Facing | Show::Deviation(_), _) if flat => Self::FaceNormal,
+            (Show::Normals | Show::Facing | Show::Deviation(_), _) => Self::CornerNormals,
             (Show::Shaded, _) if shading == Shading::Wireframe => Self::Nothing,
             (Show::Shaded, _) if flat => Self::FaceColour,
             (Show::Shaded, ObjectColour::Given(_)) => Self::CornerColours,

@@ -339,6 +339,15 @@ fn check_range(object: &DrawnObject) -> Result<()> {
     Err(RenderError::Invalid(format!("{place} has no finite position in front of the camera")))
 }
 
+/// The distances along the camera's axis that [`Show::Depth`] draws white and black, in units of the scene.
+///
+/// # Errors
+/// As [`render`](crate::raster::render).
+pub fn depth_range(scene: &Scene, settings: &RenderSettings) -> Result<[f64; 2]> {
+    let settings = RenderSettings { show: Show::Depth, ..*settings };
+    Ok(Job::new(scene, &settings)?.distances)
+}
+
 /// The range of distances that [`Show::Depth`] spreads over.
 fn distances(drawn: &[DrawnObject], view: &View, scene: &Scene) -> [f64; 2] {
     let each = drawn.iter().flat_map(|object| {

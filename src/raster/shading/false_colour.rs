@@ -1,6 +1,6 @@
 //! What is shown in place of shaded colours: normals, sides, distances, faces, deviations.
 
-use crate::num::{Degrees, Radians};
+use crate::num::{LinearRgb, Radians};
 use crate::raster::coverage::records::Record;
 use crate::raster::frame::job::{Job, Prepared};
 use crate::raster::settings::Show;
@@ -43,17 +43,23 @@ impl Sample<'_> {
     }
 }
 
-// Region in lightness too, for eyes and printers without colour: 0.48 and 0.15 of white.
-const FRONT: Vec3 = Vec3::new(0.25, 0.5, 1.0);
-const BACK: Vec3 = Vec3::new(0.6, 0.03, 0.02);
+/// The brightness of faces seen edge-on, as a share of that of faces seen from straight above.
+const EDGE_ON: f32 = 0.35;
 
 pub(crate) fn colour(job: &Job, object: &Prepared, sample: &Sample) -> Vec3 {
     match job.settings.show {
         // Shaded samples do not come here: the values of their rows are their colours.
         Show::Shaded => sample.value,
         Show::Normals => (sample.value.normalize_or_zero() + 1.0) * 0.5,
-        Show::Facing if sample.is_front() => FRONT,
-        Show::Facing => BACK,
+        Show::Facing => {
+            let colour = if sample.is_front() { Show::FRONT } else { Show::BACK };
+            let cosine = sample.value.normalize_or_zero().dot(job.view.axes[2].as_vec3()).abs();
+            colour
+                .to_array()
+                .map(|component| component as f32)
+                .map(|c| c * (EDGE_ON + (1.0 - EDGE_ON) * cosine))
+                .into()
+        }
         Show::Depth => {
             let [low, high] = job.distances;
             Vec3::splat(((high - sample.distance(job)) / (high - low)).clamp(0.0, 1.0) as f32)
@@ -61,7 +67,7 @@ pub(crate) fn colour(job: &Job, object: &Prepared, sample: &Sample) -> Vec3 {
         Show::FaceId => face_colour(sample.record.object, sample.record.face),
         Show::Deviation(full) => {
             let share = deviation(job, object, sample).0 / Radians::from(full).0;
-            heat(share as f32)
+            Show::deviation_colour(share).to_array().map(|component| component as f32).into()
         }
     }
 }
@@ -79,12 +85,6 @@ fn deviation(job: &Job, object: &Prepared, sample: &Sample) -> Radians {
     Radians(libm::atan2(normal.cross(truth).length(), normal.dot(truth)))
 }
 
-/// Black, red, yellow, white for 0 to 1.
-fn heat(share: f32) -> Vec3 {
-    let ramp = |from: f32| (3.0 * share - from).clamp(0.0, 1.0);
-    Vec3::new(ramp(0.0), ramp(1.0), ramp(2.0))
-}
-
 /// A colour that distinguishes a face from its neighbours: not too dark, and the same in every picture of the scene.
 fn face_colour(object: u32, face: u32) -> Vec3 {
     // The finaliser of splitmix64 (Steele, Lea & Flood 2014).
@@ -97,6 +97,15 @@ fn face_colour(object: u32, face: u32) -> Vec3 {
 }
 
 impl Show {
-    /// Deviations up to 15°: what is beyond is white.
-    pub const DEVIATION: Show = Show::Deviation(Degrees(15.0));
+    /// The colour of front faces seen from straight above. Front and back differ in lightness too, for eyes and printers without
+    /// colour: 0.48 and 0.15 of white.
+    pub const FRONT: LinearRgb = LinearRgb::new(0.25, 0.5, 1.0);
+    /// The colour of back faces seen from straight above.
+    pub const BACK: LinearRgb = LinearRgb::new(0.6, 0.03, 0.02);
+
+    /// The colour of a share of the scale of [`Deviation`](Self::Deviation): black, red, yellow, white for 0 to 1.
+    pub fn deviation_colour(share: f64) -> LinearRgb {
+        let ramp = |from: f64| (3.0 * share - from).clamp(0.0, 1.0);
+        LinearRgb::new(ramp(0.0), ramp(1.0), ramp(2.0))
+    }
 }

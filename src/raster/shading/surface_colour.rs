@@ -107,3 +107,58 @@ fn narrow(colour: [f64; 3]) -> Option<[f32; 3]> {
     let colour = colour.map(|component| component as f32);
     colour.iter().all(|component| component.is_finite()).then_some(colour)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::num::{Degrees, Radians};
+    use crate::shade::{AreaShape, Attenuation, Cone};
+
+    /// Numbers from −1 to 1 that are the same in each run: Knuth's 64-bit congruential generator.
+    fn numbers() -> impl Iterator<Item = f32> {
+        let mut state = 1_u64;
+        std::iter::repeat_with(move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 40) as f32 / (1 << 23) as f32 - 1.0
+        })
+    }
+
+    /// One given hit point and normal has the same bits by rows, which Phong shading draws, and by the shader of traced rays.
+    #[test]
+    fn a_ray_that_nothing_hides_from_lights_has_the_bits_of_phong_shading() {
+        const COUNT: usize = 1000;
+        let (position, colour) = (DVec3::new(0.5, 3.0, 2.0), LinearRgb::new(0.9, 0.7, 0.5));
+        let half = Radians::from(Degrees(40.0));
+        let cone = Cone { axis: DVec3::NEG_Y, cut_off: half, soft_edge: Radians(0.2), exponent: 2.0 };
+        let shape = AreaShape::Disc {
+            centre: DVec3::new(-2.0, 2.0, 1.0),
+            normal: DVec3::new(1.0, -1.0, 0.0),
+            radius: 0.5,
+        };
+        let attenuation = Attenuation::InverseSquare;
+        let lights = [
+            Light::Ambient { colour },
+            Light::Directional { towards: DVec3::new(-0.3, 1.0, 0.5), colour },
+            Light::Point { position, colour, attenuation },
+            Light::Spot { position, colour, attenuation, cone },
+            Light::Area { shape, colour },
+        ];
+        let shaders = Shaders::new(&lights, &Material::default(), &ShadeSettings::default()).unwrap();
+        let mut numbers = numbers();
+        let rows: [Vec<f32>; 6] = std::array::from_fn(|_| numbers.by_ref().take(COUNT).collect());
+        let [x, y, z, nx, ny, nz] = rows.each_ref().map(|row| &row[..]);
+        let rows = SurfaceRows { positions: [x, y, z], normals: [nx, ny, nz], faces: None };
+        let mut out: [Vec<f32>; 3] = std::array::from_fn(|_| vec![0.0; COUNT]);
+        let exactly = |index: usize| DVec3::new(x[index].into(), y[index].into(), z[index].into());
+        shaders.shade_rows(&rows, out.each_mut().map(|row| &mut row[..]), exactly).unwrap();
+        let mut lit = 0;
+        for index in 0..COUNT {
+            let normal = [nx[index], ny[index], nz[index]];
+            let ray = shaders.shade_ray(exactly(index), normal, None, None, &mut |_| [1.0; 3]).unwrap();
+            let row = out.each_ref().map(|row| row[index]);
+            assert_eq!(ray.map(f32::to_bits), row.map(f32::to_bits), "{index}: {ray:?} is not {row:?}");
+            lit += usize::from(row[0] > 0.3);
+        }
+        assert!(lit > COUNT / 4, "{lit} points are lit");
+    }
+}

@@ -3,12 +3,13 @@
 use super::notation::{mathml, running};
 use super::tables;
 use super::tables::{measure_table, verdict_in_short, verdict_text};
-use crate::artefact::{Chart, Drawn, Experiment, Language, Outcome, Role, Scale, Setup, Shot};
-use crate::num::Transfer;
+use crate::artefact::{Chart, Drawn, Experiment, Language, MapScale, Outcome, Role, Scale, Setup, Shot};
+use crate::num::{Transfer, three_digits, viridis};
 use crate::raster::{Image, Pixels};
 use crate::report::error::Result;
 use crate::report::html::image;
-use crate::report::{Axis, Mark, Page, Panel, Picture, Plot, Series, panels};
+use crate::report::panel::panels_in;
+use crate::report::{Axis, ColourScale, Legend, Mark, Page, Panel, Picture, Plot, Series};
 use maud::{Markup, PreEscaped, html};
 
 /// The name of an experiment's page in the gallery.
@@ -129,7 +130,10 @@ fn claim(experiment: &Experiment, setup: &Setup, language: Language, page: &mut 
         page.paragraph(&tables::text("no-formulas", language));
     }
     for formula in experiment.closed_forms(setup) {
-        page.raw(&format!("<div class=\"formula\">{}</div>", mathml(formula.notation.get(language))));
+        page.raw(&format!(
+            "<div class=\"formula\" tabindex=\"0\">{}</div>",
+            mathml(formula.notation.get(language))
+        ));
         page.raw("\n");
         page.paragraph(formula.says.get(language));
     }
@@ -160,16 +164,61 @@ pub fn picture_name(experiment: &Experiment, name: &str) -> String {
     format!("{}-{name}", experiment.id)
 }
 
-/// All pictures of an experiment on one sheet, with their labels.
+/// The most panels of a sheet, so that each is readable on a slide, and the most in a row.
+const MOST_PANELS: usize = 6;
+const COLUMNS: usize = 3;
+
+/// The pictures of a sheet with `most` panels: the first series, then of each other one an artefact and its cure, then what there is
+/// room for; in the order of the experiment.
+fn sheet_shots(outcome: &Outcome, most: usize) -> Vec<&Shot> {
+    let series: Vec<&[Shot]> = outcome.series().collect();
+    let place = |shot: &Shot| outcome.shots.iter().position(|other| std::ptr::eq(other, shot));
+    let first = series.first().map_or(0, |series| series.len());
+    let others = series.iter().skip(1).flat_map(|series| thumbnails(series).take(2).filter_map(place));
+    let mut wanted: Vec<usize> = Vec::new();
+    for place in (0..first).chain(others).chain(first..outcome.shots.len()) {
+        if wanted.len() < most && !wanted.contains(&place) {
+            wanted.push(place);
+        }
+    }
+    wanted.sort_unstable();
+    wanted.into_iter().map(|place| &outcome.shots[place]).collect()
+}
+
+/// A sheet of an experiment for a slide: at most six panels with labels, the last one its first curve. Maps have their scale below.
 ///
 /// # Errors
 /// If there is no picture.
 pub fn experiment_sheet(outcome: &Outcome, language: Language) -> Result<Picture> {
-    let panel = |shot: &Shot| Panel {
-        caption: shot.label.get(language).to_owned(),
-        picture: shot.image.clone().into(),
+    let shots = sheet_shots(outcome, MOST_PANELS - outcome.charts.len().min(1));
+    let panel = |shot: &&Shot| {
+        let picture = Picture::from(shot.image.clone());
+        let picture = shot.map.map_or(picture.clone(), |map| map_legend(map, language).below(&picture));
+        Panel { caption: shot.label.get(language).to_owned(), picture }
     };
-    panels(&outcome.shots.iter().map(panel).collect::<Vec<_>>())
+    let mut sheet: Vec<Panel> = shots.iter().map(panel).collect();
+    if let Some(chart) = outcome.charts.first() {
+        let largest = |axis: usize| sheet.iter().map(|panel| panel.picture.size[axis]).max().unwrap_or(0);
+        let size = [largest(0), largest(1)].map(|side| side.max(LEAST_CHART));
+        let picture = chart_plot(chart, language).picture(size);
+        sheet.push(Panel { caption: chart.title.get(language).to_owned(), picture });
+    }
+    panels_in(&sheet, COLUMNS)
+}
+
+/// The least side of a curve on a sheet, in pixels: narrower ones have no room for the names of their curves.
+const LEAST_CHART: u32 = 240;
+
+fn map_legend(MapScale { full, unit }: MapScale, language: Language) -> Legend {
+    let written = |value: f64| {
+        let number = three_digits(value).replace('.', &language.decimal_mark().to_string());
+        let space = if unit.is_empty() || unit == "°" { "" } else { " " };
+        format!("{number}{space}{unit}")
+    };
+    let coded = |share: f64| viridis(share).to_array().map(|light| Transfer::Srgb.encode(light) as f32);
+    let colours = (0..=64).map(|step| coded(f64::from(step) / 64.0)).collect();
+    let labels = vec![(1.0, written(full)), (0.0, "0".into()), (0.5, written(0.5 * full))];
+    Legend { scales: vec![ColourScale { colours, labels }], ..Legend::default() }
 }
 
 /// A chart as a plot.

@@ -197,7 +197,15 @@ fn portuguese_numbers_have_a_comma() {
 #[test]
 fn sheets_and_names_are_made_of_every_picture() {
     for (experiment, outcome) in EXPERIMENTS.into_iter().zip(&*OUTCOMES) {
-        assert!(experiment_sheet(outcome, Language::English).unwrap().size[0] > 96, "{}", experiment.id);
+        let sheet = experiment_sheet(outcome, Language::English).unwrap();
+        // Two rows of three at most: of the largest picture and the widest label.
+        let largest = |axis: usize| outcome.shots.iter().map(|shot| shot.image.size[axis]).max().unwrap();
+        assert!(
+            sheet.size[0] > 96 && sheet.size[1] < 2 * (largest(1).max(240) + 140),
+            "{}: {:?}",
+            experiment.id,
+            sheet.size
+        );
         let names =
             outcome.shots.iter().map(|shot| shot.name).chain(outcome.charts.iter().map(|chart| chart.name));
         let names: Vec<&str> = names.collect();

@@ -1,12 +1,12 @@
 //! Pictures of a site: close up, in the whole, and of its node.
 
-use super::markers::ring;
 use super::model::{Model, draw};
 use super::view_choice::{camera_on, clearance};
 use crate::mesh::{Mesh, Obstacles, normal_matrix};
 use crate::quality::Site;
 use crate::raster::{Camera, Projection, Show};
 use crate::report::error::Result;
+use crate::report::legend::ring;
 use crate::report::overlay::{Overlay, overlay};
 use crate::report::picture::Picture;
 use glam::{DMat3, DMat4, DVec3};

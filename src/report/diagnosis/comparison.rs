@@ -47,7 +47,7 @@ pub(super) fn section(
         places.iter().zip(hidden(&change, &places, camera.eye)).filter(|(_, is_hidden)| !is_hidden);
     let worst: Vec<&Site> = seen.next().map(|(site, _)| *site).into_iter().collect();
     let lit = [before.lit(camera, OVERVIEW)?, then.lit(camera, OVERVIEW)?];
-    let (marked, _) = change.deviation(camera, OVERVIEW, &worst)?;
+    let (marked, _) = change.deviation("", camera, OVERVIEW, &worst)?;
     let alternatives = [
         text("lit-before", &[]),
         text("lit-after", &[]),
@@ -58,7 +58,7 @@ pub(super) fn section(
         &[(&lit[0], lit_before), (&lit[1], lit_after), (&marked, changed)],
         &text("lit-caption", &[]),
     )?;
-    let off = [before.deviation(camera, OVERVIEW, &[])?.0, then.deviation(camera, OVERVIEW, &[])?.0];
+    let off = [before.deviation("", camera, OVERVIEW, &[])?.0, then.deviation("", camera, OVERVIEW, &[])?.0];
     let [off_before, off_after] =
         ["off-before", "off-after"].map(|key| text(key, &[("scale", before.scale.words().into())]));
     page.pictures(&[(&off[0], &off_before), (&off[1], &off_after)], &text("off-caption", &[]))?;

@@ -4,17 +4,20 @@
 //! the colour of the mean deviation of its samples, or that of corners without a deviation if they are the majority. Colours
 //! are mixed only at the borders of the mesh, of lines and of dots.
 
+use super::finding_map::finding_picture;
 use super::legend::{Marks, with_legend};
 use super::markers::HeatScale;
-use super::markers::{Corner, crease_lines, dots, longest_edge, ring};
+use super::markers::{Corner, crease_lines, dots, longest_edge};
 use super::model::{Model, PartModel, render_at};
 use super::view_choice::{Sight, camera, hidden};
 use crate::io::Loaded;
 use crate::mesh::{Mesh, place_key};
+use crate::normals::Weight;
 use crate::num::{LinearRgb, Srgb8};
-use crate::quality::{Diagnosis, Severity, Site, survey};
+use crate::quality::{Diagnosis, Severity, Site, Thresholds, survey};
 use crate::raster::{Camera, Lines, Paint, Pixels, RenderSettings, Scene};
 use crate::report::error::{ReportError, Result};
+use crate::report::legend::ring;
 use crate::report::picture::Picture;
 use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
@@ -25,24 +28,70 @@ pub(super) fn worst_places(diagnosis: &Diagnosis) -> Vec<&Site> {
     grave.filter_map(|finding| finding.places.first()).collect()
 }
 
-/// The heat map of a file: the angle between stored normals and those of the estimated weighting, with a ring around the
-/// visible worst position of each error and warning, and a legend below. It has `side` pixels across, and is higher by the
-/// legend. The deviation is interpolated over faces, and each pixel has the colour of the mean of its samples. Corners on
-/// faces too small to be visible are marked with dots, the worst last; corners without a valid stored normal have a
-/// separate colour.
+/// What a heat map shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum HeatMap {
+    /// All errors and warnings, each in a colour of its own.
+    #[default]
+    Findings,
+    /// The findings of a diagnosis, notes too.
+    AllFindings,
+    /// The angle between stored normals and those of the estimated recipe.
+    Deviation,
+    /// The angle between stored normals and those of a weight, with the estimated crease angle.
+    From(Weight),
+}
+
+/// A picture of a file and what was found in it, `side` pixels wide, and higher by a legend below it.
+///
+/// Findings are on the lit mesh: a colour for each, on the faces, corners, edges and vertices that have it. It deepens with the
+/// angle. Deviations have the colours of a scale. They are interpolated over faces, and each pixel has the colour of the mean of
+/// its samples. Corners on faces too small to be visible are marked with dots, the worst last; corners without a valid stored normal
+/// have a separate colour. A ring is around the visible worst position of each error and warning.
 ///
 /// # Errors
 /// If there is nothing to draw, or it cannot be drawn.
-pub fn deviation_picture(loaded: &Loaded, diagnosis: &Diagnosis, sight: Sight, side: u32) -> Result<Picture> {
-    let surveys = survey(loaded);
+pub fn heat_map(
+    loaded: &Loaded,
+    (diagnosis, thresholds): (&Diagnosis, &Thresholds),
+    of: HeatMap,
+    sight: Sight,
+    side: u32,
+) -> Result<Picture> {
+    let weight = match of {
+        HeatMap::Findings | HeatMap::AllFindings => {
+            let with_notes = of == HeatMap::AllFindings;
+            return finding_picture(loaded, (diagnosis, thresholds), with_notes, sight, side);
+        }
+        HeatMap::Deviation => None,
+        HeatMap::From(weight) => Some(weight),
+    };
+    let mut surveys = survey(loaded);
+    if let Some(weight) = weight {
+        for ((part, own), survey) in loaded.parts.iter().zip(&diagnosis.parts).zip(&mut surveys) {
+            survey.compare_with(&part.mesh, weight, own.estimate);
+        }
+    }
     let model = Model::new(loaded, &surveys, HeatScale::of(surveys.iter()))?;
     let camera = camera(&model, diagnosis, None, sight).ok_or(ReportError::Empty)?;
-    Ok(model.deviation(camera, side, &worst_places(diagnosis))?.0)
+    let title = match weight {
+        None => "Angle between the stored normals and those of the estimated recipe, in degrees".to_owned(),
+        Some(weight) => {
+            format!("Angle between the stored normals and those of the weight {}, in degrees", weight.name())
+        }
+    };
+    Ok(model.deviation(&title, camera, side, &worst_places(diagnosis))?.0)
 }
 
 impl Model {
     /// A heat map with rings around the visible ones of some sites and a legend below, and the marks of the legend.
-    pub(super) fn deviation(&self, camera: Camera, side: u32, sites: &[&Site]) -> Result<(Picture, Marks)> {
+    pub(super) fn deviation(
+        &self,
+        title: &str,
+        camera: Camera,
+        side: u32,
+        sites: &[&Site],
+    ) -> Result<(Picture, Marks)> {
         let scene = self.encoded(camera);
         // Colours alone do not show the form.
         let mut lines = crease_lines(&scene, side);
@@ -52,17 +101,31 @@ impl Model {
         marks.dots = !dots.is_empty();
         lines.extend(dots);
         let mut picture = coloured(scene, lines, self.scale, side)?;
+        let Marks { rings, hidden, .. } = self.mark_worst(&mut picture, &camera, side, sites);
+        marks = Marks { rings, hidden, ..marks };
+        Ok((with_legend(&picture, title, self.scale, marks), marks))
+    }
+
+    /// Draws a ring around each site that is visible.
+    pub(super) fn mark_worst(
+        &self,
+        picture: &mut Picture,
+        camera: &Camera,
+        side: u32,
+        sites: &[&Site],
+    ) -> Marks {
+        let mut marks = Marks::default();
         for (site, is_hidden) in sites.iter().zip(hidden(self, sites, camera.eye)) {
             if is_hidden {
                 marks.hidden = true;
             } else if let Some((_, position, _)) = self.locate(site)
                 && let Ok(Some(at)) = camera.on_picture([side; 2], position)
             {
-                ring(&mut picture, at, f64::from(side) / 40.0);
+                ring(picture, at, f64::from(side) / 40.0);
                 marks.rings = true;
             }
         }
-        Ok((with_legend(&picture, self.scale, marks), marks))
+        marks
     }
 
     /// Whether any corner may have to be marked.

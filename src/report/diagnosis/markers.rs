@@ -4,7 +4,6 @@ use crate::num::{Degrees, LinearRgb, Srgb8, three_digits, viridis};
 use crate::quality::Survey;
 use crate::raster::{Camera, LinePath, LineStyle, Lines, Projection, Scene};
 use crate::report::overlay::{Overlay, overlay};
-use crate::report::picture::Picture;
 use glam::{DMat4, DVec3};
 
 /// The colour of corners without a valid stored normal; not on the scale.
@@ -22,10 +21,15 @@ pub(super) struct HeatScale {
     pub(super) is_absent: bool,
 }
 
-impl HeatScale {
-    /// Round angles that scales end at. Deviations below the first are not visible in a picture.
-    const ENDS: [f64; 11] = [1.0, 2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0, 180.0];
+/// Round angles that scales end at. Deviations below the first are not visible in a picture.
+const ENDS: [f64; 11] = [1.0, 2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0, 180.0];
 
+/// The first round angle that is no smaller, in degrees.
+pub(in crate::report) fn end_above(degrees: f64) -> f64 {
+    ENDS.into_iter().find(|&end| end >= degrees).unwrap_or(180.0)
+}
+
+impl HeatScale {
     /// The first round angle that at most one deviation in two hundred exceeds, so that single faults do not compress the
     /// colours of all others.
     pub(super) fn of<'a>(surveys: impl Iterator<Item = &'a Survey>) -> Self {
@@ -33,7 +37,7 @@ impl HeatScale {
         let mut all: Vec<f64> = corners.iter().copied().flatten().collect();
         all.sort_unstable_by(f64::total_cmp);
         let nearly_all = all.iter().rev().nth(all.len() / 200).copied().unwrap_or_default();
-        let full = Self::ENDS.into_iter().find(|&end| end >= nearly_all).unwrap_or(180.0);
+        let full = end_above(nearly_all);
         // Labels have three digits: 90.0004° is not beyond 90°.
         let is_beyond = |largest: &&f64| **largest > full && three_digits(**largest) != three_digits(full);
         Self {
@@ -190,10 +194,7 @@ pub(super) fn dots(
     camera: &Camera,
     side: u32,
 ) -> Vec<Lines> {
-    let (Ok([right, _, forward]), width) = (camera.axes(), DOT * (f64::from(side) / 480.0).max(1.0)) else {
-        return Vec::new();
-    };
-    let is_small = |corner: &Corner| corner.edge < 2.0 * width * pixel(camera, side, corner.position);
+    let is_small = |corner: &Corner| is_small(corner.edge, corner.position, camera, side);
     let is_far = |corner: &Corner| {
         let stands_out = match (corner.deviation, corner.around) {
             (Some(degrees), Some(around)) => degrees - around >= scale.full.0 * CONTRAST,
@@ -203,20 +204,37 @@ pub(super) fn dots(
     };
     let all: Vec<Corner> =
         corners.filter(|corner| scale.is_used && is_far(corner) && is_small(corner)).collect();
-    let marks = scale.marks().into_iter().map(|(colour, is_marked)| {
+    let marks = scale.marks().into_iter().filter_map(|(colour, is_marked)| {
         let marked = all.iter().filter(|corner| is_marked(corner.deviation));
-        let points = marked.flat_map(|corner| {
-            let pixel = pixel(camera, side, corner.position);
-            // Towards the eye, or the surrounding surface would hide parts of it.
-            let at = corner.position - forward * width * pixel;
-            [at - right * 0.5 * pixel, at + right * 0.5 * pixel]
-        });
-        let points: Vec<DVec3> = points.collect();
-        let segments = (0..points.len() as u32 / 2).map(|dot| [2 * dot, 2 * dot + 1]).collect();
-        let style = LineStyle { colour, width, hide: true };
-        Lines { path: LinePath::Points { points, segments }, style }
+        dot_lines(marked.map(|corner| corner.position).collect(), colour, camera, side)
     });
-    marks.filter(|lines| !is_empty(lines)).collect()
+    marks.collect()
+}
+
+fn dot_width(side: u32) -> f64 {
+    DOT * (f64::from(side) / 480.0).max(1.0)
+}
+
+/// Whether an edge at a position is so short that a dot shows more of it.
+pub(super) fn is_small(edge: f64, position: DVec3, camera: &Camera, side: u32) -> bool {
+    edge < 2.0 * dot_width(side) * pixel(camera, side, position)
+}
+
+/// Dots of a colour at some points; `None` for none.
+pub(super) fn dot_lines(at: Vec<DVec3>, colour: LinearRgb, camera: &Camera, side: u32) -> Option<Lines> {
+    let [right, _, forward] = camera.axes().ok()?;
+    let width = dot_width(side);
+    let ends = |position: DVec3| {
+        let pixel = pixel(camera, side, position);
+        // Towards the eye, or the surrounding surface would hide parts of it.
+        let at = position - forward * width * pixel;
+        [at - right * 0.5 * pixel, at + right * 0.5 * pixel]
+    };
+    let points: Vec<DVec3> = at.into_iter().flat_map(ends).collect();
+    let segments = (0..points.len() as u32 / 2).map(|dot| [2 * dot, 2 * dot + 1]).collect();
+    let style = LineStyle { colour, width, hide: true };
+    let lines = Lines { path: LinePath::Points { points, segments }, style };
+    (!is_empty(&lines)).then_some(lines)
 }
 
 /// The size of a pixel in the world, at a point.
@@ -231,19 +249,6 @@ fn pixel(camera: &Camera, side: u32, point: DVec3) -> f64 {
 /// The longest of the edges that a corner of a face has, in the world.
 pub(super) fn longest_edge(place: DMat4, [before, here, after]: [DVec3; 3]) -> f64 {
     [before, after].map(|end| place.transform_vector3(end - here).length()).into_iter().fold(0.0, f64::max)
-}
-
-/// Draws a red ring around a point of a picture.
-pub(super) fn ring(picture: &mut Picture, [x, y]: [f64; 2], radius: f64) {
-    let reach = radius as i64 + 3;
-    for dy in -reach..=reach {
-        for dx in -reach..=reach {
-            let [px, py] = [x as i64 + dx, y as i64 + dy];
-            let distance = libm::hypot(px as f64 + 0.5 - x, py as f64 + 0.5 - y);
-            let share = (1.5 - (distance - radius).abs()).clamp(0.0, 1.0);
-            picture.blend([px, py], [0.9, 0.1, 0.1], share as f32);
-        }
-    }
 }
 
 #[cfg(test)]

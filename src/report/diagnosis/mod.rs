@@ -8,8 +8,10 @@ mod legend;
 mod model;
 // The choice of a view.
 mod view_choice;
-// Heat maps.
+// Heat maps of angles, and the choice of a heat map.
 mod deviation;
+// Maps of findings.
+mod finding_map;
 // Pictures of single sites.
 mod close_up;
 // Before and after.
@@ -20,6 +22,7 @@ mod histograms;
 mod page;
 
 pub use comparison::After;
-pub use deviation::deviation_picture;
+pub use deviation::{HeatMap, heat_map};
+pub(super) use markers::end_above;
 pub use page::DiagnosisPage;
 pub use view_choice::Sight;

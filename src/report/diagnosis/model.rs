@@ -109,24 +109,29 @@ impl Model {
     }
 
     pub(super) fn scene(&self, camera: Camera) -> Scene<'_> {
-        let paint = |_: &PartModel| Paint::Lit(Material::default());
-        self.painted(camera, |part| &part.field, paint)
+        self.painted(camera, |part| &self.parts[part].field, |_| Paint::Lit(Material::default()))
     }
 
     /// The scene from a camera, with the [encoded](encode) deviation of each corner for its colour.
     pub(super) fn encoded(&self, camera: Camera) -> Scene<'_> {
-        self.painted(camera, |part| &part.ruled, |part| Paint::Given(Cow::Borrowed(&part.encoded)))
+        let encoded = |part: usize| Paint::Given(Cow::Borrowed(&*self.parts[part].encoded));
+        self.painted(camera, |part| &self.parts[part].ruled, encoded)
+    }
+
+    /// The scene from a camera, with a colour for each corner of each part.
+    pub(super) fn coloured<'a>(&'a self, camera: Camera, colours: &'a [Vec<LinearRgb>]) -> Scene<'a> {
+        let given = |part: usize| Paint::Given(Cow::Borrowed(&*colours[part]));
+        self.painted(camera, |part| &self.parts[part].ruled, given)
     }
 
     fn painted<'a>(
         &'a self,
         camera: Camera,
-        normals: impl Fn(&'a PartModel) -> &'a NormalField,
-        paint: impl Fn(&'a PartModel) -> Paint<'a>,
+        normals: impl Fn(usize) -> &'a NormalField,
+        paint: impl Fn(usize) -> Paint<'a>,
     ) -> Scene<'a> {
         let object = |&(part, transform): &(usize, DMat4)| {
-            let part = &self.parts[part];
-            let shape = Shape::Mesh { mesh: &part.mesh, normals: normals(part) };
+            let shape = Shape::Mesh { mesh: &self.parts[part].mesh, normals: normals(part) };
             Object { paint: paint(part), transform, ..Object::new(shape, Material::default()) }
         };
         Scene {
@@ -162,6 +167,11 @@ impl Model {
 }
 
 impl PartModel {
+    /// The normals that show the form, corner by corner.
+    pub(super) fn form_normals(&self) -> &[DVec3] {
+        &self.ruled.normals.values
+    }
+
     fn new(mesh: &Mesh, survey: &Survey) -> Result<Self> {
         let corners = mesh.faces().corners();
         let mut faces = Faces::with_capacity(corners.len());

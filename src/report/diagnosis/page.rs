@@ -136,7 +136,7 @@ fn overview(page: &mut Page, model: &Model, diagnosis: &Diagnosis, camera: Optio
         page.paragraph("There are no faces to show.");
         return Ok(());
     };
-    let (heat, marks) = model.deviation(camera, OVERVIEW, &worst_places(diagnosis))?;
+    let (heat, marks) = model.deviation("", camera, OVERVIEW, &worst_places(diagnosis))?;
     let (facing, creases) = (model.facing(camera, OVERVIEW)?, model.creases(camera, OVERVIEW)?);
     let pictures: [(&Picture, &str); 3] = [
         (&heat, &text("heat-alternative", &[("scale", model.scale.words().into())])),

@@ -29,8 +29,19 @@ const EDGE_ON: f64 = 0.05;
 /// The share by which a site is moved towards the middle of its face.
 const ASIDE: f64 = 0.02;
 
+/// By how much another view has to be better than the usual one, which shows most shapes well.
+const USUAL: f64 = 1.1;
+
 /// The size of a picture relative to the model in it.
 const MARGIN: f64 = 1.2;
+
+/// A site that a view should show.
+pub(super) struct WantedSite {
+    pub(super) weight: f64,
+    /// Whether it counts more if its face is seen from the front.
+    pub(super) has_side: bool,
+    pub(super) site: Site,
+}
 
 struct Wanted {
     position: DVec3,
@@ -72,6 +83,23 @@ pub(super) fn camera(
     all_from(model, direction)
 }
 
+/// A camera that shows all of a model, from a side or from where the most of some sites are visible, by their weights; `None` for
+/// an empty model.
+pub(super) fn camera_of_sites(model: &Model, sites: &[WantedSite], sight: Sight) -> Option<Camera> {
+    all_from(model, |usual| match sight {
+        Sight::From(direction) => direction.normalize_or(DVec3::Z),
+        Sight::Auto => {
+            let place = |WantedSite { weight, has_side, site }: &WantedSite| {
+                let wanted = Wanted::of(model, site)?;
+                let normal = if *has_side { wanted.normal } else { DVec3::ZERO };
+                Some(Wanted { weight: *weight, normal, ..wanted })
+            };
+            let wanted: Vec<Wanted> = sites.iter().filter_map(place).collect();
+            best(model, &model.obstacles(), &wanted, usual)
+        }
+    })
+}
+
 /// A camera that shows all of a model from where a site is visible, and whether it is.
 pub(super) fn camera_on(model: &Model, obstacles: &[Obstacles<'_>], site: &Site) -> Option<(Camera, bool)> {
     let place = Wanted { weight: 1.0, ..Wanted::of(model, site)? };
@@ -103,7 +131,7 @@ fn wanted(model: &Model, diagnosis: &Diagnosis, comparison: Option<&Comparison>)
     sites.into_iter().take(MOST_PLACES).filter_map(place).collect()
 }
 
-/// The best of the directions from a cube's faces, edges and corners; the usual one if it is no worse. If none of them shows
+/// The best of the directions from a cube's faces, edges and corners; the usual one if it is not much worse. If none of them shows
 /// any of the gravest sites, the directions of their face normals are tried as well.
 fn best(model: &Model, obstacles: &[Obstacles<'_>], wanted: &[Wanted], usual: DVec3) -> DVec3 {
     if wanted.is_empty() {
@@ -121,7 +149,7 @@ fn best(model: &Model, obstacles: &[Obstacles<'_>], wanted: &[Wanted], usual: DV
         let score = score(direction);
         if score > best.1 { (direction, score) } else { best }
     };
-    let best = candidates.fold((usual, score(usual) * 1.01), better);
+    let best = candidates.fold((usual, score(usual) * USUAL), better);
     let grave = || wanted.iter().filter(|it| it.weight == wanted[0].weight && it.normal != DVec3::ZERO);
     let shown = |place: &Wanted, direction| is_seen(model, obstacles, place, direction);
     if grave().any(|place| shown(place, best.0)) {

@@ -63,7 +63,7 @@ impl Plot {
     }
 
     /// A number along an axis with the plot's decimal mark.
-    fn written(&self, number: String) -> String {
+    pub(super) fn written(&self, number: String) -> String {
         match self.decimal_mark {
             '.' => number,
             mark => number.replace('.', &mark.to_string()),

@@ -6,6 +6,8 @@ mod axis;
 mod series;
 // The plot as SVG.
 mod draw;
+// A plot as pixels.
+mod picture;
 // Assertions for tests of all plots: no text overlaps another, and series differ without colour.
 #[cfg(test)]
 mod legibility_tests;

@@ -458,18 +458,24 @@ fn a_heat_map_is_a_png() {
     assert!(!files.path().join("map.jpg").exists());
 }
 
-/// A heat map of a file without normals has nothing to show: that is said, and the map is made.
+/// A map of angles of a file without normals has nothing to show: that is said, and the map is made. A map of findings is not
+/// affected.
 #[test]
 fn heat_maps_without_normals_are_explained() {
     let files = folder(&[("flipped.obj", FLIPPED), ("good.obj", TRIANGLE)]);
     let map = path(files.path().join("map.png"));
-    let of = |name: &str| inspect(&["--heatmap", &map, &path(files.path().join(name))]);
-    let said = of("good.obj");
+    let of = |name: &str, what: &[&str]| {
+        inspect(&[&["--heatmap", &map, &path(files.path().join(name))], what].concat())
+    };
+    let said = of("good.obj", &["--heatmap-of", "deviation"]);
     assert!(
         code(&said) == 0 && text(&said.stderr).contains("no normals are stored"),
         "{}",
         text(&said.stderr)
     );
     assert!(files.path().join("map.png").is_file());
-    assert_eq!(text(&of("flipped.obj").stderr), "");
+    assert_eq!(text(&of("flipped.obj", &["--heatmap-of", "area"]).stderr), "");
+    assert_eq!(text(&of("good.obj", &[]).stderr), "");
+    let wrong = of("good.obj", &["--heatmap-of", "flipped-normal"]);
+    assert!(code(&wrong) == 2 && text(&wrong.stderr).contains("flipped-normals"), "{}", text(&wrong.stderr));
 }

@@ -1,14 +1,21 @@
 //! The page of a diagnosis: it is self-contained, its links have targets, and its pictures have alternative text.
 
 use super::{loaded, rebuilt, surface, with_normals};
+use crease::io::Loaded;
 use crease::mesh::{Faces, Mesh};
 use crease::normals::NormalRecipe;
 use crease::quality::catalogue::Kind;
-use crease::quality::{Thresholds, diagnose};
-use crease::report::{DiagnosisPage, Picture, Sight, deviation_picture};
+use crease::quality::{Diagnosis, Thresholds, diagnose};
+use crease::report::{DiagnosisPage, HeatMap, Picture, Sight};
 use crease::surface::{Sphere, Surface, Torus};
 use glam::DVec3;
 use std::collections::BTreeSet;
+
+/// The map of the deviations of a file.
+fn deviations(file: &Loaded, diagnosis: &Diagnosis, sight: Sight, side: u32) -> Picture {
+    let of = HeatMap::Deviation;
+    crease::report::heat_map(file, (diagnosis, &Thresholds::default()), of, sight, side).unwrap()
+}
 
 /// All texts between two marks.
 fn between<'a>(text: &'a str, from: &str, to: &str) -> Vec<&'a str> {
@@ -81,7 +88,7 @@ fn rings_mark_only_what_is_seen() {
     let file = loaded(mesh.with_normals(Some(normals)));
     let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
     let red = |from| {
-        let picture = deviation_picture(&file, &diagnosis, Sight::From(from), 200).unwrap();
+        let picture = deviations(&file, &diagnosis, Sight::From(from), 200);
         pixels(picture, |[r, g, b]| r > 200 && g < 60 && b < 60)
     };
     assert!(red(DVec3::Z) > 20 && red(DVec3::NEG_Z) == 0, "{} {}", red(DVec3::Z), red(DVec3::NEG_Z));
@@ -101,7 +108,7 @@ fn pink(picture: Picture) -> usize {
 fn is_seen_but_not_from(side: DVec3, mesh: Mesh) {
     let file = loaded(mesh);
     let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
-    let seen = |sight: Sight| yellow(deviation_picture(&file, &diagnosis, sight, 128).unwrap());
+    let seen = |sight: Sight| yellow(deviations(&file, &diagnosis, sight, 128));
     assert_eq!(seen(Sight::From(side)), 0, "the wall hides it");
     assert!(seen(Sight::Auto) > 10, "{}", seen(Sight::Auto));
 }
@@ -162,7 +169,7 @@ fn colours_tell_deviation() {
     let yellow_of = |mesh: Mesh| {
         let file = loaded(mesh);
         let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
-        yellow(deviation_picture(&file, &diagnosis, Sight::From(DVec3::new(1.0, 2.0, 1.0)), 96).unwrap())
+        yellow(deviations(&file, &diagnosis, Sight::From(DVec3::new(1.0, 2.0, 1.0)), 96))
     };
     assert_eq!(yellow_of(mesh.clone()), 0);
     assert!(yellow_of(mesh.with_normals(Some(wrong))) > 500);
@@ -171,7 +178,7 @@ fn colours_tell_deviation() {
 fn heat_map(mesh: Mesh, side: u32) -> Picture {
     let file = loaded(mesh);
     let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
-    deviation_picture(&file, &diagnosis, Sight::From(DVec3::new(1.0, 2.0, 1.0)), side).unwrap()
+    deviations(&file, &diagnosis, Sight::From(DVec3::new(1.0, 2.0, 1.0)), side)
 }
 
 /// A single fault is visible however small its faces are, although its pixel also shows right corners.
@@ -220,4 +227,32 @@ fn names_in_pages_are_code() {
     let page = page.html(&file, &diagnosis).unwrap();
     assert!(diagnosis.get(Kind::Custom).is_some());
     assert!(page.contains("<code>--when missing</code>") && !page.contains('`'));
+}
+
+/// Ten reversed faces of a mesh without normals are a colour of their own in the map of findings; a clean mesh is grey.
+#[test]
+fn the_map_of_findings_shows_reversed_faces() {
+    let bare = surface(&Surface::from(Torus::default()), [24, 12]).with_normals(None);
+    let map = |mesh: Mesh| {
+        let file = loaded(mesh);
+        let thresholds = Thresholds::default();
+        let diagnosis = diagnose(&file, &thresholds, &|_| {});
+        crease::report::heat_map(&file, (&diagnosis, &thresholds), HeatMap::Findings, Sight::Auto, 160)
+            .unwrap()
+    };
+    let orange = |picture: Picture| pixels(picture, |[r, g, b]| r > 80 && r / 2 > g && b < 20);
+    assert_eq!(orange(map(bare.clone())), 0);
+    let mut faces = Faces::new();
+    let upper = |face: &[u32]| face.iter().all(|&vertex| bare.positions().at(vertex).y > 0.1);
+    let mut reversed = 0;
+    for face in bare.faces().iter() {
+        let mut corners = face.to_vec();
+        if upper(face) && reversed < 10 {
+            corners.reverse();
+            reversed += 1;
+        }
+        faces.push(&corners);
+    }
+    let found = orange(map(rebuilt(bare.positions().iter().collect(), faces)));
+    assert!(reversed == 10 && found > 150, "{found} pixels");
 }

@@ -140,7 +140,13 @@ fn modes_share_one_coverage() {
                 assert_eq!(covered(&settings, &scene), expected, "{shading:?} {interpolation:?}");
             }
         }
-        for show in [Show::Normals, Show::Facing, Show::Depth, Show::FaceId, Show::DEVIATION] {
+        for show in [
+            Show::Normals,
+            Show::Facing,
+            Show::Depth,
+            Show::FaceId,
+            Show::Deviation(crease::num::Degrees(15.0)),
+        ] {
             assert_eq!(covered(&RenderSettings { show, ..plain }, &scene), expected, "{show:?}");
         }
         assert!(expected.iter().any(|&n| usize::from(n) == samples.count()));

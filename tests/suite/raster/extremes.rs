@@ -90,7 +90,7 @@ fn all_modes_draw(model: &Model, projection: Projection, what: &str) {
         check(RenderSettings { interpolation, show: Show::Normals, ..plain }, None);
         check(RenderSettings { interpolation, shading: Shading::Gouraud, ..plain }, Some(&given));
     }
-    for show in [Show::Depth, Show::Facing, Show::FaceId, Show::DEVIATION] {
+    for show in [Show::Depth, Show::Facing, Show::FaceId, Show::Deviation(crease::num::Degrees(15.0))] {
         check(RenderSettings { show, ..plain }, None);
     }
 }

@@ -227,7 +227,10 @@ fn overlays() {
 #[test]
 fn creases_and_normals_of_a_few_faces() {
     let input = crate::cli::path(crate::cli::data("polygons.obj"));
-    let sheet = with(&[input.as_str()], &["--size", "320x240", "--samples", "8", "--overlay"]);
+    let sheet = with(
+        &[input.as_str()],
+        &["--size", "320x240", "--samples", "8", "--background", "black", "--overlay"],
+    );
     hold("creases", &bytes(&with(&sheet, &["creases,vertex-normals"])));
 }
 
@@ -235,8 +238,9 @@ fn creases_and_normals_of_a_few_faces() {
 fn what_can_be_shown() {
     for show in ["normals", "facing", "depth", "face-id", "deviation"] {
         let [input, ..] = gear();
-        let args = [input.as_str(), "--size", "160x120", "--show", show, "--rotate", "0,-20,0"];
-        hold(&format!("show-{show}"), &bytes(&args));
+        let shown = if show == "deviation" { "deviation=15" } else { show };
+        let args = [input.as_str(), "--size", "160x120", "--show", shown, "--rotate", "0,-20,0"];
+        hold(&format!("show-{show}"), &bytes(&with(&args, &["--background", "black", "--no-legend"])));
     }
 }
 
@@ -244,7 +248,7 @@ fn what_can_be_shown() {
 fn labelled_panels() {
     let [input, ..] = gear();
     let args = [input.as_str(), "--size", "160x120", "--compare", "flat,gouraud,phong,wireframe"];
-    hold("panels", &bytes(&args));
+    hold("panels", &bytes(&with(&args, &["--background", "black"])));
 }
 
 #[test]
