@@ -1,7 +1,8 @@
 //! Materials, cameras and lights of files, as plain data for renderers.
 
-use super::{Note, Place, ReadError};
+use super::{Note, OutputContent, Place, ReadError};
 use glam::DMat4;
+use std::sync::Arc;
 
 /// Materials, cameras and lights of a file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -30,6 +31,91 @@ pub struct FileMaterial {
     pub optics: FileOptics,
     /// The number of images it refers to, which vary it over the surface.
     pub textures: usize,
+    /// Those of an MTL that glTF can have too, and the other way round while a glTF is written as OBJ; otherwise none.
+    pub images: FileImages,
+}
+
+/// The images of a material that both MTL and glTF can have, and what the other format cannot have.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FileImages {
+    /// `map_Kd` of MTL, the base colour texture of glTF: it is multiplied by the colour of the material.
+    pub base_colour: Option<FileImage>,
+    /// `norm`, `map_Bump` or `bump` of MTL, the normal texture of glTF.
+    pub normal: Option<FileImage>,
+    /// Statements of MTL, or members of glTF, that the other format lacks, in words.
+    pub omitted: Vec<String>,
+}
+
+/// A PNG or JPEG.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FileImage {
+    /// Its name in the folder of an output: relative, with `/` between folders, and inside. It ends as its kind does, so that it is
+    /// not the name of another file of the output.
+    pub name: String,
+    /// Its bytes, or the file that has them. Many materials may share it.
+    pub content: Arc<OutputContent>,
+    /// How it is compressed.
+    pub kind: ImageKind,
+    /// The factor of the x and y of a normal texture; 1 for colours.
+    pub scale: f64,
+}
+
+impl FileImage {
+    pub(super) fn new(name: String, content: Arc<OutputContent>, kind: ImageKind, scale: f64) -> Self {
+        let lower = name.to_ascii_lowercase();
+        let is_usual = kind.extensions().iter().any(|extension| lower.ends_with(extension));
+        let name = if is_usual { name } else { name + kind.extensions()[0] };
+        Self { name, content, kind, scale }
+    }
+}
+
+/// The compression of an image that glTF can have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ImageKind {
+    /// Portable Network Graphics.
+    Png,
+    /// JPEG.
+    Jpeg,
+}
+
+impl ImageKind {
+    /// By the first bytes of a file.
+    pub(super) fn of(bytes: &[u8]) -> Option<Self> {
+        if bytes.starts_with(b"\x89PNG\r\n\x1a\n") {
+            return Some(Self::Png);
+        }
+        bytes.starts_with(b"\xff\xd8\xff").then_some(Self::Jpeg)
+    }
+
+    /// The media type of glTF.
+    pub(super) fn mime_type(self) -> &'static str {
+        match self {
+            Self::Png => "image/png",
+            Self::Jpeg => "image/jpeg",
+        }
+    }
+
+    /// The endings of file names, the usual one first.
+    pub(super) fn extensions(self) -> &'static [&'static str] {
+        match self {
+            Self::Png => &[".png"],
+            Self::Jpeg => &[".jpg", ".jpeg"],
+        }
+    }
+}
+
+/// The warning about what the materials of these names lack in another format; `None` if they lack nothing.
+pub(super) fn omitted_note<'a>(lost: impl IntoIterator<Item = (&'a str, String)>) -> Option<Note> {
+    /// The most that are named.
+    const MOST: usize = 10;
+    let mut all: Vec<String> = lost.into_iter().map(|(name, what)| format!("{what} of `{name}`")).collect();
+    let more = all.len().saturating_sub(MOST);
+    all.truncate(MOST);
+    if more > 0 {
+        all.push(format!("{more} more"));
+    }
+    (!all.is_empty())
+        .then(|| Note::warning(Place::File, format!("omitted from materials: {}", all.join(", "))))
 }
 
 /// What a material mirrors and transmits: `KHR_materials_transmission`, `KHR_materials_ior` and `KHR_materials_volume` of glTF,

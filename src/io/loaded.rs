@@ -72,7 +72,7 @@ impl Loaded {
         match &mut self.document {
             Document::Obj(document) => document.free_text(),
             Document::Ply(_) | Document::Stl(_) => {
-                self.document = Document::Forgotten(self.document.outside_meshes());
+                self.document = Document::Forgotten(self.document.outside_meshes(false));
             }
             Document::Gltf(_) | Document::Forgotten(_) | Document::None => {}
         }
@@ -171,12 +171,13 @@ impl Document {
         }
     }
 
-    /// What the document has that is not part of its meshes, in words. A new file lacks it.
-    pub(super) fn outside_meshes(&self) -> Vec<String> {
+    /// What the document has that is not part of its meshes, in words. A new file lacks it, except for materials if it
+    /// has a library of them.
+    pub(super) fn outside_meshes(&self, has_library: bool) -> Vec<String> {
         match self {
             Document::None | Document::Obj(_) => Vec::new(),
             Document::Forgotten(outside) => outside.clone(),
-            Document::Gltf(document) => document.outside_meshes(),
+            Document::Gltf(document) => document.outside_meshes(has_library),
             Document::Ply(document) => document.outside_meshes(),
             Document::Stl(document) => document.outside_meshes(),
         }

@@ -38,8 +38,8 @@ mod read;
 mod write;
 
 pub use appearance::{
-    Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileOptics, FileProjection,
-    FileReflection,
+    Appearance, FileCamera, FileImage, FileImages, FileLight, FileLightKind, FileMaterial, FileOptics,
+    FileProjection, FileReflection, ImageKind,
 };
 pub(crate) use companion_files::companion;
 pub use error::{Note, Place, Problem, ReadError, Severity, WriteError};

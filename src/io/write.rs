@@ -55,7 +55,8 @@ pub fn write<'a>(
         if let Some(conversion) = options.conversion {
             convert(&mut parts, conversion)?;
         }
-        let left = loaded.document.outside_meshes();
+        let has_library = format == Format::Obj && options.stem.is_some();
+        let left = loaded.document.outside_meshes(has_library);
         if !left.is_empty() {
             let text = format!("a new file has only the meshes; omitted: {}", left.join(", "));
             notes.push(Note::warning(Place::File, text));
@@ -63,7 +64,13 @@ pub fn write<'a>(
         if let Document::Gltf(document) = &loaded.document {
             notes.extend(document.texture_transform_note(format));
         }
-        write_parts(format, &parts, loaded.document.materials(), options)?
+        let materials: Cow<'_, [FileMaterial]> = match &loaded.document {
+            Document::Gltf(document) if has_library => {
+                gltf::materials_with_images(document, options.stem.as_deref()).into()
+            }
+            document => document.materials().into(),
+        };
+        write_parts(format, &parts, &materials, options)?
     };
     written.notes.splice(0..0, notes);
     Ok(written)
@@ -97,7 +104,7 @@ fn write_parts(
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
     match format {
-        Format::Obj => obj::write(parts, options),
+        Format::Obj => obj::write(parts, materials, options),
         Format::Gltf | Format::Glb => gltf::write(parts, materials, format, options),
         Format::Stl => stl::write(parts, options),
         Format::Ply => ply::write(parts, options),

@@ -198,7 +198,13 @@ fn objects_and_materials_of_obj_become_those_of_gltf() {
     );
     assert_eq!(json["materials"][1], serde_json::json!({"name": "plain"}));
     let said: Vec<String> = written.notes.iter().map(ToString::to_string).collect();
-    assert_eq!(said, ["1 texture of materials omitted", "1 vertex without an object omitted"]);
+    assert_eq!(
+        said,
+        [
+            "omitted from materials: map_Kd (`a.png` is not a PNG or JPEG) of `red`",
+            "1 vertex without an object omitted"
+        ]
+    );
     assert_eq!(
         (written.vertices, written.added_vertices),
         (8, 1),

@@ -434,3 +434,15 @@ fn a_corner_without_a_normal_is_reported() {
         written.notes
     );
 }
+
+/// Found by fuzzing: the normals of faces were ignored, and the old ones stayed.
+#[test]
+fn face_normals_are_refused() {
+    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/sphere-seam.glb");
+    let loaded = crease::io::read(&data, None, &ReadOptions::default()).unwrap();
+    let options = WriteOptions { emit: crease::io::Emit::Face, ..WriteOptions::default() };
+    for to in [Format::Glb, Format::Gltf] {
+        let error = crease::io::write(&loaded, &[], to, &options).unwrap_err().to_string();
+        assert!(error.contains("no face normals"), "{error}");
+    }
+}

@@ -40,6 +40,7 @@ mod stl;
 mod stress;
 mod surface;
 mod tangents;
+mod textures;
 mod theory;
 mod trade;
 mod triangulate;

@@ -6,7 +6,7 @@ use super::json::{Json, Value};
 use super::nodes::{NodeTree, Placed};
 use crate::io::appearance::as_written;
 use crate::io::{
-    Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileOptics, FileProjection,
+    Appearance, FileCamera, FileImages, FileLight, FileLightKind, FileMaterial, FileOptics, FileProjection,
     FileReflection, Note, Place, Problem, ReadError,
 };
 use glam::DMat4;
@@ -85,6 +85,7 @@ fn material(fields: &Fields<'_>, number: usize, name: &str) -> Result<FileMateri
         opacity: Some(opacity),
         optics: optics(fields, base_colour, metallic, &place)?,
         textures: textures.into_iter().filter(|&is_there| is_there).count(),
+        images: FileImages::default(),
     })
 }
 
@@ -265,12 +266,19 @@ fn optional(
     }
 }
 
+/// The textures of a new material, and the factor of the normal texture.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct MaterialTextures {
+    pub base_colour: Option<usize>,
+    pub normal: Option<(usize, f64)>,
+}
+
 /// The members of a glTF material behind its name, each with a comma in front.
 ///
 /// The diffuse colour is the base colour of a dielectric, number for number. A highlight of exponent n belongs to
 /// a surface of α = √(2/(n + 2)) (Walter et al., "Microfacet models for refraction", 2007, eq. 30 with
 /// n ≈ 2/α² − 2), and glTF's roughness is √α.
-pub fn material_members(material: &FileMaterial) -> String {
+pub fn material_members(material: &FileMaterial, textures: MaterialTextures) -> String {
     let unit = |value: f64| value.clamp(0.0, 1.0);
     let (base, metallic, roughness) = match material.reflection {
         FileReflection::Phong { diffuse, exponent, .. } => {
@@ -281,20 +289,26 @@ pub fn material_members(material: &FileMaterial) -> String {
         }
     };
     let mut json = String::new();
-    if base.is_none() && roughness.is_none() && material.opacity.is_none() {
-        return json;
+    if base.is_some() || roughness.is_some() || material.opacity.is_some() || textures.base_colour.is_some() {
+        json.push_str(",\"pbrMetallicRoughness\":{");
+        if base.is_some() || material.opacity.is_some() {
+            let [r, g, b] = base.unwrap_or([1.0; 3]).map(unit);
+            let opacity = unit(material.opacity.unwrap_or(1.0));
+            let _ = write!(json, "\"baseColorFactor\":[{r},{g},{b},{opacity}],");
+        }
+        if let Some(texture) = textures.base_colour {
+            let _ = write!(json, "\"baseColorTexture\":{{\"index\":{texture}}},");
+        }
+        let _ = write!(json, "\"metallicFactor\":{metallic}");
+        if let Some(roughness) = roughness {
+            let _ = write!(json, ",\"roughnessFactor\":{}", roughness as f32);
+        }
+        json.push('}');
     }
-    json.push_str(",\"pbrMetallicRoughness\":{");
-    if base.is_some() || material.opacity.is_some() {
-        let [r, g, b] = base.unwrap_or([1.0; 3]).map(unit);
-        let opacity = unit(material.opacity.unwrap_or(1.0));
-        let _ = write!(json, "\"baseColorFactor\":[{r},{g},{b},{opacity}],");
+    if let Some((texture, scale)) = textures.normal {
+        let scale = if scale == 1.0 { String::new() } else { format!(",\"scale\":{scale}") };
+        let _ = write!(json, ",\"normalTexture\":{{\"index\":{texture}{scale}}}");
     }
-    let _ = write!(json, "\"metallicFactor\":{metallic}");
-    if let Some(roughness) = roughness {
-        let _ = write!(json, ",\"roughnessFactor\":{}", roughness as f32);
-    }
-    json.push('}');
     if material.opacity.is_some_and(|opacity| opacity < 1.0) {
         json.push_str(",\"alphaMode\":\"BLEND\"");
     }
@@ -459,13 +473,17 @@ mod tests {
 
     fn members_of(diffuse: Option<[f64; 3]>, exponent: Option<f64>, opacity: Option<f64>) -> String {
         let reflection = FileReflection::Phong { ambient: None, diffuse, specular: None, exponent };
-        material_members(&FileMaterial {
-            name: "x".into(),
-            reflection,
-            opacity,
-            optics: FileOptics::default(),
-            textures: 1,
-        })
+        material_members(
+            &FileMaterial {
+                name: "x".into(),
+                reflection,
+                opacity,
+                optics: FileOptics::default(),
+                textures: 1,
+                images: FileImages::default(),
+            },
+            MaterialTextures::default(),
+        )
     }
 
     #[test]
@@ -493,9 +511,10 @@ mod tests {
             opacity: None,
             optics: FileOptics::default(),
             textures: 0,
+            images: FileImages::default(),
         };
         assert_eq!(
-            material_members(&gold),
+            material_members(&gold, MaterialTextures::default()),
             ",\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.1,0.2,0.3,1],\"metallicFactor\":1,\"roughnessFactor\":0.5}"
         );
     }

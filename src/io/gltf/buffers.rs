@@ -221,7 +221,7 @@ impl Uri {
     }
 }
 
-fn decode_data(uri: &str) -> Result<Vec<u8>, String> {
+pub fn decode_data(uri: &str) -> Result<Vec<u8>, String> {
     let (head, data) = uri.split_once(',').ok_or("the data URI has no comma")?;
     if !head.to_ascii_lowercase().ends_with(";base64") {
         return Ok(percent_decoded(data));

@@ -142,12 +142,13 @@ impl GltfDocument {
         if all.iter().all(Option::is_none) { Vec::new() } else { all }
     }
 
-    /// What does not reach a file of another format, in words.
-    pub(in crate::io) fn outside_meshes(&self) -> Vec<String> {
+    /// What does not reach a file of another format, in words. What a library of materials lacks is found when it is
+    /// written.
+    pub(in crate::io) fn outside_meshes(&self, has_library: bool) -> Vec<String> {
         let json = &self.records.json;
         let mut left = Vec::new();
         let materials = self.records.materials.len();
-        if materials > 0 {
+        if materials > 0 && !has_library {
             let materials = counted(materials, "material", "materials");
             left.push(format!("properties of {materials}"));
         }

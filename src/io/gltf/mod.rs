@@ -35,6 +35,8 @@ mod columns;
 mod nodes;
 // Materials, cameras and lights.
 mod appearance;
+// Images of materials, from and to other formats.
+mod materials;
 // What materials need tangents for.
 mod tangent_space;
 // What the geometry takes, and how normals are stored.
@@ -54,6 +56,7 @@ pub(super) use appearance::appearance;
 pub use document::GltfDocument;
 pub use edit::apply::edit;
 pub use geometry::GeometryBytes;
+pub(super) use materials::images::materials_with_images;
 pub(super) use new_file::write;
 pub(crate) use nodes::NodeTree;
 pub use read::read;

@@ -1,20 +1,22 @@
 //! A new glTF file from meshes.
 
-use super::appearance::material_members;
+use super::appearance::{MaterialTextures, material_members};
 use super::buffers::address;
 use super::data::{Blob, Bounds, Bytes, Target, accessor_json, normal_format, steps, view_json};
 use super::edit::compress::compress_as;
 use super::extensions::QUANTIZATION;
 use super::glb;
 use super::json::quoted;
+use super::materials::new_textures::NewTextures;
 use super::pieces::{groups, pieces};
 use super::records::{Component, Format as ElementFormat};
+use crate::io::appearance::omitted_note;
 use crate::io::mesh_checks::{beyond_f32, displacement_note, unsupported_notes};
 use crate::io::split_mesh::SplitMesh;
 use crate::io::text::counted;
 use crate::io::{
-    FileMaterial, FileOptics, FileReflection, Format, MaterialFallback, Merge, NormalFormat, Note,
-    OutputContent, OutputFile, Part, WriteError, WriteOptions, Written,
+    FileImage, FileImages, FileMaterial, FileOptics, FileReflection, Format, MaterialFallback, Merge,
+    NormalFormat, Note, OutputContent, OutputFile, Part, WriteError, WriteOptions, Written,
 };
 use crate::mesh::{Column, FaceLabels, Mesh, NONE, PositionsRef, Storage};
 use glam::DVec3;
@@ -22,6 +24,7 @@ use gltf::json::mesh as mode;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 /// Writes a new `.glb` or `.gltf`: one mesh and one node a part, or an object of a part; one primitive a material.
@@ -38,14 +41,16 @@ pub(in crate::io) fn write(
     let (pieces, unused) = pieces(parts);
     let known = materials.iter().map(|material| (material.name.as_str(), material)).collect();
     let WriteOptions { normal_format, merge, material, .. } = *options;
-    let mut file = File { known, normal_format, merge, fallback: material, ..File::default() };
+    let embeds_images = to == Format::Glb || options.stem.is_none();
+    let mut file = File { known, normal_format, merge, fallback: material, embeds_images, ..File::default() };
     for part in &pieces {
         file.part(part)?;
     }
     let mut written = std::mem::take(&mut file.written);
     let old: usize = parts.iter().map(|part| part.mesh.vertex_count()).sum();
     written.count_change(old);
-    written.notes.extend(notes(parts, unused, file.textures));
+    written.notes.extend(notes(parts, unused, &file.omitted));
+    written.companions.append(&mut file.textures.companions);
     let length = file.blob.length as usize;
     if to == Format::Glb {
         written.bytes = glb::before_bin(&file.json(None), length)?;
@@ -73,12 +78,16 @@ struct File<'a> {
     meshes: Vec<String>,
     nodes: Vec<String>,
     materials: Vec<String>,
-    material_numbers: FxHashMap<&'a str, usize>,
+    /// The number of each material by its name, and whether it is for vertices with texture coordinates, which textures need.
+    material_numbers: FxHashMap<(&'a str, bool), usize>,
     known: FxHashMap<&'a str, &'a FileMaterial>,
     fallback: MaterialFallback,
     /// The numbers of the fallback materials, without and with colours of vertices.
     fallback_numbers: [Option<usize>; 2],
-    textures: usize,
+    textures: NewTextures,
+    embeds_images: bool,
+    /// Names of materials, and what is omitted of them.
+    omitted: BTreeSet<(&'a str, String)>,
     normal_format: NormalFormat,
     merge: Merge,
     is_quantized: bool,
@@ -97,10 +106,13 @@ impl<'a> File<'a> {
             let all: Vec<String> = (0..self.nodes.len()).map(|node| node.to_string()).collect();
             let _ = write!(json, ",\"scene\":0,\"scenes\":[{{\"nodes\":[{}]}}]", all.join(","));
         }
+        let textures = self.textures.textures();
         let lists = [
             ("nodes", &self.nodes),
             ("meshes", &self.meshes),
             ("materials", &self.materials),
+            ("textures", &textures),
+            ("images", &self.textures.images),
             ("accessors", &self.accessors),
             ("bufferViews", &self.views),
         ];
@@ -136,7 +148,9 @@ impl<'a> File<'a> {
             let list = if group.flat { &attributes.flat } else { &attributes.full };
             let mut json = format!("{{\"attributes\":{{{list}}},\"indices\":{indices}");
             let material = match &mesh.columns().materials {
-                Some(labels) if group.label != NONE => Some(self.material(labels, group.label)),
+                Some(labels) if group.label != NONE => {
+                    Some(self.material(labels, group.label, mesh.columns().uvs.is_some())?)
+                }
                 _ => self.fallback_material(mesh.columns().colors.is_some()),
             };
             if let Some(number) = material {
@@ -230,14 +244,48 @@ impl<'a> File<'a> {
         }
     }
 
-    fn material(&mut self, labels: &'a FaceLabels, label: u32) -> usize {
+    fn material(&mut self, labels: &'a FaceLabels, label: u32, has_uvs: bool) -> Result<usize, WriteError> {
         let name = labels.names[label as usize].as_str();
-        *self.material_numbers.entry(name).or_insert_with(|| {
-            let known = self.known.get(name);
-            self.textures += known.map_or(0, |material| material.textures);
-            let members = known.map(|known| material_members(known)).unwrap_or_default();
-            self.materials.push(format!("{{\"name\":{}{members}}}", quoted(name)));
-            self.materials.len() - 1
+        if let Some(number) = self.material_numbers.get(&(name, has_uvs)) {
+            return Ok(*number);
+        }
+        let mut members = String::new();
+        if let Some(&known) = self.known.get(name) {
+            let textures = self.textures_of(known, has_uvs)?;
+            members = material_members(known, textures);
+        }
+        self.materials.push(format!("{{\"name\":{}{members}}}", quoted(name)));
+        self.material_numbers.insert((name, has_uvs), self.materials.len() - 1);
+        Ok(self.materials.len() - 1)
+    }
+
+    fn textures_of(
+        &mut self,
+        material: &'a FileMaterial,
+        has_uvs: bool,
+    ) -> Result<MaterialTextures, WriteError> {
+        let FileMaterial { name, images, .. } = material;
+        self.omitted.extend(images.omitted.iter().map(|what| (name.as_str(), what.clone())));
+        let mut texture = |image: &'a Option<FileImage>| {
+            let Some(image) = image else { return Ok(None) };
+            if !has_uvs {
+                let text = format!("`{}` (a mesh has no texture coordinates)", image.name);
+                self.omitted.insert((name, text));
+                return Ok(None);
+            }
+            let views = &mut self.views;
+            let blob = &mut self.blob;
+            let embed = self.embeds_images.then_some(|bytes: Vec<u8>| {
+                let length = bytes.len();
+                let offset = blob.push(bytes);
+                views.push(format!("{{\"buffer\":0,\"byteOffset\":{offset},\"byteLength\":{length}}}"));
+                views.len() - 1
+            });
+            self.textures.number(image, embed).map(Some)
+        };
+        Ok(MaterialTextures {
+            base_colour: texture(&images.base_colour)?,
+            normal: texture(&images.normal)?.zip(images.normal.as_ref().map(|image| image.scale)),
         })
     }
 
@@ -262,8 +310,10 @@ impl<'a> File<'a> {
                 opacity: None,
                 optics: FileOptics::default(),
                 textures: 0,
+                images: FileImages::default(),
             };
-            self.materials.push(format!("{{\"name\":{}{}}}", quoted(name), material_members(&plastic)));
+            let members = material_members(&plastic, MaterialTextures::default());
+            self.materials.push(format!("{{\"name\":{}{members}}}", quoted(name)));
         }
         Some(number)
     }
@@ -300,12 +350,12 @@ impl<'a> File<'a> {
     }
 }
 
-fn notes(parts: &[Part], unused: usize, textures: usize) -> Vec<Note> {
+fn notes(parts: &[Part], unused: usize, omitted: &BTreeSet<(&str, String)>) -> Vec<Note> {
     let mut notes = unsupported_notes(Format::Gltf, parts);
     if parts.iter().any(|part| part.mesh.columns().smoothing.is_some()) {
         notes.push(Note::remark("glTF has no smoothing groups; the normals keep their effect"));
     }
-    notes.extend(Note::counted(textures, ["texture", "textures"], "of materials omitted"));
+    notes.extend(omitted_note(omitted.iter().map(|(name, what)| (*name, what.clone()))));
     if unused > 0 {
         let vertices = counted(unused, "vertex", "vertices");
         notes.push(Note::remark(format!("{vertices} without an object omitted")));

@@ -21,12 +21,16 @@ mod piece;
 mod merge;
 // Material libraries.
 mod mtl;
+// The texture statements of material libraries.
+mod texture_statements;
 // The file as it was read, and its line numbers.
 mod document;
 // Bytes to an OBJ document and its mesh.
 mod read;
 // A new OBJ from any meshes.
 mod new_file;
+// A new material library.
+mod new_library;
 // Writing an OBJ back into its own text.
 mod edit;
 

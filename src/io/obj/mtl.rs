@@ -1,6 +1,7 @@
 //! Material libraries: their materials, and the files that a copy of the output needs.
 
 use super::cursor::name_text;
+use super::texture_statements::{Found, images, is_texture, textures};
 use crate::io::appearance::as_written;
 use crate::io::companion_files::{self, Refusal, output_name};
 use crate::io::text::shown;
@@ -36,6 +37,7 @@ pub(super) fn find(statements: &[String], used: &[String], base: &Path, options:
         base,
         options,
         searched: 0,
+        left: options.limits.bytes,
         files: BTreeMap::new(),
         missing: BTreeMap::new(),
         not_copied: BTreeSet::new(),
@@ -66,6 +68,8 @@ struct Search<'a> {
     base: &'a Path,
     options: &'a ReadOptions,
     searched: usize,
+    /// Bytes of images that may still be written.
+    left: u64,
     files: BTreeMap<String, PathBuf>,
     /// Names of files by the reason why they are not read.
     missing: BTreeMap<Refusal, BTreeSet<String>>,
@@ -103,11 +107,14 @@ impl Search<'_> {
         }
         let folder = Path::new(name).parent().unwrap_or(Path::new("")).to_owned();
         for material in materials(&bytes) {
+            let mut found = Found::default();
             for texture in textures(&material) {
-                self.file(&folder, texture);
+                if let Some(path) = self.file(&folder, texture) {
+                    found.add(texture, output_name(&folder, texture), path, &mut self.left);
+                }
             }
             if self.defined.insert(material.name.clone()) {
-                self.materials.push(file_material(&material));
+                self.materials.push(file_material(&material, &found));
             }
         }
     }
@@ -242,12 +249,7 @@ fn colour(argument: &str) -> Option<String> {
     }
 }
 
-fn is_texture(word: &str) -> bool {
-    let word = word.to_ascii_lowercase();
-    word.starts_with("map_") || ["bump", "norm", "disp", "decal", "refl"].contains(&&*word)
-}
-
-fn file_material(material: &tobj::Material) -> FileMaterial {
+fn file_material(material: &tobj::Material, found: &Found) -> FileMaterial {
     let colour = |colour: Option<[f32; 3]>| colour.map(|colour| colour.map(as_written));
     // Models 0 and 1 have no highlight.
     let is_matte = material.illumination_model.is_some_and(|model| model < 2);
@@ -264,6 +266,7 @@ fn file_material(material: &tobj::Material) -> FileMaterial {
         opacity,
         optics: optics(material, opacity),
         textures: textures(material).len(),
+        images: images(material, found),
     }
 }
 
@@ -292,50 +295,6 @@ fn optics(material: &tobj::Material, opacity: Option<f64>) -> FileOptics {
         _ => ([0.0; 3], 1.0),
     };
     FileOptics { reflect: specular, transmit, ior, ..FileOptics::default() }
-}
-
-/// The texture files of a material, in a fixed order.
-fn textures(material: &tobj::Material) -> BTreeSet<&str> {
-    let known = [
-        &material.ambient_texture,
-        &material.diffuse_texture,
-        &material.specular_texture,
-        &material.normal_texture,
-        &material.shininess_texture,
-        &material.dissolve_texture,
-    ];
-    let others = material.unknown_param.iter().filter(|(word, _)| is_texture(word)).map(|(_, value)| value);
-    known
-        .into_iter()
-        .flatten()
-        .chain(others)
-        .map(|value| without_options(value))
-        .filter(|name| !name.is_empty())
-        .collect()
-}
-
-/// The file name of a texture statement, which may have blanks and options such as `-bm 0.5` in front.
-fn without_options(value: &str) -> &str {
-    let mut rest = value.trim();
-    while let Some((option, behind)) =
-        rest.split_once(char::is_whitespace).filter(|(option, _)| option.starts_with('-'))
-    {
-        let most = match option {
-            "-o" | "-s" | "-t" => 3,
-            "-mm" => 2,
-            _ => 1,
-        };
-        rest = behind.trim_start();
-        for argument in 0..most {
-            let (word, behind) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
-            // All but the first of up to three numbers are optional.
-            if argument > 0 && word.parse::<f32>().is_err() {
-                break;
-            }
-            rest = behind.trim_start();
-        }
-    }
-    rest
 }
 
 #[cfg(test)]
@@ -395,7 +354,8 @@ mod tests {
             newmtl mirror\nKs 0.5 0.25 1\nillum 3\n\
             newmtl pane\nKs 0.1 0.1 0.1\nd 0.25\nTf 1 0.5 0\nNi 1.5\nillum 4\n\
             newmtl glass\nKs 0.25 0.25 0.25\nTf 1 0.5 0\nNi 1.5\nillum 7\nnewmtl clear\nillum 6\n";
-        let found: Vec<FileOptics> = materials(library).iter().map(|it| file_material(it).optics).collect();
+        let found: Vec<FileOptics> =
+            materials(library).iter().map(|it| file_material(it, &Found::default()).optics).collect();
         let none = FileOptics::default();
         let mirror = FileOptics { reflect: [0.5, 0.25, 1.0], ..none };
         let pane = FileOptics { reflect: [0.1; 3], transmit: [0.75, 0.375, 0.0], ..none };
@@ -409,7 +369,8 @@ mod tests {
         let library = b"newmtl a\nKd 0.1 0.6 1 # red\nKa 0.5\nKs -1 0 0\nNs 1e40\nd 0.25\nillum 2\n\
             newmtl b\nKd spectral a.rfl\nKs 1 1 1\nNs 10\nillum 1\nmap_Kd t.png\nTr 0.25\n\
             newmtl c\nKd 1 nan 1\nKs 1 2\nillum 999\n";
-        let found: Vec<FileMaterial> = materials(library).iter().map(file_material).collect();
+        let found: Vec<FileMaterial> =
+            materials(library).iter().map(|it| file_material(it, &Found::default())).collect();
         let plain = |ambient, diffuse, specular, exponent| FileReflection::Phong {
             ambient,
             diffuse,

@@ -1,19 +1,29 @@
 //! A new OBJ from any meshes, and the numbers of normals in an OBJ that is edited or new.
 
+use super::new_library::library;
 use crate::io::mesh_checks::unsupported_notes;
 use crate::io::text::{push_integer, push_row};
-use crate::io::{Emit, Format, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
+use crate::io::{Emit, FileMaterial, Format, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
 use crate::mesh::{Column, FaceLabels, Mesh, NONE, Storage};
 use glam::DVec3;
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use std::slice;
 
-/// An OBJ of all parts, each an object of its own, with `vn` shared where a mesh shares them. Fails for normals of faces.
-pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Written, WriteError> {
+/// An OBJ of all parts, each an object of its own, with `vn` shared where a mesh shares them. The `materials` that they use become
+/// a material library next to it. Fails for normals of faces.
+pub(in crate::io) fn write(
+    parts: &[Part],
+    materials: &[FileMaterial],
+    options: &WriteOptions,
+) -> Result<Written, WriteError> {
     check_emit(options)?;
     let mut writer = Writer::default();
     writer.out.extend_from_slice(concat!("# crease ", env!("CARGO_PKG_VERSION"), "\n").as_bytes());
+    let library = library(parts, materials, options);
+    if let Some(file) = library.files.first() {
+        named(&mut writer.out, "mtllib", &file.name);
+    }
     for part in parts {
         if options.merge.applies_to(&part.mesh) {
             let mesh = part.mesh.clone().with_corner_columns().with_shared_vertices();
@@ -23,8 +33,14 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
         }
     }
     let old: usize = parts.iter().map(|part| part.mesh.vertex_count()).sum();
-    let mut written =
-        Written { bytes: writer.out, notes: notes(parts), vertices: writer.vertices, ..Written::default() };
+    let mut written = Written {
+        bytes: writer.out,
+        notes: notes(parts, library.files.is_empty()),
+        vertices: writer.vertices,
+        ..Written::default()
+    };
+    written.notes.extend(library.note);
+    written.companions = library.files;
     written.count_change(old);
     Ok(written)
 }
@@ -34,13 +50,13 @@ pub(super) fn check_emit(options: &WriteOptions) -> Result<(), WriteError> {
     if options.emit == Emit::Face { Err(WriteError::Unsupported(text.to_owned())) } else { Ok(()) }
 }
 
-fn notes(parts: &[Part]) -> Vec<Note> {
+fn notes(parts: &[Part], is_without_library: bool) -> Vec<Note> {
     let mut notes = unsupported_notes(Format::Obj, parts);
     let has_opacity = |mesh: &Mesh| mesh.columns().colors.iter().flatten().any(|color| color[3] != 1.0);
     if parts.iter().any(|part| has_opacity(&part.mesh)) {
         notes.push(Note::warning(Place::File, "OBJ colours have no opacity; it was omitted"));
     }
-    if parts.iter().any(|part| part.mesh.columns().materials.is_some()) {
+    if is_without_library && parts.iter().any(|part| part.mesh.columns().materials.is_some()) {
         notes.push(Note::remark("usemtl names the materials, but no material library was written"));
     }
     notes
@@ -71,7 +87,7 @@ impl Labels {
 impl Writer {
     fn part(&mut self, part: &Part) {
         let (mesh, columns) = (&part.mesh, part.mesh.columns());
-        self.named("o", &part.name);
+        named(&mut self.out, "o", &part.name);
         self.positions(mesh);
         for uv in columns.uvs.iter().flat_map(|uvs| &uvs.values) {
             push_row(&mut self.out, "vt", mesh.storage(), &uv.to_array());
@@ -105,18 +121,6 @@ impl Writer {
             }
             self.out.push(b'\n');
         }
-    }
-
-    fn named(&mut self, keyword: &str, name: &str) {
-        if name.trim().is_empty() {
-            return;
-        }
-        self.out.extend_from_slice(keyword.as_bytes());
-        self.out.push(b' ');
-        // A line end in a name would start a statement, and a backslash at its end would continue it.
-        let name = name.trim().trim_end_matches('\\');
-        self.out.extend(name.bytes().map(|byte| if matches!(byte, b'\n' | b'\r') { b' ' } else { byte }));
-        self.out.push(b'\n');
     }
 
     fn faces(&mut self, mesh: &Mesh, normals: Option<&NormalNumbers<'_>>) {
@@ -153,14 +157,14 @@ impl Writer {
         ] {
             match labels.as_ref().and_then(|labels| labels.names.get(new as usize)) {
                 _ if old == new => {}
-                Some(name) => self.named(keyword, name),
+                Some(name) => named(&mut self.out, keyword, name),
                 // Without a name it means the default one.
                 None => self.vertex_list(keyword, &[]),
             }
         }
         if new.smoothing != old.smoothing {
             let group = new.smoothing.filter(|&group| group > 0);
-            self.named("s", &group.map_or("off".to_owned(), |group| group.to_string()));
+            named(&mut self.out, "s", &group.map_or("off".to_owned(), |group| group.to_string()));
         }
     }
 
@@ -188,6 +192,19 @@ impl Writer {
         }
         self.out.push(b'\n');
     }
+}
+
+/// Appends a statement with a name, unless that is blank.
+pub(super) fn named(out: &mut Vec<u8>, keyword: &str, name: &str) {
+    if name.trim().is_empty() {
+        return;
+    }
+    out.extend_from_slice(keyword.as_bytes());
+    out.push(b' ');
+    // A line end in a name would start a statement, and a backslash at its end would continue it.
+    let name = name.trim().trim_end_matches('\\');
+    out.extend(name.bytes().map(|byte| if matches!(byte, b'\n' | b'\r') { b' ' } else { byte }));
+    out.push(b'\n');
 }
 
 /// Which `vn` lines stay, which are new, and the number of each value: the index of its line in the output, from 1.
@@ -289,7 +306,7 @@ mod tests {
     use glam::{DVec2, DVec3};
 
     fn written(parts: &[Part]) -> String {
-        let written = write(parts, &WriteOptions::default()).unwrap();
+        let written = write(parts, &[], &WriteOptions::default()).unwrap();
         String::from_utf8(written.bytes).unwrap().split_once('\n').unwrap().1.to_owned()
     }
 
@@ -344,9 +361,9 @@ mod tests {
             morph_targets: vec![vec![DVec3::ZERO; 4]],
             ..Columns::default()
         };
-        let written = write(&[part("", columns)], &WriteOptions::default()).unwrap();
+        let written = write(&[part("", columns)], &[], &WriteOptions::default()).unwrap();
         assert_eq!(written.notes.len(), 3);
         let faces = WriteOptions { emit: Emit::Face, ..WriteOptions::default() };
-        assert!(write(&[part("", Columns::default())], &faces).is_err());
+        assert!(write(&[part("", Columns::default())], &[], &faces).is_err());
     }
 }

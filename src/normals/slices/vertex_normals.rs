@@ -273,3 +273,41 @@ fn no_such_vertex(count: usize, triangles: &[[u32; 3]]) -> SliceError {
     let (triangle, vertex) = all.find(|&(_, vertex)| vertex as usize >= count).unwrap_or_default();
     SliceError::VertexOutOfRange { triangle, vertex, count }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::normals::recipe::Weight;
+    use glam::DVec3;
+
+    /// Found by fuzzing: faces of coordinates from 1e-320 to 1 had infinite weights or vectors of zeros, and made normals that are
+    /// not numbers.
+    #[test]
+    fn extreme_ranges_give_unit_normals() {
+        let small = 5.634155089066723e-241;
+        let infinite_weights = [
+            [0.0, 5.6341436472880435e-241, 1.7776e-320],
+            [-1.7754849808387917e-64, -1.775484980854224e-64, -1.775484980854224e-64],
+            [4.884306681505455e-241, small, small],
+            [small, 3.523722732774444e-294, 1.0000000000000142],
+        ];
+        let vectors_of_zeros = [
+            [0.0, 1.946939626193801e-308, -1.0584651559856481e-275],
+            [5.6341550890725615e-241, -3.4502345330247923e-190, -3.450234537908882e-190],
+            [8.867378411577562e-246, 5.634155089983309e-241, 5.634155089066734e-241],
+            [1.954574683551424e-308, 0.0, 1.0],
+        ];
+        let triangles = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+        for positions in [infinite_weights, vectors_of_zeros] {
+            for weight in Weight::SUMS {
+                for slivers in [Slivers::Exclude, Slivers::Keep] {
+                    let averaging = Averaging { weight, slivers, ..Averaging::default() };
+                    let mut normals = [[0.0; 3]; 4];
+                    vertex_normals(&positions, &triangles, averaging, &mut Scratch::new(), &mut normals).unwrap();
+                    let is_unit = |n: &[f64; 3]| (DVec3::from_array(*n).length() - 1.0).abs() < 1e-12;
+                    assert!(normals.iter().all(is_unit), "{averaging:?}: {normals:?}");
+                }
+            }
+        }
+    }
+}

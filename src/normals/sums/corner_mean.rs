@@ -11,22 +11,14 @@ use glam::DVec3;
 pub(crate) struct Term {
     /// The face's vector and its length; see [`CornerTerms`](crate::normals::sums::corner_terms::CornerTerms).
     pub(crate) vector: [f64; 4],
+    /// The face's unit normal, to the bit.
+    pub(crate) unit: DVec3,
     /// The weight of the corner.
     pub(crate) weight: f64,
     /// The face.
     pub(crate) face: u32,
     /// The state of the face.
     pub(crate) state: FaceState,
-}
-
-impl Term {
-    /// The face's unit normal, to the bit.
-    pub(crate) fn unit(&self) -> DVec3 {
-        let [x, y, z, length] = self.vector;
-        let vector = DVec3::new(x, y, z);
-        // A unit vector comes with the length 1 and must not be rounded again.
-        if length == 1.0 { vector } else { num::direction(vector).0 }
-    }
 }
 
 /// Whether a face adds to sums in the first place.
@@ -38,7 +30,7 @@ pub(crate) fn adds(state: FaceState, slivers: Slivers) -> bool {
 /// The direction of a sum of terms, which come in ascending face index.
 ///
 /// Slivers that are excluded count after all if there is nothing else; if all weights vanish, faces count the same;
-/// one face alone gives its normal.
+/// one face alone gives its normal. If weights exceed the range of numbers, the faces with the largest count the same.
 pub(crate) fn mean(terms: &[Term], slivers: Slivers) -> (DVec3, SlotState) {
     let firm = terms.iter().any(|term| adds(term.state, slivers));
     let used = || {
@@ -48,7 +40,7 @@ pub(crate) fn mean(terms: &[Term], slivers: Slivers) -> (DVec3, SlotState) {
     };
     let Some(first) = used().next() else { return (DVec3::ZERO, SlotState::Empty) };
     if used().all(|term| term.face == first.face) {
-        return (first.unit(), SlotState::Good);
+        return (first.unit, SlotState::Good);
     }
     let (mut vector, mut weights, mut count) = (DVec3::ZERO, 0.0, 0.0);
     for term in used() {
@@ -58,7 +50,13 @@ pub(crate) fn mean(terms: &[Term], slivers: Slivers) -> (DVec3, SlotState) {
         count += 1.0;
     }
     if weights == 0.0 {
-        return uniform_mean(used().map(Term::unit));
+        return uniform_mean(used().map(|term| term.unit));
+    }
+    if !weights.is_finite() {
+        // Infinity times a vector of zeros is not a number.
+        let size = |term: &Term| term.vector[3] * term.weight;
+        let is_heavy = |term: &&Term| size(term) >= f64::MAX / (2.0 * count) || size(term).is_nan();
+        return uniform_mean(used().filter(is_heavy).map(|term| term.unit));
     }
     let (direction, state, _) = classify(vector, weights, count);
     (direction, state)

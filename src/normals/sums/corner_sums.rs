@@ -13,7 +13,8 @@ use rayon::prelude::*;
 /// What every corner of a mesh adds to a sum, computed once.
 pub(crate) struct TermTable<'a> {
     faces: FacesRef<'a>,
-    vectors: Vec<[f64; 4]>,
+    /// The vector of each face with its length, and its unit normal.
+    vectors: Vec<([f64; 4], DVec3)>,
     states: Vec<FaceState>,
     weights: Vec<f64>,
     /// The face of each corner.
@@ -41,7 +42,7 @@ impl<'a> TermTable<'a> {
                 let before = |corner: usize| vertices[(corner + vertices.len() - 1) % vertices.len()];
                 scalar
                     .fill(faces, &source, request.weight, face, |corner| vertices[corner] == before(corner));
-                vectors.push(scalar.vector);
+                vectors.push((scalar.vector, scalar.unit));
                 states.push(scalar.state);
                 weights.extend_from_slice(&scalar.weights);
                 owners.extend(vertices.iter().map(|_| face as u32));
@@ -82,8 +83,8 @@ impl<'a> TermTable<'a> {
         };
         terms.extend(corners.iter().filter(is_first).map(|&corner| {
             let face = self.owners[corner as usize];
-            let (vector, state) = (self.vectors[face as usize], self.states[face as usize]);
-            Term { vector, weight: self.weights[corner as usize], face, state }
+            let ((vector, unit), state) = (self.vectors[face as usize], self.states[face as usize]);
+            Term { vector, unit, weight: self.weights[corner as usize], face, state }
         }));
         mean(terms, self.slivers)
     }

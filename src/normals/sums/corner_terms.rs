@@ -15,6 +15,8 @@ use std::f64::consts::TAU;
 pub(crate) struct CornerTerms {
     /// The face's vector and its length.
     pub(crate) vector: [f64; 4],
+    /// The face's unit normal; not set if it has no direction.
+    pub(crate) unit: DVec3,
     /// One weight a corner.
     pub(crate) weights: Vec<f64>,
     /// The state of the face.
@@ -54,6 +56,7 @@ impl CornerTerms {
     ) {
         let shape = self.shape(faces, source, face);
         self.state = shape.state;
+        self.unit = shape.unit;
         self.weights.clear();
         if !shape.state.has_direction() {
             self.vector = [0.0; 4];

@@ -101,7 +101,8 @@ fn finish_one(
     areas: bool,
     uncertain: &mut UncertainSlots,
 ) -> (DVec3, SlotState) {
-    if weights == 0.0 {
+    // Weights of faces of extreme shape may exceed the range of numbers.
+    if weights == 0.0 || !weights.is_finite() {
         uncertain.recount.push(slot);
         uncertain.not_all_good = true;
         return (DVec3::ZERO, SlotState::Empty);

@@ -86,8 +86,8 @@ impl Recheck<'_> {
                             scalar.fill(request.faces, source, request.weight, face, |at| repeats(slots, at));
                             filled = true;
                         }
-                        let (vector, weight) = (scalar.vector, scalar.weights[corner]);
-                        terms.push((slot, Term { vector, weight, face: face as u32, state }));
+                        let (vector, unit, weight) = (scalar.vector, scalar.unit, scalar.weights[corner]);
+                        terms.push((slot, Term { vector, unit, weight, face: face as u32, state }));
                     }
                 }
             }

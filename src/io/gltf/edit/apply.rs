@@ -2,6 +2,7 @@
 
 use super::compact::compact;
 use super::compress::compress_as;
+use super::data_images::DataImage;
 use super::group::Group;
 use super::member::Member;
 use super::rows::Tables;
@@ -16,7 +17,7 @@ use crate::io::gltf::json::{Json, Value, quoted};
 use crate::io::gltf::splice::{Splices, changed_object};
 use crate::io::gltf::tangent_space::MaterialUses;
 use crate::io::{
-    Format, Loaded, Note, OutputContent, OutputFile, Part, PartEdit, Place, Severity, WriteError,
+    Emit, Format, Loaded, Note, OutputContent, OutputFile, Part, PartEdit, Place, Severity, WriteError,
     WriteOptions, Written,
 };
 use std::borrow::Cow;
@@ -29,7 +30,7 @@ use std::path::Path;
 /// corners need different normals, and then all their attributes are copied.
 ///
 /// # Errors
-/// [`WriteError::Unsupported`] where an extension refers to vertices or triangles by number and these change;
+/// [`WriteError::Unsupported`] for normals of faces, and where an extension refers to vertices or triangles by number and these change;
 /// [`WriteError::TooLarge`] for a GLB beyond 4 GiB.
 pub fn edit(
     document: &GltfDocument,
@@ -38,6 +39,10 @@ pub fn edit(
     to: Format,
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
+    if options.emit == Emit::Face {
+        let text = "an edited glTF has no face normals; use --emit corner or --emit vertex";
+        return Err(WriteError::Unsupported(text.to_owned()));
+    }
     let mut store = Store::new(document);
     let source = document.accessors();
     let materials = MaterialUses::all(&document.records);
@@ -222,7 +227,7 @@ impl Package<'_> {
         names.find(|name| !is_taken(name)).unwrap_or_default()
     }
 
-    /// `.glb` from `.gltf`: all buffers become one, and views move with them.
+    /// `.glb` from `.gltf`: all buffers become one, and views move with them. Images in data URIs move into it.
     fn as_glb(&mut self, store: Store<'_>) -> Result<(), WriteError> {
         let document = self.document;
         let Changed { json, extra, .. } = store.finish(None, |_| None);
@@ -243,6 +248,16 @@ impl Package<'_> {
             homes.push((0, length as u64));
             pieces.extend([bytes, &[0; 4][..glb::padded(bytes.len()) - bytes.len()]]);
             length += glb::padded(bytes.len());
+        }
+        let images = DataImage::all(&json);
+        let views = json.items(json.root(), "bufferViews").count();
+        for (number, image) in images.iter().enumerate() {
+            image.move_to(&json, length, views + number, &mut splices);
+            pieces.extend([&image.bytes, &[0; 4][..glb::padded(image.bytes.len()) - image.bytes.len()]]);
+            length += glb::padded(image.bytes.len());
+        }
+        if objects.is_empty() && length > 0 {
+            splices.push("buffers", format!("{{\"byteLength\":{length}}}"));
         }
         for view in json.items(json.root(), "bufferViews") {
             move_reference(&json, view, &homes, &mut splices);

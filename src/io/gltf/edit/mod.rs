@@ -20,6 +20,8 @@ mod merge;
 mod group;
 // An edit as a whole, and the files that it becomes.
 pub mod apply;
+// Images in data URIs, which become views of a GLB.
+mod data_images;
 // A GLB without what nothing uses.
 mod compact;
 // Rows and columns of a buffer view that are in use.
