@@ -46,6 +46,13 @@ pub struct FileImages {
     pub omitted: Vec<String>,
 }
 
+impl FileImages {
+    /// Whether there is an image.
+    pub(super) fn has_any(&self) -> bool {
+        self.base_colour.is_some() || self.normal.is_some()
+    }
+}
+
 /// A PNG or JPEG.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileImage {

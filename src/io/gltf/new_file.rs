@@ -10,13 +10,12 @@ use super::json::quoted;
 use super::materials::new_textures::NewTextures;
 use super::pieces::{groups, pieces};
 use super::records::{Component, Format as ElementFormat};
-use crate::io::appearance::omitted_note;
 use crate::io::mesh_checks::{beyond_f32, displacement_note, unsupported_notes};
 use crate::io::split_mesh::SplitMesh;
 use crate::io::text::counted;
 use crate::io::{
-    FileImage, FileImages, FileMaterial, FileOptics, FileReflection, Format, MaterialFallback, Merge,
-    NormalFormat, Note, OutputContent, OutputFile, Part, WriteError, WriteOptions, Written,
+    FileImages, FileMaterial, FileOptics, FileReflection, Format, MaterialFallback, Merge, NormalFormat,
+    Note, OutputContent, OutputFile, Part, WriteError, WriteOptions, Written,
 };
 use crate::mesh::{Column, FaceLabels, Mesh, NONE, PositionsRef, Storage};
 use glam::DVec3;
@@ -24,7 +23,6 @@ use gltf::json::mesh as mode;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
-use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 /// Writes a new `.glb` or `.gltf`: one mesh and one node a part, or an object of a part; one primitive a material.
@@ -41,15 +39,15 @@ pub(in crate::io) fn write(
     let (pieces, unused) = pieces(parts);
     let known = materials.iter().map(|material| (material.name.as_str(), material)).collect();
     let WriteOptions { normal_format, merge, material, .. } = *options;
-    let embeds_images = to == Format::Glb || options.stem.is_none();
-    let mut file = File { known, normal_format, merge, fallback: material, embeds_images, ..File::default() };
+    let textures = NewTextures::new(to == Format::Glb || options.stem.is_none());
+    let mut file = File { known, normal_format, merge, fallback: material, textures, ..File::default() };
     for part in &pieces {
         file.part(part)?;
     }
     let mut written = std::mem::take(&mut file.written);
     let old: usize = parts.iter().map(|part| part.mesh.vertex_count()).sum();
     written.count_change(old);
-    written.notes.extend(notes(parts, unused, &file.omitted));
+    written.notes.extend(notes(parts, unused, file.textures.note()));
     written.companions.append(&mut file.textures.companions);
     let length = file.blob.length as usize;
     if to == Format::Glb {
@@ -84,10 +82,7 @@ struct File<'a> {
     fallback: MaterialFallback,
     /// The numbers of the fallback materials, without and with colours of vertices.
     fallback_numbers: [Option<usize>; 2],
-    textures: NewTextures,
-    embeds_images: bool,
-    /// Names of materials, and what is omitted of them.
-    omitted: BTreeSet<(&'a str, String)>,
+    textures: NewTextures<'a>,
     normal_format: NormalFormat,
     merge: Merge,
     is_quantized: bool,
@@ -246,47 +241,26 @@ impl<'a> File<'a> {
 
     fn material(&mut self, labels: &'a FaceLabels, label: u32, has_uvs: bool) -> Result<usize, WriteError> {
         let name = labels.names[label as usize].as_str();
-        if let Some(number) = self.material_numbers.get(&(name, has_uvs)) {
+        let known = self.known.get(name).copied();
+        let has_images = known.is_some_and(|known| known.images.has_any());
+        let key = (name, has_uvs || !has_images);
+        if let Some(number) = self.material_numbers.get(&key) {
             return Ok(*number);
         }
         let mut members = String::new();
-        if let Some(&known) = self.known.get(name) {
-            let textures = self.textures_of(known, has_uvs)?;
-            members = material_members(known, textures);
-        }
-        self.materials.push(format!("{{\"name\":{}{members}}}", quoted(name)));
-        self.material_numbers.insert((name, has_uvs), self.materials.len() - 1);
-        Ok(self.materials.len() - 1)
-    }
-
-    fn textures_of(
-        &mut self,
-        material: &'a FileMaterial,
-        has_uvs: bool,
-    ) -> Result<MaterialTextures, WriteError> {
-        let FileMaterial { name, images, .. } = material;
-        self.omitted.extend(images.omitted.iter().map(|what| (name.as_str(), what.clone())));
-        let mut texture = |image: &'a Option<FileImage>| {
-            let Some(image) = image else { return Ok(None) };
-            if !has_uvs {
-                let text = format!("`{}` (a mesh has no texture coordinates)", image.name);
-                self.omitted.insert((name, text));
-                return Ok(None);
-            }
-            let views = &mut self.views;
-            let blob = &mut self.blob;
-            let embed = self.embeds_images.then_some(|bytes: Vec<u8>| {
+        if let Some(known) = known {
+            let Self { views, blob, textures, .. } = self;
+            let mut embed = |bytes: Vec<u8>| {
                 let length = bytes.len();
                 let offset = blob.push(bytes);
                 views.push(format!("{{\"buffer\":0,\"byteOffset\":{offset},\"byteLength\":{length}}}"));
                 views.len() - 1
-            });
-            self.textures.number(image, embed).map(Some)
-        };
-        Ok(MaterialTextures {
-            base_colour: texture(&images.base_colour)?,
-            normal: texture(&images.normal)?.zip(images.normal.as_ref().map(|image| image.scale)),
-        })
+            };
+            members = material_members(known, textures.of_material(known, has_uvs, &mut embed)?);
+        }
+        self.materials.push(format!("{{\"name\":{}{members}}}", quoted(name)));
+        self.material_numbers.insert(key, self.materials.len() - 1);
+        Ok(self.materials.len() - 1)
     }
 
     /// The material of faces without one. Colours of vertices multiply its base colour.
@@ -350,12 +324,12 @@ impl<'a> File<'a> {
     }
 }
 
-fn notes(parts: &[Part], unused: usize, omitted: &BTreeSet<(&str, String)>) -> Vec<Note> {
+fn notes(parts: &[Part], unused: usize, omitted: Option<Note>) -> Vec<Note> {
     let mut notes = unsupported_notes(Format::Gltf, parts);
     if parts.iter().any(|part| part.mesh.columns().smoothing.is_some()) {
         notes.push(Note::remark("glTF has no smoothing groups; the normals keep their effect"));
     }
-    notes.extend(omitted_note(omitted.iter().map(|(name, what)| (*name, what.clone()))));
+    notes.extend(omitted);
     if unused > 0 {
         let vertices = counted(unused, "vertex", "vertices");
         notes.push(Note::remark(format!("{vertices} without an object omitted")));

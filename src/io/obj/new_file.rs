@@ -1,6 +1,6 @@
 //! A new OBJ from any meshes, and the numbers of normals in an OBJ that is edited or new.
 
-use super::new_library::library;
+use super::new_library::{library, named};
 use crate::io::mesh_checks::unsupported_notes;
 use crate::io::text::{push_integer, push_row};
 use crate::io::{Emit, FileMaterial, Format, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
@@ -192,19 +192,6 @@ impl Writer {
         }
         self.out.push(b'\n');
     }
-}
-
-/// Appends a statement with a name, unless that is blank.
-pub(super) fn named(out: &mut Vec<u8>, keyword: &str, name: &str) {
-    if name.trim().is_empty() {
-        return;
-    }
-    out.extend_from_slice(keyword.as_bytes());
-    out.push(b' ');
-    // A line end in a name would start a statement, and a backslash at its end would continue it.
-    let name = name.trim().trim_end_matches('\\');
-    out.extend(name.bytes().map(|byte| if matches!(byte, b'\n' | b'\r') { b' ' } else { byte }));
-    out.push(b'\n');
 }
 
 /// Which `vn` lines stay, which are new, and the number of each value: the index of its line in the output, from 1.

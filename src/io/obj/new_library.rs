@@ -1,6 +1,5 @@
 //! A new material library.
 
-use super::new_file::named;
 use crate::io::appearance::omitted_note;
 use crate::io::{
     FileImage, FileMaterial, FileReflection, Note, OutputContent, OutputFile, Part, WriteOptions,
@@ -64,4 +63,17 @@ fn statements(material: &FileMaterial) -> String {
 fn texture(text: &mut Vec<u8>, keyword: &str, image: &FileImage) {
     let scale = if image.scale == 1.0 { String::new() } else { format!("-bm {} ", image.scale) };
     named(text, keyword, &format!("{scale}{}", image.name));
+}
+
+/// Appends a statement with a name, unless that is blank.
+pub(super) fn named(out: &mut Vec<u8>, keyword: &str, name: &str) {
+    if name.trim().is_empty() {
+        return;
+    }
+    out.extend_from_slice(keyword.as_bytes());
+    out.push(b' ');
+    // A line end in a name would start a statement, and a backslash at its end would continue it.
+    let name = name.trim().trim_end_matches('\\');
+    out.extend(name.bytes().map(|byte| if matches!(byte, b'\n' | b'\r') { b' ' } else { byte }));
+    out.push(b'\n');
 }

@@ -303,7 +303,8 @@ mod tests {
                 for slivers in [Slivers::Exclude, Slivers::Keep] {
                     let averaging = Averaging { weight, slivers, ..Averaging::default() };
                     let mut normals = [[0.0; 3]; 4];
-                    vertex_normals(&positions, &triangles, averaging, &mut Scratch::new(), &mut normals).unwrap();
+                    vertex_normals(&positions, &triangles, averaging, &mut Scratch::new(), &mut normals)
+                        .unwrap();
                     let is_unit = |n: &[f64; 3]| (DVec3::from_array(*n).length() - 1.0).abs() < 1e-12;
                     assert!(normals.iter().all(is_unit), "{averaging:?}: {normals:?}");
                 }
