@@ -8,9 +8,9 @@
 use crease::mesh::{Faces, Mesh, MeshBuilder, Positions, Topology, Weld};
 use crease::normals::encoding::{Encoding, Octahedral, from_half, to_half};
 use crease::normals::{
-    Averaging, Coordinate, Crease, Extras, NormalField, NormalRecipe, Precision, Scope, Scratch, Slivers, Weight,
-    When, compute, compute_observed, compute_on, compute_wider, compute_with, corner_normals, crease_slack,
-    face_normals, select, vertex_normals,
+    Averaging, Coordinate, Crease, Extras, NormalField, NormalRecipe, Precision, Scope, Scratch, Slivers,
+    Weight, When, compute, compute_observed, compute_on, compute_wider, compute_with, corner_normals,
+    crease_slack, face_normals, select, vertex_normals,
 };
 use crease::num::Degrees;
 use crease_fuzz::{Choices, start};
@@ -42,8 +42,15 @@ fn by_slices<T: Coordinate + Copy + Into<f64> + Default + PartialEq + std::fmt::
                 assert_eq!(found.is_ok(), faces.is_ok() && !weight.is_fit(), "{averaging:?}");
                 assert!(found.is_err() || are_unit(&of_vertices), "{averaging:?}: {of_vertices:?}");
                 let (mut normals, mut index) = (Vec::new(), vec![0; 3 * triangles.len()]);
-                let found =
-                    corner_normals(positions, triangles, averaging, crease, &mut scratch, &mut normals, &mut index);
+                let found = corner_normals(
+                    positions,
+                    triangles,
+                    averaging,
+                    crease,
+                    &mut scratch,
+                    &mut normals,
+                    &mut index,
+                );
                 assert_eq!(found.is_ok(), faces.is_ok() && !weight.is_fit(), "{averaging:?}");
                 assert!(found.is_err() || are_unit(&normals), "{averaging:?}: {normals:?}");
                 assert!(found.is_err() || index.iter().all(|&slot| (slot as usize) < normals.len()));
@@ -91,11 +98,13 @@ fn by_mesh<T: Coordinate + Copy + Into<f64> + Default>(
     let field = compute(mesh, &recipe);
     let mut of_vertices = vec![[T::default(); 3]; positions.len()];
     let averaging = Averaging { weight, ..Averaging::default() };
-    let faults =
-        vertex_normals(positions, triangles, averaging, &mut Scratch::new(), &mut of_vertices).expect("valid slices");
+    let faults = vertex_normals(positions, triangles, averaging, &mut Scratch::new(), &mut of_vertices)
+        .expect("valid slices");
     // Fallback normals differ: those of a mesh also take from faces across its edges.
     let is_fallback = |vertex| faults.vertices.iter().any(|fault| fault.index == vertex);
-    for (corner, &vertex) in mesh.faces().corners().iter().enumerate().filter(|(_, vertex)| !is_fallback(**vertex)) {
+    for (corner, &vertex) in
+        mesh.faces().corners().iter().enumerate().filter(|(_, vertex)| !is_fallback(**vertex))
+    {
         let by_mesh = field.normals.get(corner, vertex).expect("every corner has a normal").as_vec3();
         let by_slice = DVec3::from_array(of_vertices[vertex as usize].map(Into::into)).as_vec3();
         assert_eq!(by_mesh, by_slice, "{weight:?}, corner {corner}");
