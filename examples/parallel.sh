@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# A batch over the processors of one machine, or of several by SSH, with GNU parallel.
+# A batch over the processors of one machine, in N shares with GNU parallel:
 #
-#     bash examples/parallel.sh list.txt out [SHARES] [OPTIONS OF crease normals...]
+#     bash examples/parallel.sh N list.txt out [OPTIONS OF crease normals...]
 #
 # Each share writes a journal of its own. A second call skips what is done; a share that was killed is repeated.
 set -euo pipefail
-list=$1 out=$2 shares=${3:-$(nproc)}
-shift $(($# < 3 ? $# : 3))
+shares=$1 list=$2 out=$3
+shift 3
 crease=${CREASE:-crease}
 mkdir -p "$out"
 

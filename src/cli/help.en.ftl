@@ -18,9 +18,9 @@ shard = Share of the inputs, chosen by a hash of their names: 0/4 to 3/4 are tog
 journal = Journal of the batch, a line of JSON for each file. A run with the same journal skips the files that are done, if their
     inputs, outputs and the options are unchanged
 retries = Further tries for files that cannot be read or written
-jobs = Inputs in work at the same time. Outputs and reports are the same for any number
-memory = Memory that all inputs in work may need together, such as 8G, estimated from their sizes and formats; a larger input is in
-    work alone [default: three quarters of the available memory]
+jobs = Inputs that are processed at the same time. Outputs and reports are the same for any number
+memory = Memory that all of them may need together, such as 8G, estimated from their sizes and formats; a larger input is
+    processed alone [default: three quarters of the available memory]
 root = Further folder from which companion files (MTL, glTF buffers) may be read; the only one for standard input [default:
     the input's folder]
 allow-extension = glTF extension that a file may require although crease does not know it; use it for extensions without vertices,

@@ -101,6 +101,72 @@ fn files_replaced_in_place_are_done_once() {
 }
 
 #[test]
+fn what_cannot_be_compared_is_never_skipped() {
+    let work = folder(&[]);
+    let triangle = |x: u32| format!("v 0 0 0\nv {x} 0 0\nv 0 1 0\nf 1 2 3\n");
+    for x in 1..3 {
+        let args = ["normals", "-", "--format", "obj", "-o", "s.obj", "--journal", "journal", "-q"];
+        let output = crease().args(args).current_dir(work.path()).write_stdin(triangle(x)).output().unwrap();
+        assert_eq!(code(&output), 0);
+        let written = fs::read_to_string(work.path().join("s.obj")).unwrap();
+        assert!(written.contains(&format!("v {x} 0 0")), "{written}");
+    }
+    // A file that is newer than the run, as one that changed during it.
+    let input = work.path().join("late.obj");
+    fs::write(&input, triangle(1)).unwrap();
+    let later = std::time::SystemTime::now() + Duration::from_secs(3600);
+    fs::File::options().append(true).open(&input).unwrap().set_modified(later).unwrap();
+    let args = ["late.obj", "--out-dir", "out", "--journal", "journal", "--json"];
+    for _ in 0..2 {
+        assert_eq!(statuses(&run(work.path(), &args).1, "ok"), 1);
+    }
+}
+
+/// What one share writes is no input of another, and no output of it either.
+#[test]
+fn collisions_are_found_across_shares() {
+    let work = files(2);
+    for (lines, options, found) in [
+        (["in/0000.obj:in/0001.obj", "in/0001.obj:x.ply"], vec![], "overwrite the input in/0001.obj"),
+        (
+            ["in/0000.obj:in/0001.obj", "in/0001.obj:x.ply"],
+            vec!["--in-place"],
+            "overwrite the input in/0001.obj",
+        ),
+        (["in/0000.obj:x.ply", "in/0001.obj:x.ply"], vec![], "would both be written to x.ply"),
+    ] {
+        let line = |line: &str| {
+            let (input, output) = line.split_once(':').unwrap();
+            format!(r#"{{"input": "{input}", "output": "{output}"}}"#)
+        };
+        fs::write(work.path().join("list"), lines.map(line).join("\n")).unwrap();
+        for shard in ["0/7", "3/7"] {
+            let args = [&["--manifest", "list", "--shard", shard], &options[..]].concat();
+            let (status, _, errors) = run(work.path(), &args);
+            assert!(status == 2 && errors.contains(found), "{args:?}: {status}: {errors}");
+        }
+    }
+}
+
+/// A companion of an output that is skipped is not replaced by that of another input.
+#[test]
+fn companions_of_skipped_outputs_stay() {
+    let work = folder(&[]);
+    for (folder, x) in [("a", 1), ("b", 2)] {
+        fs::create_dir(work.path().join(folder)).unwrap();
+        let text = format!("v 0 0 0\nv {x} 0 0\nv 0 1 0\nf 1 2 3\n");
+        fs::write(work.path().join(folder).join("m.obj"), text).unwrap();
+    }
+    let lines = [("a", "gltf"), ("b", "GLTF")]
+        .map(|(input, ending)| format!(r#"{{"input": "{input}/m.obj", "output": "m.{ending}"}}"#));
+    fs::write(work.path().join("list"), lines.join("\n")).unwrap();
+    for _ in 0..3 {
+        let (status, _, errors) = run(work.path(), &["--manifest", "list", "--journal", "journal"]);
+        assert!(status == 5 && errors.contains("b/m.obj: "), "{status}: {errors}");
+    }
+}
+
+#[test]
 fn failures_are_in_the_journal_and_are_retried() {
     let work = files(3);
     fs::write(work.path().join("in/0001.obj"), "v 0 0 nan\nf 1 1 1\n").unwrap();
@@ -111,7 +177,7 @@ fn failures_are_in_the_journal_and_are_retried() {
         assert_eq!(code(&output), 0);
         text(&output.stdout).to_owned()
     };
-    assert_eq!(journal("failed"), "in/0001.obj\n");
+    assert_eq!(journal("failed"), "{\"input\":\"in/0001.obj\",\"output\":\"out/in/0001.obj\"}\n");
     let summary = journal("summary");
     assert!(summary.starts_with("3 files: 2 done, 1 failed") && summary.contains("1 failed: "), "{summary}");
     fs::write(work.path().join("in/0001.obj"), "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n").unwrap();
@@ -312,6 +378,8 @@ fn wrong_lists_and_shares_are_refused_before_work() {
         (vec!["--manifest", "list", "in/0000.obj", "--out-dir", "out"], 2, "--manifest"),
         (vec!["in/0000.obj", "--out-dir", "out", "--shard", "3/3"], 2, "from 0 to N − 1"),
         (vec!["in/0000.obj", "--out-dir", "out", "--journal", "in"], 4, "journal"),
+        (vec!["in/0000.obj", "--out-dir", "out", "--journal", "list"], 4, "list is not a journal"),
+        (vec!["in/0000.obj", "--out-dir", "out", "--journal", "/dev/null"], 4, "not a regular file"),
         (vec!["in/0000.obj", "--out-dir", "out", "--memory", "8X"], 2, "a number of bytes such as 8G"),
     ] {
         let (status, _, errors) = run(work.path(), &args);

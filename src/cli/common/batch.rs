@@ -31,7 +31,7 @@ pub struct BatchArgs {
 }
 
 impl BatchArgs {
-    /// The inputs of the manifest, or else those of `otherwise`; of these the share.
+    /// The inputs of the manifest, or else those of `otherwise`.
     ///
     /// # Errors
     /// Those of [`manifest`] and of `otherwise`.
@@ -39,14 +39,12 @@ impl BatchArgs {
         &self,
         otherwise: impl FnOnce() -> Result<Vec<Input>, Failure>,
     ) -> Result<Vec<Input>, Failure> {
-        let mut found = match &self.manifest {
-            Some(path) => manifest(path)?,
-            None => otherwise()?,
-        };
-        if let Some(shard) = self.shard {
-            found.retain(|input| shard.takes(&input.source.name()));
-        }
-        Ok(found)
+        self.manifest.as_deref().map_or_else(otherwise, manifest)
+    }
+
+    /// Whether an input is in the share. Outputs are compared before that, so that no share overwrites the work of another.
+    pub fn takes(&self, source: &Source) -> bool {
+        self.shard.is_none_or(|shard| shard.takes(&source.name()))
     }
 
     /// How many inputs are in work at the same time.
@@ -97,6 +95,9 @@ pub fn with_line<A: FromArgMatches>(verb: &str, input: &Input) -> Result<A, Fail
     let options = command.find_subcommand(verb).expect("a verb");
     for word in &input.options {
         let name = word.split('=').next().unwrap_or_default();
+        if ["--help", "-h", "--version", "-V", "--color"].contains(&name) {
+            return Err(refused(format!("{name} is not an option of one input\nhelp: remove it")));
+        }
         let is_named = |arg: &&clap::Arg| match name.strip_prefix("--") {
             Some(long) => arg.get_long() == Some(long),
             None => name.strip_prefix('-').is_some_and(|it| it.chars().next() == arg.get_short()),
@@ -167,7 +168,7 @@ struct Line {
 /// The largest manifest, in bytes.
 const MOST: u64 = 1 << 30;
 
-/// The inputs of a manifest: a path for each line, or a JSON object with `input` and perhaps `output` and `options`. Empty lines
+/// The inputs of a manifest: a path for each line, or a JSON object with `input`, and optionally `output` and `options`. Empty lines
 /// are skipped.
 ///
 /// # Errors
@@ -189,12 +190,13 @@ fn manifest(path: &Path) -> Result<Vec<Input>, Failure> {
         return Err(fail(Place::File, format!("the manifest has more than {MOST} bytes"), "divide it"));
     }
     let mut inputs = Vec::new();
-    for (number, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
-        let Line { input, output, options } = if line.starts_with('{') {
+    let lines = text.trim_start_matches('\u{feff}').lines().map(|line| line.trim_end_matches('\r'));
+    for (number, line) in lines.enumerate().filter(|(_, line)| !line.trim().is_empty()) {
+        let Line { input, output, options } = if line.trim_start().starts_with('{') {
             serde_json::from_str(line).map_err(|error| {
                 fail(
                     Place::Line(number as u64 + 1),
-                    format!("not an object with `input` and perhaps `output` and `options`: {error}"),
+                    format!("not an object with `input`, and optionally `output` and `options`: {error}"),
                     "write a path, or {\"input\": \"…\", \"output\": \"…\", \"options\": [\"--crease\", \"40\"]}",
                 )
             })?

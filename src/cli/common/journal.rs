@@ -2,7 +2,7 @@
 //! done and unchanged. Each line is written at once, so that a killed run loses at most the file in work.
 
 use super::failure::Failure;
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
 use std::fs::{File, OpenOptions};
@@ -36,6 +36,9 @@ pub struct Entry {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub verdict: Option<String>,
     pub seconds: f64,
+    /// When the work ended, in milliseconds since 1970.
+    #[serde(default)]
+    pub ended: u64,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub error: Option<String>,
 }
@@ -49,14 +52,16 @@ pub enum Status {
 }
 
 impl Entry {
-    /// Whether the same work need not be done again: all files that were read and written are the same. A file that was replaced
-    /// in place is now what was written.
+    /// Whether the same work need not be repeated: all files that were read and written are the same. A file that was replaced in
+    /// place is now what was written. Without a hash of the input and of an output, as for streams, nothing is known.
     pub fn is_valid(&self, options: &str) -> bool {
         let is_same =
             |path: &String, expected: &String| hash_of(Path::new(path)).is_ok_and(|it| it == *expected);
         self.status == Status::Done
             && self.crease == env!("CARGO_PKG_VERSION")
             && self.options == options
+            && self.read.contains_key(&self.input)
+            && self.output.as_ref().is_none_or(|output| !self.written.is_empty() || *output == self.input)
             && self.written.iter().all(|(path, hash)| is_same(path, hash))
             && self.read.iter().all(|(path, hash)| self.written.contains_key(path) || is_same(path, hash))
     }
@@ -85,6 +90,9 @@ pub fn entries(path: &Path) -> Result<(Vec<Entry>, usize)> {
     Ok((entries.into_iter().map(|(_, entry)| entry).collect(), bad))
 }
 
+/// A journal without entries has fewer bytes than this: the first line was not completed.
+const HALF_LINE: u64 = 1 << 16;
+
 /// A journal that is written.
 #[derive(Debug)]
 pub struct Journal {
@@ -102,9 +110,20 @@ impl Journal {
     /// If the file cannot be read or written.
     pub fn open(path: &Path, sync: bool) -> Result<Self> {
         let context = || format!("could not open the journal {}", path.display());
+        ensure!(
+            path.metadata().map_or(true, |metadata| metadata.is_file()),
+            "the journal {} is not a regular file\nhelp: name a file",
+            path.display()
+        );
         let mut file =
             OpenOptions::new().read(true).append(true).create(true).open(path).with_context(context)?;
         let (old, bad) = entries(path)?;
+        // A killed run leaves half a line at most; other files are not to be changed.
+        ensure!(
+            !old.is_empty() || bad <= 1 && file.metadata().with_context(context)?.len() < HALF_LINE,
+            "{} is not a journal: it has no entry\nhelp: name another file",
+            path.display()
+        );
         // A killed run may have written half a line.
         if file.seek(SeekFrom::End(0)).with_context(context)? > 0 {
             file.seek(SeekFrom::End(-1)).with_context(context)?;
@@ -142,6 +161,10 @@ impl Journal {
 /// # Errors
 /// If it cannot be read.
 pub fn hash_of(path: &Path) -> std::io::Result<String> {
+    if !path.metadata()?.is_file() {
+        // Reading a pipe would wait, or take what is in it.
+        return Err(std::io::Error::from(std::io::ErrorKind::InvalidInput));
+    }
     let mut file = File::open(path)?;
     let mut hash = Xxh3::new();
     let mut piece = vec![0; 1 << 20];

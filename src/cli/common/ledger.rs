@@ -3,16 +3,18 @@
 use super::batch::BatchArgs;
 use super::console::{Console, escaped};
 use super::failure::Failure;
+use super::input::Source;
 use super::journal::{Entry, Journal, Status, hash_of, hash_of_text};
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 /// The journal, if there is one.
 pub struct Ledger {
     journal: Option<Mutex<Journal>>,
     retries: u8,
+    start: SystemTime,
 }
 
 /// What identifies a piece of work.
@@ -45,7 +47,7 @@ impl Ledger {
     pub fn open(batch: &BatchArgs, dry_run: bool, sync: bool) -> Result<Self, Failure> {
         let path = batch.journal.as_deref().filter(|_| !dry_run);
         let journal = path.map(|path| Journal::open(path, sync)).transpose()?;
-        Ok(Self { journal: journal.map(Mutex::new), retries: batch.retries })
+        Ok(Self { journal: journal.map(Mutex::new), retries: batch.retries, start: SystemTime::now() })
     }
 
     /// Reports lines of the journal that are no entries.
@@ -65,13 +67,18 @@ impl Ledger {
         entry.is_valid(&hash_of_text(&work.options)).then_some(entry)
     }
 
-    /// Does something, again if it failed for a reason that may pass. The wait doubles each time.
+    /// Does something, and repeats it if it failed for a reason that may pass. The wait doubles each time. Standard input can be read
+    /// only once.
     ///
     /// # Errors
     /// Those of the last try.
-    pub fn retried<T>(&self, mut work: impl FnMut() -> Result<T, Failure>) -> Result<T, Failure> {
+    pub fn retried<T>(
+        &self,
+        source: &Source,
+        mut work: impl FnMut() -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
         let mut done = work();
-        for number in 0..self.retries {
+        for number in 0..if *source == Source::Standard { 0 } else { self.retries } {
             match &done {
                 Err(failure) if failure.may_pass() => {
                     std::thread::sleep(Duration::from_millis(100 << number));
@@ -89,8 +96,15 @@ impl Ledger {
     /// If it cannot be written.
     pub fn record(&self, work: Work, outcome: Outcome<'_>) -> Result<(), Failure> {
         let Some(journal) = &self.journal else { return Ok(()) };
-        let hashed = |path: &Path| Some((path.to_str()?.to_owned(), hash_of(path).ok()?));
-        let hashes = |paths: &[PathBuf]| paths.iter().filter_map(|path| hashed(path)).collect();
+        let hashed = |path: &PathBuf| Some((path.to_str()?.to_owned(), hash_of(path).ok()?));
+        let hashes = |paths: &[PathBuf]| paths.iter().map(hashed).collect::<Option<BTreeMap<_, _>>>();
+        let is_new = |path: &PathBuf| {
+            let time = path.metadata().and_then(|metadata| metadata.modified());
+            time.is_ok_and(|time| time >= self.start) && !outcome.written.contains(path)
+        };
+        let written = if outcome.error.is_some() { Some(BTreeMap::new()) } else { hashes(&outcome.written) };
+        let read = hashes(&outcome.read).filter(|_| written.is_some() && !outcome.read.iter().any(is_new));
+        let ended = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
         let entry = Entry {
             input: work.input,
             bytes: outcome.bytes,
@@ -98,12 +112,14 @@ impl Ledger {
             status: if outcome.error.is_some() { Status::Failed } else { Status::Done },
             crease: env!("CARGO_PKG_VERSION").into(),
             options: hash_of_text(&work.options),
-            read: hashes(&outcome.read),
-            written: if outcome.error.is_some() { BTreeMap::new() } else { hashes(&outcome.written) },
+            // Without hashes the next run repeats the work: files that changed meanwhile, and those that have no content to compare.
+            read: read.unwrap_or_default(),
+            written: written.unwrap_or_default(),
             faults: outcome.faults,
             findings: outcome.findings,
             verdict: outcome.verdict,
             seconds: outcome.seconds,
+            ended: ended.as_millis() as u64,
             error: outcome.error.map(|failure| failure.message.clone()),
         };
         journal.lock().unwrap_or_else(PoisonError::into_inner).add(&entry)

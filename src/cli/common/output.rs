@@ -30,7 +30,8 @@ pub struct Store {
     sync: bool,
     /// Do everything but write.
     dry_run: bool,
-    companions: Mutex<BTreeMap<PathBuf, u64>>,
+    /// Companions with the mark of their content; `None` for those of an earlier run.
+    companions: Mutex<BTreeMap<PathBuf, Option<u64>>>,
 }
 
 /// An output that is stored.
@@ -75,6 +76,12 @@ impl Store {
     /// known in advance are reported.
     pub fn new(sync: bool, dry_run: bool) -> Self {
         Self { sync, dry_run, ..Self::default() }
+    }
+
+    /// Keeps files that an earlier run has written: no companion may replace them by other content.
+    pub fn keep(&self, paths: impl IntoIterator<Item = String>) {
+        let mut known = self.companions.lock().unwrap_or_else(PoisonError::into_inner);
+        known.extend(paths.into_iter().map(|path| (PathBuf::from(path), None)));
     }
 
     /// Stores an output and its companion files.
@@ -154,7 +161,7 @@ impl Store {
         }
         let files = claimed.iter().map(|claim| claim.place.clone()).chain([path]).collect();
         if let Some(known) = &mut known {
-            known.extend(claimed.into_iter().map(|claim| (claim.place, claim.mark)));
+            known.extend(claimed.into_iter().map(|claim| (claim.place, Some(claim.mark))));
         }
         Ok(Stored { notes, files })
     }
@@ -196,7 +203,11 @@ impl Store {
 }
 
 /// The place that a companion will have; `None` if it is left where it is because its name leads out of the output's folder.
-fn claim(known: &BTreeMap<PathBuf, u64>, companion: OutputFile, main: &Path) -> Result<Option<Claim>> {
+fn claim(
+    known: &BTreeMap<PathBuf, Option<u64>>,
+    companion: OutputFile,
+    main: &Path,
+) -> Result<Option<Claim>> {
     let OutputFile { name, content } = companion;
     let path = Path::new(&name);
     if !path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
@@ -213,7 +224,7 @@ fn claim(known: &BTreeMap<PathBuf, u64>, companion: OutputFile, main: &Path) -> 
     let mark = mark(&content);
     let twin = known.get(&place);
     ensure!(
-        twin.is_none_or(|twin| *twin == mark),
+        twin.is_none_or(|twin| twin.map_or_else(|| stands(&place, &content), |twin| twin == mark)),
         "{} belongs to another output of this run too, with other content\nhelp: write them into different folders, or \
          one by one under different names",
         place.display()

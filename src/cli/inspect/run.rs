@@ -99,11 +99,15 @@ fn one(job: &Job, shared: &Shared<'_>) -> Recorded<(InspectReport, Outcome)> {
         report.head.status = SKIPPED;
         let worst = Severity::ALL.into_iter().find(|it| Some(it.name()) == entry.verdict.as_deref());
         let is_grave = job.args.findings.fail_on.is_some_and(|least| worst >= Some(least));
+        report.verdict = worst;
         return ((report, Outcome { is_grave, lacks_normals: false }), Ok(()));
     }
     let log = ReadLog::default();
     let read = ReadOptions { log: log.clone(), ..job.read() };
-    let result = shared.ledger.retried(|| guarded(|| inspect(job, &read, shared.progress, &mut report)));
+    let result = shared.ledger.retried(&job.source, || {
+        report = InspectReport::new(&job.source);
+        guarded(|| inspect(job, &read, shared.progress, &mut report))
+    });
     report.seconds.total = start.elapsed().as_secs_f64();
     report.head.record(&result);
     let mut findings = BTreeMap::new();
@@ -344,6 +348,7 @@ fn jobs(args: &InspectArgs) -> Result<Vec<Job>, Failure> {
             )));
         }
     }
+    jobs.retain(|job| args.batch.takes(&job.source));
     Ok(jobs)
 }
 

@@ -23,7 +23,13 @@ pub fn main(args: &JournalArgs, color: Color) -> Exit {
         }
         Action::Failed => {
             let failed = found.iter().filter(|entry| entry.status == Status::Failed);
-            failed.for_each(|entry| console.report(&(entry.input.clone() + "\n")));
+            failed.for_each(|Entry { input, output, .. }| {
+                let line = output.as_ref().map_or_else(
+                    || serde_json::json!({ "input": input }),
+                    |output| serde_json::json!({ "input": input, "output": output }),
+                );
+                console.report(&format!("{line}\n"));
+            });
         }
         Action::Merge => {
             let lines = found.iter().map(|entry| serde_json::to_string(entry).expect("string keys") + "\n");
@@ -33,14 +39,17 @@ pub fn main(args: &JournalArgs, color: Color) -> Exit {
     exit_code(Ok(Exit::Done), &console)
 }
 
-/// The entries of all journals: the last one for each input and output, in the order of their lines.
+/// The entries of all journals: the one that ended last for each input and output, in the order of their lines.
 fn all(args: &JournalArgs) -> Result<(Vec<Entry>, usize), Failure> {
-    let (mut last, mut incomplete, mut number) = (HashMap::new(), 0, 0);
+    let (mut last, mut incomplete, mut number) = (HashMap::<_, (u32, Entry)>::new(), 0, 0);
     for path in &args.journals {
         let (found, bad) = entries(path).map_err(|error| Failure::input(format!("{error:#}")))?;
         incomplete += bad;
         for entry in found {
-            last.insert((entry.input.clone(), entry.output.clone()), (number, entry));
+            let key = (entry.input.clone(), entry.output.clone());
+            if last.get(&key).is_none_or(|(_, known)| known.ended <= entry.ended) {
+                last.insert(key, (number, entry));
+            }
             number += 1;
         }
     }

@@ -25,6 +25,8 @@ pub struct Job {
     pub target: Option<Target>,
     /// The output's format; `None`: that of the input.
     pub to: Option<Format>,
+    /// Face normals go into the JSON report.
+    pub rows: bool,
     pub settings: Arc<Settings>,
 }
 
@@ -37,7 +39,7 @@ pub struct Settings {
     pub write: WriteOptions,
     /// Vertices move to others that are closer than this fraction of the diagonal.
     pub merge_distance: Option<f64>,
-    /// Face normals go into the JSON report.
+    /// Face normals go into the JSON report, unless a manifest names an output.
     pub rows: bool,
 }
 
@@ -78,6 +80,7 @@ impl Request {
             jobs.push(job(input, settings)?);
         }
         check_collisions(&jobs, args.output.in_place)?;
+        jobs.retain(|job| args.batch.takes(&job.source));
         Ok(Request { jobs })
     }
 }
@@ -190,7 +193,8 @@ fn job(input: &Input, settings: Arc<Settings>) -> Result<Job, Failure> {
             }
         }
     }
-    Ok(Job { source: input.source.clone(), format: output.format, target, to, settings })
+    let rows = settings.rows && target.is_none();
+    Ok(Job { source: input.source.clone(), format: output.format, target, to, rows, settings })
 }
 
 fn folder_place(input: &Input, format: Option<Format>, to: Option<Format>) -> Result<PathBuf, Failure> {
@@ -240,7 +244,9 @@ fn check_collisions(jobs: &[Job], in_place: bool) -> Result<(), Failure> {
                 target.display()
             ));
         }
-        if !in_place && let Some(input) = real(target).and_then(|real| inputs.get(&real).copied()) {
+        let place = real(target);
+        let is_own = in_place && place == real(source);
+        if !is_own && let Some(input) = place.and_then(|real| inputs.get(&real).copied()) {
             return usage(format!(
                 "this would overwrite the input {}\nhelp: name another output, or use --in-place",
                 input.display()

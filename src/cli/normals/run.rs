@@ -51,13 +51,23 @@ fn one<'a>(job: &'a Job, store: &Store, shared: &Shared<'_>) -> Recorded<Report<
     let mut report = Report::new(job);
     let start = Instant::now();
     let work = work(job);
-    if shared.ledger.done_before(&work).is_some() {
+    let mut before = shared.ledger.done_before(&work);
+    if before.as_ref().is_some_and(|entry| entry.written.len() > 1) {
+        // An input before this one may have replaced a companion.
+        shared.turn.wait();
+        before = shared.ledger.done_before(&work);
+    }
+    if let Some(entry) = before {
+        store.keep(entry.written.into_keys());
         report.head.status = SKIPPED;
         return (report, Ok(()));
     }
     let log = ReadLog::default();
     let read = ReadOptions { log: log.clone(), ..job.settings.read.clone() };
-    let done = shared.ledger.retried(|| guarded(|| run(job, &read, store, shared, &mut report)));
+    let done = shared.ledger.retried(&job.source, || {
+        report = Report::new(job);
+        guarded(|| run(job, &read, store, shared, &mut report))
+    });
     report.seconds.total = start.elapsed().as_secs_f64();
     report.head.record(&done);
     let faults = report.parts.iter().flat_map(|part| part.outcome.faults.corners.values());
@@ -124,7 +134,7 @@ fn run(
 
     progress.stage(Stage::Compute);
     let start = Instant::now();
-    let target = (!settings.rows).then(|| job.to.unwrap_or(loaded.format));
+    let target = (!job.rows).then(|| job.to.unwrap_or(loaded.format));
     if let Some(target) =
         target.filter(|&target| settings.write.compression != MeshCompression::None && target != Format::Glb)
     {
@@ -151,7 +161,7 @@ fn run(
     let revision = compute(&loaded, settings, target, progress);
     report.seconds.compute = start.elapsed().as_secs_f64();
     let parts = revision.parts.into_iter().zip(&revision.edits);
-    report.parts = parts.map(|(part, edit)| Part::new(part, settings.rows.then_some(edit))).collect();
+    report.parts = parts.map(|(part, edit)| Part::new(part, job.rows.then_some(edit))).collect();
     let Some(format) = target else { return Ok(Vec::new()) };
 
     progress.stage(Stage::Write);

@@ -41,7 +41,7 @@ pub struct RenderArgs {
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Input and output")]
 pub struct PictureArgs {
-    #[arg(short, long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE", conflicts_with = "manifest")]
     pub output: Option<PathBuf>,
     #[arg(long, value_name = "DIR", requires = "manifest", conflicts_with = "output")]
     pub out_dir: Option<PathBuf>,
@@ -66,7 +66,7 @@ pub struct PictureArgs {
     pub compare: Vec<Variant>,
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=720), conflicts_with = "probe")]
     pub turntable: Option<u16>,
-    #[arg(long, value_name = "X,Y", value_parser = values::pixel, allow_hyphen_values = true, conflicts_with_all = ["show", "overlay"])]
+    #[arg(long, value_name = "X,Y", value_parser = values::pixel, allow_hyphen_values = true, conflicts_with_all = ["show", "overlay", "manifest"])]
     pub probe: Option<[u32; 2]>,
 }
 

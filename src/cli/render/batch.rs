@@ -85,6 +85,7 @@ fn requests(all: &[RenderArgs]) -> Result<Vec<Request<'_>>, Failure> {
         request.load.read.log = ReadLog::default();
         requests.push(request);
     }
+    requests.retain(|request| request.args.batch.takes(&request.source));
     Ok(requests)
 }
 
@@ -120,7 +121,10 @@ fn one(request: &Request<'_>, shared: &Shared<'_>) -> Recorded<Report> {
         report.head.status = SKIPPED;
         return (report, Ok(()));
     }
-    let result = shared.ledger.retried(|| guarded(|| run(request, None, &mut report)));
+    let result = shared.ledger.retried(&request.source, || {
+        report = Report::new(request);
+        guarded(|| run(request, None, &mut report))
+    });
     report.seconds.total = start.elapsed().as_secs_f64();
     report.head.record(&result);
     if result.is_err() {

@@ -29,6 +29,9 @@ pub fn main(args: &RenderArgs, color: Color) -> Exit {
     if args.batch.manifest.is_some() {
         return batch::main(args, &console);
     }
+    if args.batch.journal.is_some() || args.batch.shard.is_some() || args.batch.jobs > 1 {
+        usage_error("render", "--journal, --shard and --jobs are for the inputs of --manifest");
+    }
     let request = Request::resolve(args).unwrap_or_else(|message| usage_error("render", message));
     args.run.use_threads();
     let mut report = Report::new(&request);

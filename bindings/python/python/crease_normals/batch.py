@@ -21,6 +21,10 @@ from collections import Counter
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from pathlib import Path, PurePosixPath
 from typing import Any, Callable, Iterable, Iterator, NamedTuple, Optional
+from urllib.parse import unquote
+
+# Options of the program that the driver sets or that would omit outputs.
+FIXED = {"--manifest", "--shard", "--journal", "--dry-run", "--out-dir", "--in-place", "-o", "--output", "--json"}
 
 PROGRAM = [sys.executable, "-m", "crease_normals", "normals"]
 
@@ -51,6 +55,9 @@ def read_manifest(path: str, out: str, options: list[str]) -> list[Job]:
     Raises ValueError with the number of the line."""
     source = sys.stdin if path == "-" else open(path, encoding="utf-8")
     jobs = []
+    refused = {word.split("=")[0] for word in options} & FIXED
+    if refused:
+        raise ValueError(f"{min(refused)} is set by the batch itself")
     with source:
         for number, line in enumerate(source, 1):
             line = line.rstrip("\r\n")
@@ -63,8 +70,11 @@ def read_manifest(path: str, out: str, options: list[str]) -> list[Job]:
                     unknown = entry.keys() - {"input", "output", "options"}
                 except ValueError as error:
                     raise ValueError(f"{path}: line {number}: {error}") from None
-                if unknown or not isinstance(entry.get("input"), str):
-                    raise ValueError(f"{path}: line {number}: expected `input`, and perhaps `output` and `options`")
+                own = entry.get("options", [])
+                names = [entry.get("input"), entry.get("output", "")]
+                is_right = all(isinstance(it, str) for it in [*names, *own]) if isinstance(own, list) else False
+                if unknown or not is_right:
+                    raise ValueError(f"{path}: line {number}: expected `input`, and optionally `output` and `options`")
             own = list(entry.get("options", []))
             name = absolute(entry["input"])
             output = entry.get("output") or below(out, entry["input"], options + own)
@@ -73,6 +83,12 @@ def read_manifest(path: str, out: str, options: list[str]) -> list[Job]:
     twice = next((name for name, count in outputs.items() if count > 1), None)
     if twice:
         raise ValueError(f"{path}: {twice} is the output of two inputs")
+    inputs = {job.input for job in jobs}
+    overwritten = next((job.output for job in jobs if job.output in inputs), None)
+    if overwritten:
+        raise ValueError(f"{path}: {overwritten} is an input and an output")
+    if not jobs:
+        raise ValueError(f"{path}: the manifest names no file")
     return jobs
 
 
@@ -124,7 +140,11 @@ def run_chunk(chunk: Chunk) -> list[dict[str, Any]]:
             raise RuntimeError(done.stderr.strip() or f"the program ended with {done.returncode}")
         with journal.open(encoding="utf-8") as file:
             file.seek(before)
-            entries = [json.loads(line) for line in file]
+            # A full disk may cut the last line.
+            entries = [json.loads(line) for line in file if line.endswith("}\n")]
+        known = {entry.get("output") for entry in [*chunk.entries, *(renamed(entry, copies.there) for entry in entries)]}
+        if done.returncode == 4 and any(job.output not in known for job in chunk.jobs):
+            raise RuntimeError(done.stderr.strip() or "the journal of a chunk could not be written")
         entries = [renamed(entry, copies.there) for entry in entries]
         copies.store(entries)
         return entries
@@ -172,8 +192,12 @@ class Copies:
             (self.root / folder).mkdir()
         for job in self.chunk.jobs:
             if is_url(job.input) and self.copy(job.input):
+                folder = job.input.rsplit("/", 1)[0]
                 for name in companions(self.root / self.here(job.input)):
-                    self.copy(f"{job.input.rsplit('/', 1)[0]}/{name}")
+                    if self.copy(f"{folder}/{name}"):
+                        # The images of a material library.
+                        for image in companions(self.root / self.here(f"{folder}/{name}")):
+                            self.copy(f"{folder}/{image}")
         for name in (name for entry in self.chunk.entries for name in entry.get("written", {})):
             if is_url(name):
                 self.copy(name)
@@ -190,12 +214,20 @@ class Copies:
                     filesystem.put_file(str(self.root / self.here(url)), target)
 
 
+# How files name others.
+PATTERNS = {
+    ".gltf": r'"uri"\s*:\s*"([^"]+)"',
+    ".obj": r"(?m)^mtllib[ \t]+(.+?)\s*$",
+    ".mtl": r"(?mi)^\s*(?:map_\w+|norm|bump|disp|decal|refl)[ \t]+(?:.*[ \t])?(\S+)\s*$",
+}
+
+
 def companions(path: Path) -> Iterable[str]:
-    """The relative names in a glTF or OBJ file, which lie in its folder or below."""
-    ending = path.suffix.lower()
-    text = path.read_text(encoding="utf-8", errors="replace") if ending in (".gltf", ".obj") else ""
-    found = re.findall(r'"uri"\s*:\s*"([^"]+)"' if ending == ".gltf" else r"(?m)^mtllib[ \t]+(.+?)\s*$", text)
-    return (name for name in found if ":" not in name and not name.startswith("/") and ".." not in name.split("/"))
+    """The relative names in a glTF, OBJ or MTL file, which lie in its folder or below."""
+    pattern = PATTERNS.get(path.suffix.lower())
+    found = re.findall(pattern, path.read_text(encoding="utf-8", errors="replace")) if pattern else []
+    names = (unquote(name) if path.suffix.lower() == ".gltf" else name for name in found)
+    return (name for name in names if ":" not in name and not name.startswith("/") and ".." not in name.split("/"))
 
 
 def chunks(jobs: list[Job], size: int, known: dict[str, dict[str, Any]], options: list[str]) -> Iterator[Chunk]:
@@ -268,7 +300,8 @@ def read_journal(path: Optional[str]) -> dict[str, dict[str, Any]]:
                     entry = json.loads(line)
                 except ValueError:
                     continue
-                entries[entry.get("output", "")] = entry
+                if isinstance(entry, dict):
+                    entries[entry.get("output", "")] = entry
     return entries
 
 
@@ -313,7 +346,12 @@ def run(
     parts = chunks(jobs, chunk, known, options)
     results = on_ray(parts, ray, retries) if ray else on_processes(parts, workers or os.cpu_count() or 1, retries)
     counts: Counter[str] = Counter()
-    file = open(journal, "a", encoding="utf-8") if journal else None
+    file = open(journal, "a+", encoding="utf-8") if journal else None
+    if file and file.tell() > 0:
+        # A stopped run may have left half a line.
+        file.seek(0)
+        if not file.read().endswith("\n"):
+            file.write("\n")
     try:
         for part, result in results:
             if isinstance(result, ValueError):
@@ -361,9 +399,9 @@ def main(words: Optional[list[str]] = None) -> int:
     parser.add_argument("--table", help="results, a row for each input: .parquet (needs pyarrow) or .jsonl")
     parser.add_argument("options", nargs="*", help=argparse.SUPPRESS)
     args = vars(parser.parse_args(words))
-    for name in ("workers", "chunk"):
-        if args[name] is not None and args[name] < 1:
-            parser.error(f"--{name} is at least 1")
+    for name, least in (("workers", 1), ("chunk", 1), ("retries", 0)):
+        if args[name] is not None and args[name] < least:
+            parser.error(f"--{name} is at least {least}")
     try:
         counts = run(args.pop("manifest"), args.pop("out"), args.pop("options"), report=print_error, **args)
     except ValueError as error:
