@@ -14,6 +14,8 @@ mod help;
 pub mod inspect;
 /// Summarise journals of batches.
 mod journal;
+/// Options of a line of a manifest.
+pub mod line_options;
 /// Compute normals and write them.
 pub mod normals;
 /// Find the cheapest model that a scene requires.

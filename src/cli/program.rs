@@ -27,6 +27,7 @@ pub fn run(line: Vec<OsString>) -> Exit {
         Verb::Inspect(ref args) => inspect::run::main(args, cli.color),
         Verb::Journal(ref args) => journal::run::main(args, cli.color),
         Verb::Plan(ref args) => plan::run::main(args, cli.color),
+        Verb::Render(ref args) if args.batch.manifest.is_some() => render::batch::main(args, cli.color),
         Verb::Render(ref args) => render::run::main(args, cli.color),
         Verb::Stress(ref args) => stress::run::main(args, cli.color),
         Verb::Surface(ref args) => surface::run::main(args, cli.color),

@@ -56,7 +56,9 @@ pub use html::{Drawing, Page, escape_html, svg_file};
 pub use legend::{ColourScale, Key, Legend};
 pub use overlay::{Overlay, overlay};
 pub use panel::{Panel, draw_text, panels, panels_size, text_width};
-pub use picture::{Picture, encode_jpeg, encode_png, encode_png_cut_out, encode_webp, encode_webp_cut_out};
+pub use picture::{
+    CutOut, Picture, encode_jpeg, encode_png, encode_png_cut_out, encode_webp, encode_webp_cut_out,
+};
 pub use plan::{PlanPage, plan_page, plan_sheet};
 pub use plot::{Axis, Mark, Plot, Scale, Series};
 pub use probe::{PixelReport, SampleReport, probe_pixel};
@@ -66,4 +68,4 @@ pub use trade::{
     approximation_table, box_table, class_table, cost_table, encoding_table, frontier_table, order_table,
     own_page, own_table, precision_table, shading_table, shading_times, surface_table, trade_page,
 };
-pub use transparency::{CutOut, cut_out};
+pub use transparency::cut_out;

@@ -1,7 +1,6 @@
 //! Pictures to combine and to draw on, and their PNG, JPEG and WebP files.
 
 use super::error::{ReportError, Result};
-use super::transparency::CutOut;
 use crate::num::Transfer;
 use crate::raster::{Image, Pixels};
 use image::codecs::jpeg::JpegEncoder;
@@ -17,6 +16,15 @@ pub struct Picture {
     pub size: [u32; 2],
     /// Its coded colours.
     pub pixels: Pixels,
+}
+
+/// A picture without its background.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CutOut {
+    /// The colours, not multiplied by the opacity.
+    pub picture: Picture,
+    /// The opacity of each pixel, from 0 to 1.
+    pub opacity: Vec<f32>,
 }
 
 impl From<Image> for Picture {

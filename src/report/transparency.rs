@@ -3,18 +3,9 @@
 //! Both pictures are c + (1 − α)·b in linear light, with the background b of 0 or 1. So α = 1 − (white − black), which is exact for
 //! edges, lines and glass alike.
 
-use super::picture::Picture;
+use super::picture::{CutOut, Picture};
 use crate::num::{LinearRgb, Transfer};
 use crate::raster::Pixels;
-
-/// A picture without its background.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CutOut {
-    /// The colours, not multiplied by the opacity.
-    pub picture: Picture,
-    /// The opacity of each pixel, from 0 to 1.
-    pub opacity: Vec<f32>,
-}
 
 /// The picture that two pictures of the same size show before black and before white.
 ///

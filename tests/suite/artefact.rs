@@ -224,7 +224,7 @@ fn all_reports_what_an_option_changes() {
 #[test]
 fn the_list_reports_parameters_and_their_ranges() {
     let listed = reports(&artefact(&["list", "--json"]));
-    assert_eq!(listed.len(), 14);
+    assert_eq!(listed.len(), 16);
     for report in &listed {
         let takes = report["takes"].as_array().unwrap().iter().filter(|knob| **knob != "mesh");
         for knob in takes.map(|knob| knob.as_str().unwrap()) {

@@ -1,7 +1,7 @@
 title = Ambient light does not make Phong's model global
 claim = Phong's model is global, because its ambient term includes the light from the rest of the scene.
 source-1 = Lectures: exercises 1.6.20, 1.6.34 and 1.6.39 (which deny it)
-source-2 = T. Whitted, An improved illumination model for shaded display, Communications of the ACM 23(6), 1980
+source-2 = Ray tracing: T. Whitted, An improved illumination model for shaded display, Communications of the ACM 23(6), 1980
 formula-1 = {"I = k_a I_a + k_d I_d (N·L)"}
 formula-1-says = the local model: the same sum in the light and in the shadow of another object
 formula-2 = {"I = k_a I_a + V k_d I_d (N·L) + k_r I_r + k_t I_t"}

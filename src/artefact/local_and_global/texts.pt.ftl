@@ -1,7 +1,7 @@
 title = A luz ambiente não torna global o modelo de Phong
 claim = O modelo de Phong é global, porque o seu termo ambiente inclui a luz do resto da cena.
 source-1 = Aulas: exercícios 1.6.20, 1.6.34 e 1.6.39 (que o negam)
-source-2 = T. Whitted, An improved illumination model for shaded display, Communications of the ACM 23(6), 1980
+source-2 = Traçado de raios: T. Whitted, An improved illumination model for shaded display, Communications of the ACM 23(6), 1980
 formula-1 = {"I = k_a I_a + k_d I_d (N·L)"}
 formula-1-says = o modelo local: a mesma soma na luz e na sombra de outro objeto
 formula-2 = {"I = k_a I_a + V k_d I_d (N·L) + k_r I_r + k_t I_t"}

@@ -1,7 +1,7 @@
 title = Water looks three quarters as deep only from above
 claim = A point in water seems to be at 1/n of its depth, and a glass ball has the focal length nR/(2(n − 1)).
 source-1 = Lectures: ray tracing (“imagens com refrações”), exercise 1.6.34
-source-2 = T. Whitted, An improved illumination model for shaded display, Communications of the ACM 23(6), 1980
+source-2 = Ray tracing: T. Whitted, An improved illumination model for shaded display, Communications of the ACM 23(6), 1980
 formula-1 = {"\\sin θ = n \\sin θ′, \\quad \\frac{d′}{d} = \\frac{\\tan θ′}{\\tan θ}"}
 formula-1-says = Snell's law, and the apparent depth d′ of a point at the depth d, seen at the angle θ from the vertical
 formula-2 = {"f(h) = \\frac{h}{\\sin\\left(2(\\arcsin\\frac{h}{R} − \\arcsin\\frac{h}{nR})\\right)}"}

@@ -1,7 +1,7 @@
 title = A água parece ter três quartos da profundidade só vista de cima
 claim = Um ponto na água parece estar a 1/n da sua profundidade, e uma bola de vidro tem a distância focal nR/(2(n − 1)).
 source-1 = Aulas: traçado de raios (“imagens com refrações”), exercício 1.6.34
-source-2 = T. Whitted, An improved illumination model for shaded display, Communications of the ACM 23(6), 1980
+source-2 = Traçado de raios: T. Whitted, An improved illumination model for shaded display, Communications of the ACM 23(6), 1980
 formula-1 = {"\\sin θ = n \\sin θ′, \\quad \\frac{d′}{d} = \\frac{\\tan θ′}{\\tan θ}"}
 formula-1-says = lei de Snell, e a profundidade aparente d′ de um ponto à profundidade d, visto ao ângulo θ da vertical
 formula-2 = {"f(h) = \\frac{h}{\\sin\\left(2(\\arcsin\\frac{h}{R} − \\arcsin\\frac{h}{nR})\\right)}"}

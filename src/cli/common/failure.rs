@@ -1,8 +1,6 @@
 //! Why a run failed, and the exit code for that.
 
-use super::console::{Console, HELP, escaped};
-use super::numbers::count;
-use super::report::{Head, SKIPPED};
+use super::console::{Console, HELP};
 use crease::io::{Place, Problem, ReadError};
 use crease::report::ReportError;
 use serde::{Serialize, Serializer};
@@ -124,59 +122,6 @@ pub fn exit_code(result: Result<Exit, Failure>, console: &Console) -> Exit {
         Err(failure) => failure.exit(),
         Ok(_) if console.failed.get() => Exit::OutputFailed,
         Ok(exit) => exit,
-    }
-}
-
-/// Some inputs, and those that failed with their errors.
-#[derive(Debug)]
-pub struct Batch {
-    inputs: usize,
-    skipped: usize,
-    failed: Vec<(String, Failure)>,
-    /// The exit code if no input fails.
-    pub exit: Exit,
-}
-
-impl Batch {
-    pub fn new(inputs: usize) -> Self {
-        Self { inputs, skipped: 0, failed: Vec::new(), exit: Exit::Done }
-    }
-
-    /// Counts an input by the first members of its report.
-    pub fn count(&mut self, path: &str, head: &Head) {
-        self.skipped += usize::from(head.status == SKIPPED);
-        self.failed.extend(head.error.clone().map(|failure| (path.to_owned(), failure)));
-    }
-
-    /// Prints a summary of several inputs, and returns the exit code.
-    pub fn finish(mut self, console: &Console) -> Exit {
-        if self.inputs > 1 {
-            console.text(|| self.summary());
-        }
-        let result = match self.failed.pop() {
-            Some(_) if self.inputs > 1 => Ok(Exit::PartOfBatch),
-            Some((_, failure)) => Err(failure),
-            None => Ok(self.exit),
-        };
-        exit_code(result, console)
-    }
-
-    fn summary(&self) -> String {
-        let (files, failed) = (count(self.inputs, "file"), self.failed.len());
-        let found = |failure: &Failure| escaped(failure.message.split(HELP).next().unwrap_or_default());
-        let lines = self.failed.iter().map(|(path, why)| format!("  {}: {}\n", escaped(path), found(why)));
-        let before = match self.skipped {
-            0 => String::new(),
-            skipped => format!(" ({skipped} of them before)"),
-        };
-        match failed {
-            0 => format!("{files} done{before}\n"),
-            _ => format!(
-                "{} of {files} done{before}, {failed} failed:\n{}",
-                self.inputs - failed,
-                lines.collect::<String>()
-            ),
-        }
     }
 }
 

@@ -6,7 +6,7 @@
 
 use super::stream::Stream;
 use anyhow::{Context, Result, bail, ensure};
-use crease::io::{Format, Note, OutputContent, OutputFile, Written};
+use crease::io::{Note, OutputContent, OutputFile, Written};
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -364,37 +364,6 @@ fn follow_links(path: &Path) -> Result<PathBuf> {
 /// Whether both paths exist and are one file.
 pub fn is_same_file(a: &Path, b: &Path) -> bool {
     matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
-}
-
-/// The file, or standard output, and the format that a path and `--to` name together.
-pub fn file_target(path: &Path, to: Option<Format>) -> Result<(Target, Option<Format>), String> {
-    let target = Target::of(path);
-    if target == Target::Standard {
-        return Ok((target, to));
-    }
-    if path.is_dir() {
-        return Err(format!("{} is a folder\nhelp: --out-dir writes into a folder", path.display()));
-    }
-    let format = match (Format::from_path(path), to) {
-        (Some(named), Some(to)) if named != to => {
-            return Err(format!("{} has the name of a {named} file, but --to is {to}", path.display()));
-        }
-        (None, None) => {
-            return Err(format!("{}\nhelp: use {ENDINGS}, or choose with --to", unknown_format(path)));
-        }
-        (named, to) => to.or(named),
-    };
-    Ok((target, format))
-}
-
-/// The endings of mesh files.
-const ENDINGS: &str = ".obj, .ply, .stl, .gltf or .glb";
-
-fn unknown_format(path: &Path) -> String {
-    match path.extension() {
-        Some(ending) => format!("unknown output format \".{}\" ({})", ending.display(), path.display()),
-        None => format!("unknown output format ({})", path.display()),
-    }
 }
 
 /// A path with its folder made absolute, whether or not the file is there.

@@ -1,10 +1,11 @@
 //! Options made into jobs. All errors of the command line are found here, before anything is read or written.
 
 use super::args::{HardEdge, Merging, NormalsArgs, RecipeArgs};
-use crate::cli::common::batch::with_line;
 use crate::cli::common::failure::Failure;
 use crate::cli::common::input::{Input, Source, check_root, expand};
-use crate::cli::common::output::{Target, file_target, resolve_parent};
+use crate::cli::common::output::{Target, resolve_parent};
+use crate::cli::common::stream::file_target;
+use crate::cli::line_options::with_line;
 use crease::io::{Emit, Format, Merge, NonFinite, ReadOptions, WriteOptions};
 use crease::normals::{Crease, HardEdges, NormalRecipe, Scope};
 use crease::pipeline::Task;

@@ -5,16 +5,17 @@ use super::report::{Report, line};
 use super::request::Request;
 use super::run::{print, run};
 use super::values::FileKind;
-use crate::cli::common::batch::{BatchArgs, with_line};
+use crate::cli::common::batch::BatchArgs;
 use crate::cli::common::choice::Choose;
 use crate::cli::common::console::{Console, Verbosity};
 use crate::cli::common::failure::{Exit, Failure, guarded};
 use crate::cli::common::input::{Input, Source};
 use crate::cli::common::ledger::{Ledger, Outcome, Work, skipped};
-use crate::cli::common::options::RunArgs;
+use crate::cli::common::options::{Color, RunArgs};
 use crate::cli::common::output::{Target, resolve_parent};
 use crate::cli::common::report::SKIPPED;
 use crate::cli::common::run_batch::{Recorded, Shared, run_batch};
+use crate::cli::line_options::with_line;
 use crate::cli::usage::refused;
 use crease::io::{Format, ReadLog};
 use std::collections::HashSet;
@@ -22,7 +23,8 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 /// Draws all inputs of the manifest that options name.
-pub fn main(args: &RenderArgs, console: &Console) -> Exit {
+pub fn main(args: &RenderArgs, color: Color) -> Exit {
+    let console = &Console::new(&args.run, color, None);
     let failed = |failure| refused("render", &failure, console);
     let all = match options(args) {
         Ok(all) => all,

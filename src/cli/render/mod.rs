@@ -3,7 +3,7 @@
 /// Options.
 pub mod args;
 /// Pictures of many scenes.
-mod batch;
+pub mod batch;
 /// A scene changed by options.
 pub mod changes;
 /// Pictures, panels and animations.

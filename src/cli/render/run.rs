@@ -1,7 +1,6 @@
 //! Runs `crease render`: load a scene, change it, draw it, store the picture.
 
 use super::args::RenderArgs;
-use super::batch;
 use super::changes::change;
 use super::draw::{Drawing, draw, fit_deviation, turn_of};
 use super::report::{PictureReport, Report, SceneReport, Settings, block};
@@ -25,9 +24,6 @@ pub fn main(args: &RenderArgs, color: Color) -> Exit {
     if args.scene.scene_help {
         console.report(&scene_help(include_str!("../../../docs/scenes.md")));
         return exit_code(Ok(Exit::Done), &console);
-    }
-    if args.batch.manifest.is_some() {
-        return batch::main(args, &console);
     }
     if args.batch.journal.is_some() || args.batch.shard.is_some() || args.batch.jobs > 1 {
         usage_error("render", "--journal, --shard and --jobs are for the inputs of --manifest");

@@ -2,7 +2,8 @@
 
 use super::args::{Kind, PatternArgs, ShapeArgs, SurfaceArgs};
 use crate::cli::common::choice::Choose;
-use crate::cli::common::output::{Target, file_target};
+use crate::cli::common::output::Target;
+use crate::cli::common::stream::file_target;
 use crease::io::Format;
 use crease::surface::{
     Catenoid, Cone, Cylinder, Ellipsoid, MonkeySaddle, Pattern, Plane, Sphere, Superquadric, Surface,
