@@ -63,7 +63,7 @@ fn hidden_lines_are_removed_or_shown() {
         assert!(removed != shown && removed == drawn(&[]), "{lines:?}");
     }
     let wires = |how: &str| {
-        let args = with(&gear, &["--shading", "wireframe", "--hidden-lines", how]);
+        let args = with(&gear, &["--shading", "wireframe", "--hidden-lines", how, "--background", "black"]);
         pixels_unlike(&picture(&args), [0, 0, 0])
     };
     assert!(wires("show") > wires("remove"));
@@ -156,7 +156,7 @@ fn given_colours_are_interpolated_unlit() {
 #[test]
 fn normals_are_shown_as_numbers() {
     let (_folder, square) = square();
-    let args = with(&[square.as_str()], &BEFORE);
+    let args = with(&with(&[square.as_str()], &BEFORE), &["--no-legend"]);
     let normals = picture(&with(&args, &["--show", "normals"]));
     assert!(normals.pixels().all(|pixel| pixel.0 == [128, 128, 255]));
     let facing =
@@ -200,6 +200,8 @@ fn guards_can_be_switched() {
         "phong",
         "--size",
         "40x40",
+        "--background",
+        "black",
     ];
     let args = with(&[square.as_str()], &lamp);
     let guarded = picture(&args);

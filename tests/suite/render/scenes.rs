@@ -103,6 +103,6 @@ fn meshes_of_a_scene_lie_next_to_it() {
     let scene = path(folder.path().join("a.toml"));
     assert_eq!(report(&[scene.as_str()])["scene"]["faces"], 1);
     let mesh = path(folder.path().join("parts/square.obj"));
-    let drawn = [mesh.as_str(), "--size", "40x40", "--samples", "1"];
+    let drawn = [mesh.as_str(), "--size", "40x40", "--samples", "1", "--background", "black"];
     assert!(bytes(&[scene.as_str()]) == bytes(&drawn), "a bare mesh is the plainest scene");
 }

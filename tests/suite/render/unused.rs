@@ -209,7 +209,8 @@ fn colours_of_vertices_are_reported_where_they_are_lost() {
 #[test]
 fn wireframes_leave_out_the_edges_of_faces_that_are_left_out() {
     let (_folder, square) = super::square();
-    let args = with(&with(&[square.as_str()], &super::BEFORE), &["--shading", "wireframe"]);
+    let wires = ["--shading", "wireframe", "--background", "black"];
+    let args = with(&with(&[square.as_str()], &super::BEFORE), &wires);
     for lines in ["remove", "show"] {
         let args = with(&args, &["--hidden-lines", lines]);
         let (kept, left_out) = (with(&args, &["--cull", "back"]), with(&args, &["--cull", "front"]));
