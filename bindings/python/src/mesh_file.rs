@@ -3,7 +3,8 @@
 use crate::arrays::{from_rows, wrong};
 use crate::cli::args::Verb;
 use crate::cli::common::failure::Failure;
-use crate::cli::common::output::{Store, Target, file_target, folder_of, stem};
+use crate::cli::common::output::{Store, Target, folder_of, stem};
+use crate::cli::common::stream::file_target;
 use crate::cli::normals::request::Request;
 use crate::command_line::Line;
 use crate::errors::{failure, read_error, usage};
@@ -236,8 +237,9 @@ fn requested(line: &Line) -> Result<(Task, WriteOptions, Option<f64>), Failure> 
     let Verb::Normals(args) = line.parse().map_err(Failure::usage)? else {
         unreachable!("the verb is normals")
     };
-    let Request { task, write, merge_distance, .. } = Request::resolve(&args)?;
-    Ok((task, write, merge_distance))
+    let jobs = Request::resolve(&args)?.jobs;
+    let settings = &jobs.first().expect("the line has an input").settings;
+    Ok((settings.task.clone(), settings.write.clone(), settings.merge_distance))
 }
 
 fn store(
@@ -260,7 +262,7 @@ fn store(
         WriteOptions { stem: target.path().and_then(stem), folder: target.path().map(folder_of), ..options };
     let written = io::write(loaded, edits, format, &options).map_err(Failure::output)?;
     let mut notes = written.notes.clone();
-    notes.extend(Store::new(sync, false).store(written, target)?);
+    notes.extend(Store::new(sync, false).store(written, target)?.notes);
     Ok(notes.iter().map(ToString::to_string).collect())
 }
 
