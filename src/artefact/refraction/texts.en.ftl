@@ -4,7 +4,7 @@ source-1 = Lectures: ray tracing (“imagens com refrações”), exercise 1.6.3
 source-2 = Ray tracing: T. Whitted, An improved illumination model for shaded display, Communications of the ACM 23(6), 1980
 formula-1 = {"\\sin θ = n \\sin θ′, \\quad \\frac{d′}{d} = \\frac{\\tan θ′}{\\tan θ}"}
 formula-1-says = Snell's law, and the apparent depth d′ of a point at the depth d, seen at the angle θ from the vertical
-formula-2 = {"f(h) = \\frac{h}{\\sin\\left(2(\\arcsin\\frac{h}{R} − \\arcsin\\frac{h}{nR})\\right)}"}
+formula-2 = {"f(h) = \\frac{h}{\\sin\\left(2(\\arcsin\\frac{h}{R} − \\arcsin\\frac{h}{n R})\\right)}"}
 formula-2-says =
     distance from the centre of a ball of radius R at which a ray crosses the axis that enters at the height h; for small
     h it is nR/(2(n − 1))

@@ -4,7 +4,7 @@ source-1 = Aulas: traçado de raios (“imagens com refrações”), exercício 
 source-2 = Traçado de raios: T. Whitted, An improved illumination model for shaded display, Communications of the ACM 23(6), 1980
 formula-1 = {"\\sin θ = n \\sin θ′, \\quad \\frac{d′}{d} = \\frac{\\tan θ′}{\\tan θ}"}
 formula-1-says = lei de Snell, e a profundidade aparente d′ de um ponto à profundidade d, visto ao ângulo θ da vertical
-formula-2 = {"f(h) = \\frac{h}{\\sin\\left(2(\\arcsin\\frac{h}{R} − \\arcsin\\frac{h}{nR})\\right)}"}
+formula-2 = {"f(h) = \\frac{h}{\\sin\\left(2(\\arcsin\\frac{h}{R} − \\arcsin\\frac{h}{n R})\\right)}"}
 formula-2-says =
     distância do centro de uma bola de raio R em que um raio que entra à altura h cruza o eixo; para h pequeno ela é
     nR/(2(n − 1))
