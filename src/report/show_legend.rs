@@ -43,8 +43,7 @@ pub fn show_legend(scene: &Scene, settings: &RenderSettings, is_fitted: bool) ->
             legend.scales.push(scale(&|share| LinearRgb::grey(1.0 - share), labels));
         }
         Show::Normals => {
-            legend.title =
-                "Components of the unit normal in the axes of the scene (no unit), as (n + 1)/2".into();
+            legend.title = "Components of the unit normal (no unit), in the axes of the scene".into();
             for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
                 let colour = |share: f64| {
                     let mut colour = [0.5; 3];

@@ -43,13 +43,13 @@ impl BatchArgs {
         self.shard.is_none_or(|shard| shard.takes(&source.name()))
     }
 
-    /// How many inputs are in work at the same time.
+    /// How many inputs are processed at the same time.
     pub fn jobs(&self) -> Jobs {
         Jobs { most: self.jobs.into(), memory: self.memory.unwrap_or_else(free_memory) }
     }
 }
 
-/// The memory that an input needs, in bytes: its length times the largest ratio measured for its format (docs/speed.md). The
+/// The memory that an input needs, in bytes: its length times more than the largest ratio measured for its format (docs/speed.md). The
 /// external buffers of a glTF are not counted.
 pub fn memory_need(source: &Source, format: Option<Format>) -> u64 {
     let format = format.or_else(|| Format::from_path(source.path()?));

@@ -90,8 +90,8 @@ pub fn entries(path: &Path) -> Result<(Vec<Entry>, usize)> {
     Ok((entries.into_iter().map(|(_, entry)| entry).collect(), bad))
 }
 
-/// A journal without entries has fewer bytes than this: the first line was not completed.
-const HALF_LINE: u64 = 1 << 16;
+/// The first bytes of each entry.
+const FIRST_BYTES: &[u8] = b"{\"input\":\"";
 
 /// A journal that is written.
 #[derive(Debug)]
@@ -118,12 +118,17 @@ impl Journal {
         let mut file =
             OpenOptions::new().read(true).append(true).create(true).open(path).with_context(context)?;
         let (old, bad) = entries(path)?;
-        // A killed run leaves half a line at most; other files are not to be changed.
-        ensure!(
-            !old.is_empty() || bad <= 1 && file.metadata().with_context(context)?.len() < HALF_LINE,
-            "{} is not a journal: it has no entry\nhelp: name another file",
-            path.display()
-        );
+        if old.is_empty() {
+            // Before its first entry a killed run may leave a part of that. Other files are not to be changed.
+            let mut text = Vec::new();
+            (&file).take(1 << 16).read_to_end(&mut text).with_context(context)?;
+            let is_part = text.starts_with(FIRST_BYTES) || FIRST_BYTES.starts_with(&text);
+            ensure!(
+                is_part && !text.contains(&b'\n'),
+                "{} is not a journal: it has no entry\nhelp: name another file",
+                path.display()
+            );
+        }
         // A killed run may have written half a line.
         if file.seek(SeekFrom::End(0)).with_context(context)? > 0 {
             file.seek(SeekFrom::End(-1)).with_context(context)?;
@@ -215,6 +220,26 @@ mod tests {
         std::fs::write(&output, "glTF").unwrap();
         std::fs::remove_file(&input).unwrap();
         assert!(!entry.is_valid(&entry.options), "the input is gone");
+    }
+
+    #[test]
+    fn other_files_are_no_journals() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("file");
+        for (text, is_journal) in [
+            ("", true),
+            ("{\"inp", true),
+            ("{\"input\":\"a.obj\",\"by", true),
+            ("a.obj", false),
+            ("a.obj\n", false),
+            ("{\"input\": \"a.obj\"}\n", false),
+            ("{\"input\":\"a.obj\"}\n", false),
+            ("v 0 0 0\nf 1 1 1\n", false),
+        ] {
+            std::fs::write(&path, text).unwrap();
+            assert_eq!(Journal::open(&path, false).is_ok(), is_journal, "{text:?}");
+            assert!(is_journal || std::fs::read_to_string(&path).unwrap() == text);
+        }
     }
 
     #[test]
