@@ -53,6 +53,17 @@ fn vertices(loaded: &Loaded) -> usize {
     loaded.parts.iter().map(|part| part.mesh.vertex_count()).sum()
 }
 
+/// One stored normal for all corners of a face: only corners at equal positions are merged.
+#[test]
+fn a_normal_that_several_positions_share_does_not_merge_them() {
+    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\nf 4//1 5//1 6//1\n";
+    let loaded =
+        io::read_bytes(obj.as_bytes().to_vec(), Some(Format::Obj), None, &ReadOptions::default()).unwrap();
+    let written = io::write(&loaded, &[], Format::Glb, &WriteOptions::default()).unwrap();
+    let merged = read(&written, Format::Glb);
+    assert_eq!((vertices(&merged), corners(&merged)), (4, corners(&loaded)));
+}
+
 /// Merging must keep every corner, and leave as many vertices as there are different corners.
 fn check(name: &str, loaded: &Loaded, crease: Crease) {
     for to in [Format::Glb, Format::Ply] {
