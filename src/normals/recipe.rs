@@ -141,8 +141,9 @@ pub enum Precision {
     /// Right to the last bit of the output at any magnitude, offset or thinness.
     #[default]
     Faithful,
-    /// Sums in `f32`, for triangles with edges of 1e-6 to 1e6 and height/length ≥ 1e-3, valence ≤ 1000. Sharp edges are those
-    /// of `Faithful`, and so is everything else: other meshes, fits, the cone rule.
+    /// Sums in `f32`, for triangles with edges of 1e-6 to 1e6 and height/length ≥ 1e-3, valence ≤ 1000. One triangle in 32 may
+    /// be thinner, and one sum in 32 may nearly cancel: these are computed in double precision. Sharp edges are those of
+    /// `Faithful`, and so is everything else: other meshes, fits, the cone rule.
     Fast,
 }
 

@@ -22,5 +22,7 @@ pub(super) mod recheck;
 pub(super) mod weighted_sums;
 // Sums in which each corner selects its own faces.
 pub(super) mod corner_sums;
-// The same sums in single precision.
+// From sums in single precision to unit vectors.
+pub(super) mod single_finish;
+// The weighted sums in single precision.
 pub(super) mod single_precision;
