@@ -44,11 +44,6 @@ impl Profile {
         Ok(profiles)
     }
 
-    /// x and Y of pixel centres.
-    pub fn points(&self) -> Vec<[f64; 2]> {
-        self.luminance.iter().enumerate().map(|(i, &y)| [self.centre(i), y]).collect()
-    }
-
     /// x of the centre of a pixel of the profile.
     fn centre(&self, number: usize) -> f64 {
         f64::from(self.start) + number as f64 + 0.5
