@@ -6,8 +6,8 @@ use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 /// The corners of each vertex, ascending; or of any other number that corners are grouped by.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Rings {
-    offsets: Vec<u32>,
-    corners: Vec<u32>,
+    pub(crate) offsets: Vec<u32>,
+    pub(crate) corners: Vec<u32>,
 }
 
 impl Rings {
@@ -110,11 +110,6 @@ impl Rings {
     #[inline]
     pub(crate) fn at(&self, vertex: usize) -> &[u32] {
         &self.corners[self.offsets[vertex] as usize..self.offsets[vertex + 1] as usize]
-    }
-
-    /// Where the corners of each vertex start, with the total at the end, and the corners.
-    pub(crate) fn into_rows(self) -> (Vec<u32>, Vec<u32>) {
-        (self.offsets, self.corners)
     }
 
     /// The number of vertices.

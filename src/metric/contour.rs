@@ -39,20 +39,9 @@ impl Contour {
         Self { loops }
     }
 
-    /// The polygons: each without its first point repeated, outer ones and holes in opposite directions. Neighbouring
-    /// points are less than two pixels apart.
-    pub fn loops(&self) -> &[Vec<[f64; 2]>] {
-        &self.loops
-    }
-
     /// The area within, without holes, in square pixels.
     pub fn area(&self) -> f64 {
         self.segments().map(|[a, b]| 0.5 * (a[0] * b[1] - b[0] * a[1])).sum()
-    }
-
-    /// The length of all loops, in pixels.
-    pub fn length(&self) -> f64 {
-        self.segments().map(|[a, b]| libm::hypot(b[0] - a[0], b[1] - a[1])).sum()
     }
 
     pub(super) fn segments(&self) -> impl Iterator<Item = [[f64; 2]; 2]> {
@@ -145,8 +134,8 @@ mod tests {
                 let right = 10.0 + f64::from(step) / 32.0;
                 let image = shape([20, 6], samples, |x, _| x < right);
                 let contour = Contour::of(&image, samples);
-                assert_eq!(contour.loops().len(), 1);
-                let found = contour.loops()[0].iter().filter(|point| (point[1] - 3.0).abs() < 1.0);
+                assert_eq!(contour.loops.len(), 1);
+                let found = contour.loops[0].iter().filter(|point| (point[1] - 3.0).abs() < 1.0);
                 let found = found.map(|point| point[0]).fold(0.0, f64::max);
                 worst = worst.max((found - right).abs());
             }
@@ -163,12 +152,12 @@ mod tests {
             inside(2.0, 10.0) && !inside(5.0, 7.0)
         };
         let contour = Contour::of(&shape([12, 12], Samples::One, ring), Samples::One);
-        assert_eq!(contour.loops().len(), 2);
+        assert_eq!(contour.loops.len(), 2);
         assert_eq!(contour.area(), (64.0 - 0.5) - (4.0 - 0.5));
         // Two pixels that touch at a corner: the mean of the four is ½, which joins them.
         let touching =
             |x: f64, y: f64| (x < 3.0) == (y < 3.0) && (x - 3.0).abs() < 1.0 && (y - 3.0).abs() < 1.0;
-        assert_eq!(Contour::of(&shape([6, 6], Samples::One, touching), Samples::One).loops().len(), 1);
+        assert_eq!(Contour::of(&shape([6, 6], Samples::One, touching), Samples::One).loops.len(), 1);
         assert_eq!(Contour::of(&shape([6, 6], Samples::One, |_, _| false), Samples::One), Contour::default());
     }
 
@@ -177,6 +166,5 @@ mod tests {
         let contour = Contour::of(&shape([5, 4], Samples::Four, |_, _| true), Samples::Four);
         // The picture's rectangle without its corners.
         assert_eq!(contour.area(), 20.0 - 0.5);
-        assert!((contour.length() - (4.0 + 3.0 + 2.0_f64.sqrt()) * 2.0).abs() < 1e-12);
     }
 }

@@ -23,9 +23,6 @@ pub enum MetricError {
         /// How many there are.
         height: u32,
     },
-    /// Standard deviations that make no centre and surround.
-    #[error("Gaussians of {} and {} pixels; give finite widths above 0, the centre's smaller", .0[0], .0[1])]
-    Widths([f64; 2]),
 }
 
 /// The relative luminance of every pixel, in order.

@@ -14,7 +14,7 @@ mod sealed {
 /// Only operations that IEEE 754 rounds correctly, so that the bits are the same on any CPU.
 pub trait Real:
     sealed::Sealed
-    + Copy
+    + bytemuck::Pod
     + Debug
     + Display
     + Default
@@ -27,7 +27,6 @@ pub trait Real:
     + AddAssign
     + Send
     + Sync
-    + 'static
 {
     /// 0.
     const ZERO: Self;

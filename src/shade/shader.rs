@@ -159,11 +159,6 @@ impl<R: Real> Shader<R> {
         !self.lights.is_empty()
     }
 
-    /// The rule for colours out of range that the settings ask for. [`shade`](Self::shade) does not apply it.
-    pub fn tone(&self) -> ToneRule {
-        self.tone
-    }
-
     /// The light that a point sends to the viewer: linear red, green, blue, before the tone rule (F8, F15, F16).
     ///
     /// # Errors

@@ -58,9 +58,4 @@ impl Trade {
             approximations: approximation_rows(),
         })
     }
-
-    /// The weights on a class of meshes.
-    pub fn class(&self, tiling: Tiling) -> Option<&MeshClass> {
-        self.classes.iter().find(|class| class.tiling == tiling)
-    }
 }

@@ -59,7 +59,7 @@ pub struct MeshOutput {
     pub merged_vertices: u64,
     /// Vertices that were moved, and how far.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub moved: Option<MovedVertices>,
+    pub moved: Option<Movement>,
     /// The conversion of axes and units, column by column.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub matrix: Option<[f64; 16]>,
@@ -70,19 +70,7 @@ pub struct MeshOutput {
     pub companions: Vec<String>,
 }
 
-#[derive(Debug, Serialize)]
-pub struct MovedVertices {
-    pub vertices: usize,
-    pub longest: f64,
-}
-
 impl MeshOutput {
-    /// The same, with what [`Loaded::move_together`](crease::io::Loaded::move_together) moved.
-    pub fn with_moved(self, moved: Movement) -> Self {
-        let Movement { vertices, longest } = moved;
-        Self { moved: (vertices > 0).then_some(MovedVertices { vertices, longest }), ..self }
-    }
-
     /// An output that is made but not stored yet.
     pub fn new(target: Option<&Target>, format: Format, unchanged: bool, written: &Written) -> Self {
         Self {

@@ -175,7 +175,8 @@ fn run(
     // A large input takes as long to give back as its output to write.
     rayon::spawn(move || drop(loaded));
     report.notes.extend_from_slice(&written.notes);
-    let output = MeshOutput::new(job.target.as_ref(), format, unchanged, &written).with_moved(moved);
+    let moved = (moved.vertices > 0).then_some(moved);
+    let output = MeshOutput { moved, ..MeshOutput::new(job.target.as_ref(), format, unchanged, &written) };
     report.output = Some(match conversion {
         Some(Conversion { text, .. }) => {
             MeshOutput { matrix: map.map(|map| map.matrix().to_cols_array()), conversion: text, ..output }

@@ -129,12 +129,6 @@ pub struct NormalArgs {
     pub when: Option<When>,
 }
 
-impl NormalArgs {
-    pub fn are_typed(&self) -> bool {
-        self.weight.is_some() || self.crease.is_some() || self.when.is_some()
-    }
-}
-
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Formulas and numbers")]
 pub struct ColourArgs {

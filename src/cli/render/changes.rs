@@ -4,10 +4,9 @@ use super::args::RenderArgs;
 use super::fields::TypedMaterial;
 use super::request::{Request, Subject};
 use super::values::{Background, FileKind, GRADIENT, LIGHT_GREY, ReflectionChoice, Shown, Variant};
-use super::warnings::contrast;
 use crate::cli::common::failure::Failure;
 use crease::mesh::{AxisConversion, UpAxis};
-use crease::num::{Degrees, LinearRgb, Transfer, UnitVec3};
+use crease::num::{Degrees, LinearRgb, Srgb8, Transfer, UnitVec3};
 use crease::raster::{Bits, Camera, RenderError, Samples, SceneFile, Show, default_lights, rotation};
 use crease::shade::{Guards, Light, Place, Reflection, ShadeError};
 use glam::{DMat3, DMat4, DVec3};
@@ -61,6 +60,18 @@ pub fn change(request: &Request, file: &mut SceneFile) -> Result<(), Failure> {
         file.lights = Some(lights(&before, &scene.light, scene.ambient));
     }
     Ok(())
+}
+
+/// The contrast ratio (Y₁ + 0.05)/(Y₂ + 0.05) of the lighter to the darker of two colours, as WCAG 2.1 defines it: 1 of the
+/// same luminance, 21 of black and white. Luminances are those that a screen shows for the codes, which it takes for sRGB.
+fn contrast(a: LinearRgb, b: LinearRgb, transfer: Transfer) -> f64 {
+    let luminance = |colour| LinearRgb::from(code(colour, transfer)).luminance() + 0.05;
+    let (a, b) = (luminance(a), luminance(b));
+    a.max(b) / a.min(b)
+}
+
+fn code(colour: LinearRgb, transfer: Transfer) -> Srgb8 {
+    Srgb8(colour.to_array().map(|light| transfer.to_u8(light)))
 }
 
 fn change_settings(request: &Request, file: &mut SceneFile) {
@@ -285,5 +296,20 @@ mod tests {
             // sin 77° = 0.97437
             assert!(((turned * across).dot(unit.cross(across)) - 0.974_37).abs() < 1e-6, "{axis}");
         }
+    }
+
+    #[test]
+    fn contrast_is_that_of_the_codes_on_a_screen() {
+        let (black, white) = (LinearRgb::BLACK, LinearRgb::WHITE);
+        for transfer in [Transfer::Srgb, Transfer::Direct] {
+            assert_eq!(contrast(white, black, transfer), 21.0);
+            assert_eq!(contrast(white, white, transfer), 1.0);
+        }
+        // #767676, the darkest grey that is known for 4.54:1 on white.
+        let grey = LinearRgb::from(Srgb8([0x76; 3]));
+        assert!((contrast(white, grey, Transfer::Srgb) - 4.54).abs() < 0.005);
+        // Without a curve, light of 0.3 is code 77, of luminance 0.0742, and not 149.
+        assert!((contrast(white, LinearRgb::grey(0.3), Transfer::Direct) - 1.05 / 0.1242).abs() < 0.01);
+        assert!((contrast(LinearRgb::grey(0.3), white, Transfer::Srgb) - 3.0).abs() < 0.02);
     }
 }

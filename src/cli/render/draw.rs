@@ -49,7 +49,7 @@ pub fn draw(file: &mut SceneFile, request: &Request, progress: &Progress) -> Res
             }
             let settings = file.settings;
             let cut = finished(image.clone(), file, &settings, request)?;
-            let bytes = match request.background() {
+            let bytes = match request.args.scene.background {
                 Some(Background::Transparent) => as_cut_out(&cut, &file.settings, request.file)?,
                 _ => as_file(&cut.picture, &file.settings, request.file)?,
             };
@@ -99,7 +99,8 @@ fn finished(
     request: &Request,
 ) -> Result<CutOut, Failure> {
     let mut cut = CutOut { picture: Picture::from(image), opacity: Vec::new() };
-    if let Some(background @ (Background::Transparent | Background::Gradient)) = request.background() {
+    if let Some(background @ (Background::Transparent | Background::Gradient)) = request.args.scene.background
+    {
         let black = std::mem::replace(&mut file.background, LinearRgb::WHITE);
         let on_white = self::image(file, settings, request);
         file.background = black;

@@ -18,5 +18,5 @@ pub mod request;
 pub mod run;
 /// Values of options.
 pub mod values;
-/// Options without effect, and pictures that show less than they could.
+/// Options without effect, and materials that cannot be drawn as meant.
 mod warnings;

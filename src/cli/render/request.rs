@@ -57,6 +57,7 @@ impl<'a> Request<'a> {
             (None, []) => Subject::Picture,
             (None, variants) => Subject::Panels(variants),
         };
+        let is_computed = args.normals.weight.is_some() || args.normals.crease.is_some();
         let request = Self {
             args,
             source,
@@ -68,7 +69,7 @@ impl<'a> Request<'a> {
                     crease: args.normals.crease.map(Crease::Angle),
                     ..NormalSettings::default()
                 },
-                when: args.normals.when.or(args.normals.are_typed().then(When::default)),
+                when: args.normals.when.or(is_computed.then(When::default)),
                 from_elsewhere: args.scene.camera.is_some(),
                 read: ReadOptions {
                     root: args.output.root.clone(),
@@ -94,7 +95,7 @@ impl<'a> Request<'a> {
                 self.file.choice().to_uppercase()
             ));
         }
-        if self.background() == Some(Background::Transparent) {
+        if args.scene.background == Some(Background::Transparent) {
             if !matches!(self.file, FileKind::Png | FileKind::WebP) {
                 return usage("--background transparent needs a PNG or WebP output\nhelp: name a .png file");
             }
@@ -117,11 +118,6 @@ impl<'a> Request<'a> {
     pub fn has_settings(&self) -> bool {
         let is_toml = |path: &Path| path.extension().is_some_and(|name| name.eq_ignore_ascii_case("toml"));
         matches!(&self.source, Source::File(path) if is_toml(path)) && self.format.is_none()
-    }
-
-    /// The background that was asked for.
-    pub fn background(&self) -> Option<Background> {
-        self.args.scene.background
     }
 
     pub fn panels(&self, settings: &RenderSettings) -> Vec<RenderSettings> {

@@ -1,13 +1,11 @@
-//! Notes on options that have no effect, and on pictures that show less than they could.
+//! Notes on options that have no effect, and on materials that cannot be drawn as meant.
 
 use super::args::RenderArgs;
 use super::request::{Request, is_solid};
 use super::values::ReflectionChoice;
-use crate::cli::common::choice::Choose;
 use crate::cli::common::console::escaped;
 use crease::io::{Note, Place};
 use crease::mesh::{Link, Mesh, Topology, Weld};
-use crease::num::{LinearRgb, Srgb8, Transfer};
 use crease::raster::{FlatSample, RenderSettings, SceneFile, SceneObject, SceneShape, Shading, Show};
 use crease::report::Overlay;
 
@@ -16,12 +14,6 @@ pub fn notes(request: &Request, file: &SceneFile) -> Vec<Note> {
     let panels = request.panels(&file.settings);
     let mut texts = without_effect(args, file, &panels);
     texts.extend(analytic(args, file, &panels));
-    let variants = &args.output.compare[..];
-    let twice = variants.iter().enumerate().find(|&(at, variant)| variants[..at].contains(variant));
-    texts.extend(twice.map(|(_, variant)| {
-        format!("--compare names {} more than once: its panels are the same", variant.choice())
-    }));
-    texts.extend(faint_wireframe(file, &panels));
     let is_lit = |object: &SceneObject| unlit(file, &panels).is_none() && !object.given;
     let has_colours = |object| file.mesh_of(object).is_some_and(|mesh| mesh.colours.is_some());
     let numbers = 0..file.objects.len();
@@ -168,59 +160,4 @@ fn analytic(args: &RenderArgs, file: &SceneFile, panels: &[RenderSettings]) -> O
         .iter()
         .any(is_other)
         .then(|| format!("{which} without a tessellation, drawn exactly by ray casting with any shading"))
-}
-
-/// The contrast that graphics need with what surrounds them: WCAG 2.1, success criterion 1.4.11.
-const LEAST_CONTRAST: f64 = 3.0;
-
-pub fn faint_wireframe(file: &SceneFile, panels: &[RenderSettings]) -> Option<String> {
-    let (wire, background, transfer) = (file.settings.wire.colour, file.background, file.settings.transfer);
-    let is_drawn = file.settings.show == Show::Shaded
-        && panels.iter().any(|panel| panel.shading == Shading::Wireframe)
-        && !file.objects.iter().all(is_solid);
-    let found = contrast(wire, background, transfer);
-    if !is_drawn || found >= LEAST_CONTRAST {
-        return None;
-    }
-    // Rounded down, so that it is below the limit.
-    let reported = (found * 100.0).floor() / 100.0;
-    let what = match code(wire, transfer) == code(background, transfer) {
-        true => "has the colour of the background".into(),
-        false => format!(
-            "is hardly visible on the background: contrast {reported:.2}:1 (WCAG 2.1 requires {LEAST_CONTRAST}:1)"
-        ),
-    };
-    Some(format!("the wireframe {what}; choose another --background"))
-}
-
-/// The contrast ratio (Y₁ + 0.05)/(Y₂ + 0.05) of the lighter to the darker of two colours, as WCAG 2.1 defines it: 1 of the
-/// same luminance, 21 of black and white. Luminances are those that a screen shows for the codes, which it takes for sRGB.
-pub fn contrast(a: LinearRgb, b: LinearRgb, transfer: Transfer) -> f64 {
-    let luminance = |colour| LinearRgb::from(code(colour, transfer)).luminance() + 0.05;
-    let (a, b) = (luminance(a), luminance(b));
-    a.max(b) / a.min(b)
-}
-
-fn code(colour: LinearRgb, transfer: Transfer) -> Srgb8 {
-    Srgb8(colour.to_array().map(|light| transfer.to_u8(light)))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn contrast_is_that_of_the_codes_on_a_screen() {
-        let (black, white) = (LinearRgb::BLACK, LinearRgb::WHITE);
-        for transfer in [Transfer::Srgb, Transfer::Direct] {
-            assert_eq!(contrast(white, black, transfer), 21.0);
-            assert_eq!(contrast(white, white, transfer), 1.0);
-        }
-        // #767676, the darkest grey that is known for 4.54:1 on white.
-        let grey = LinearRgb::from(Srgb8([0x76; 3]));
-        assert!((contrast(white, grey, Transfer::Srgb) - 4.54).abs() < 0.005);
-        // Without a curve, light of 0.3 is code 77, of luminance 0.0742, and not 149.
-        assert!((contrast(white, LinearRgb::grey(0.3), Transfer::Direct) - 1.05 / 0.1242).abs() < 0.01);
-        assert!((contrast(LinearRgb::grey(0.3), white, Transfer::Srgb) - 3.0).abs() < 0.02);
-    }
 }

@@ -33,7 +33,7 @@ struct Case<'a> {
     holds: bool,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Default, Serialize)]
 struct Error {
     /// JSON has `null` for infinity.
     worst: f64,
@@ -123,20 +123,8 @@ impl<'a> Case<'a> {
 impl Error {
     fn new(worst: Worst, unit: Unit) -> Self {
         let Worst { error, nan, infinite, zero } = worst;
-        Self {
-            worst: error,
-            undefined: worst.undefined(),
-            nan,
-            infinite,
-            zero,
-            unit: unit.name(),
-            bound: None,
-            declined: None,
-            formula: None,
-            fails: None,
-            cause: None,
-            definition: None,
-        }
+        let (undefined, unit) = (worst.undefined(), unit.name());
+        Self { worst: error, undefined, nan, infinite, zero, unit, ..Self::default() }
     }
 
     fn bounded(worst: Worst, bound: Bound) -> Self {

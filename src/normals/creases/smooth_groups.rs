@@ -34,7 +34,7 @@ pub(crate) struct SlotCorners {
 impl SlotCorners {
     /// The corners that have each slot.
     pub(crate) fn by_slot(corner_slot: &[u32], slots: usize) -> Self {
-        let (offsets, corners) = Rings::build(corner_slot, slots).into_rows();
+        let Rings { offsets, corners } = Rings::build(corner_slot, slots);
         Self { offsets, corners }
     }
 }

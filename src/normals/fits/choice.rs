@@ -94,7 +94,7 @@ pub(crate) fn choose(rings: &Rings<'_>, means: &[DVec3], more_rings: usize) -> C
         quadric: rms(|it| it.quadric_to_wider),
         jet_to_quadric: rms(|it| it.jet_to_quadric),
     };
-    let (jet, quadric) = (differences.jet_error(), differences.quadric_error());
+    let (jet, quadric) = (differences.jet_error(), differences.quadric);
     let is_jet_better = jet <= quadric;
     let angle = if is_jet_better { rms(|it| it.jet_to_mean) } else { rms(|it| it.quadric_to_mean) };
     let weight = match is_jet_better {

@@ -14,7 +14,7 @@ const NOISY: f64 = 3.5;
 pub struct FitDifferences {
     /// Between jets and jets of one more ring of neighbours.
     pub jet: f64,
-    /// Between quadrics and quadrics of one more ring.
+    /// Between quadrics and quadrics of one more ring: the estimated error of quadrics, with and without noise.
     pub quadric: f64,
     /// Between jets and quadrics.
     pub jet_to_quadric: f64,
@@ -27,11 +27,6 @@ impl FitDifferences {
     /// [Noise](Self::noise) is added.
     pub fn jet_error(&self) -> f64 {
         libm::hypot(self.jet, self.noise())
-    }
-
-    /// The estimated error of quadrics: the difference from wider ones, with and without noise.
-    pub fn quadric_error(&self) -> f64 {
-        self.quadric
     }
 
     /// The part of the error of jets that is due to noise.
@@ -59,6 +54,6 @@ mod tests {
         // Noise.
         let noisy = of(0.9, 0.9, 3.1);
         assert!((noisy.jet_error() - 3.1).abs() < 0.1 && noisy.noise() > 2.8, "{}", noisy.jet_error());
-        assert_eq!((noisy.quadric_error(), FitDifferences::default().jet_error()), (0.9, 0.0));
+        assert_eq!((noisy.quadric, FitDifferences::default().jet_error()), (0.9, 0.0));
     }
 }

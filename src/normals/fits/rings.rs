@@ -61,6 +61,7 @@ struct RingChunk {
 }
 
 /// Memory reused from group to group.
+#[derive(Default)]
 pub(crate) struct RingScratch {
     /// The number of the last search that met each place.
     met: Vec<u32>,
@@ -153,15 +154,7 @@ impl<'a> Rings<'a> {
 
     /// Memory for searches. Places that no search meets stay untouched, and cost nothing.
     pub(crate) fn scratch(&self) -> RingScratch {
-        RingScratch {
-            met: vec![0; self.positions.len()],
-            search: 0,
-            known: Vec::new(),
-            frontier: Vec::new(),
-            reached: Vec::new(),
-            from_trees: Vec::new(),
-            candidates: Vec::new(),
-        }
+        RingScratch { met: vec![0; self.positions.len()], ..RingScratch::default() }
     }
 
     /// Appends the neighbours of a group: its two-ring and further rings as far as they are searched and each adds some; at most 64,

@@ -78,12 +78,12 @@ impl Product for Avx2 {
     }
 }
 
-/// Methods of two numbers that are one instruction for each half.
+/// Methods that are one instruction for each half.
 macro_rules! halves {
-    ($($method:ident = $instruction:ident),*) => {$(
+    ($set:ident: $($method:ident($($number:ident),*) = $instruction:ident),* $(,)?) => {$(
         #[inline(always)]
-        fn $method(self, a: Self::Number, b: Self::Number) -> Self::Number {
-            [self.token.avx.$instruction(a[0], b[0]), self.token.avx.$instruction(a[1], b[1])]
+        fn $method(self, $($number: Self::Number),*) -> Self::Number {
+            [self.token.$set.$instruction($($number[0]),*), self.token.$set.$instruction($($number[1]),*)]
         }
     )*};
 }
@@ -97,23 +97,16 @@ impl Arithmetic for Avx2 {
         [self.token.avx._mm256_set1_pd(x); 2]
     }
 
-    halves! { add = _mm256_add_pd, sub = _mm256_sub_pd, mul = _mm256_mul_pd, div = _mm256_div_pd, and = _mm256_and_pd }
-
-    #[inline(always)]
-    fn sqrt(self, a: [__m256d; 2]) -> [__m256d; 2] {
-        [self.token.avx._mm256_sqrt_pd(a[0]), self.token.avx._mm256_sqrt_pd(a[1])]
+    halves! {
+        avx: add(a, b) = _mm256_add_pd, sub(a, b) = _mm256_sub_pd, mul(a, b) = _mm256_mul_pd,
+        div(a, b) = _mm256_div_pd, and(a, b) = _mm256_and_pd, sqrt(a) = _mm256_sqrt_pd,
     }
+    halves! { fma: product_error(a, b, product) = _mm256_fmsub_pd }
 
     #[inline(always)]
     fn abs(self, a: [__m256d; 2]) -> [__m256d; 2] {
         let sign = self.token.avx._mm256_set1_pd(-0.0);
         [self.token.avx._mm256_andnot_pd(sign, a[0]), self.token.avx._mm256_andnot_pd(sign, a[1])]
-    }
-
-    #[inline(always)]
-    fn product_error(self, a: [__m256d; 2], b: [__m256d; 2], product: [__m256d; 2]) -> [__m256d; 2] {
-        let fma = self.token.fma;
-        [fma._mm256_fmsub_pd(a[0], b[0], product[0]), fma._mm256_fmsub_pd(a[1], b[1], product[1])]
     }
 
     #[inline(always)]
@@ -131,16 +124,6 @@ impl Arithmetic for Avx2 {
 
 impl EightLanes for Avx2 {
     type Element = f64;
-
-    #[inline(always)]
-    fn to_array(self, a: [__m256d; 2]) -> [f64; LANES] {
-        pulp::cast(a)
-    }
-
-    #[inline(always)]
-    fn load(self, lanes: &[f64; LANES]) -> [__m256d; 2] {
-        pulp::cast(*lanes)
-    }
 
     #[inline(always)]
     fn bits(self, mask: [__m256d; 2]) -> u8 {

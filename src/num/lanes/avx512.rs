@@ -72,21 +72,10 @@ impl Arithmetic for Avx512 {
         self.token.avx512f._mm512_set1_pd(x)
     }
 
-    instructions! { avx512f: add = _mm512_add_pd, sub = _mm512_sub_pd, mul = _mm512_mul_pd, div = _mm512_div_pd }
-
-    #[inline(always)]
-    fn sqrt(self, a: __m512d) -> __m512d {
-        self.token.avx512f._mm512_sqrt_pd(a)
-    }
-
-    #[inline(always)]
-    fn abs(self, a: __m512d) -> __m512d {
-        self.token.avx512f._mm512_abs_pd(a)
-    }
-
-    #[inline(always)]
-    fn product_error(self, a: __m512d, b: __m512d, product: __m512d) -> __m512d {
-        self.token.avx512f._mm512_fmsub_pd(a, b, product)
+    instructions! {
+        avx512f: add(a, b) = _mm512_add_pd, sub(a, b) = _mm512_sub_pd, mul(a, b) = _mm512_mul_pd,
+        div(a, b) = _mm512_div_pd, sqrt(a) = _mm512_sqrt_pd, abs(a) = _mm512_abs_pd,
+        product_error(a, b, product) = _mm512_fmsub_pd,
     }
 
     #[inline(always)]
@@ -112,16 +101,6 @@ impl EightLanes for Avx512 {
     #[inline(always)]
     fn lane(row: usize) -> usize {
         row / 2 + row % 2 * 4
-    }
-
-    #[inline(always)]
-    fn to_array(self, a: __m512d) -> [f64; LANES] {
-        pulp::cast(a)
-    }
-
-    #[inline(always)]
-    fn load(self, lanes: &[f64; LANES]) -> __m512d {
-        pulp::cast(*lanes)
     }
 
     #[inline(always)]

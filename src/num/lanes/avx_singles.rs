@@ -44,11 +44,9 @@ impl Arithmetic for AvxSingles {
         self.token.avx._mm256_set1_ps(x as f32)
     }
 
-    instructions! { avx: add = _mm256_add_ps, sub = _mm256_sub_ps, mul = _mm256_mul_ps, div = _mm256_div_ps, and = _mm256_and_ps }
-
-    #[inline(always)]
-    fn sqrt(self, a: __m256) -> __m256 {
-        self.token.avx._mm256_sqrt_ps(a)
+    instructions! {
+        avx: add(a, b) = _mm256_add_ps, sub(a, b) = _mm256_sub_ps, mul(a, b) = _mm256_mul_ps,
+        div(a, b) = _mm256_div_ps, and(a, b) = _mm256_and_ps, sqrt(a) = _mm256_sqrt_ps,
     }
 
     #[inline(always)]
@@ -92,16 +90,6 @@ impl EightLanes for AvxSingles {
     #[inline(always)]
     fn bits(self, mask: __m256) -> u8 {
         self.token.avx._mm256_movemask_ps(mask) as u8
-    }
-
-    #[inline(always)]
-    fn to_array(self, a: __m256) -> [f32; LANES] {
-        pulp::cast(a)
-    }
-
-    #[inline(always)]
-    fn load(self, lanes: &[f32; LANES]) -> __m256 {
-        pulp::cast(*lanes)
     }
 
     #[inline(always)]

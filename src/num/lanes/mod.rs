@@ -36,6 +36,7 @@ pub(super) use simd128::Simd128;
 
 use super::product::Product;
 use super::real::Real;
+use bytemuck::Pod;
 
 /// How many numbers a kernel works on at a time.
 pub(crate) const LANES: usize = 8;
@@ -65,13 +66,13 @@ pub(crate) trait Arithmetic: Copy {
     fn select(self, mask: Self::Mask, yes: Self::Number, no: Self::Number) -> Self::Number;
 }
 
-/// Methods of two numbers that are one instruction of an instruction set in the token.
+/// Methods that are one instruction of an instruction set in the token.
 #[cfg(target_arch = "x86_64")]
 macro_rules! instructions {
-    ($set:ident: $($method:ident = $instruction:ident),*) => {$(
+    ($set:ident: $($method:ident($($number:ident),*) = $instruction:ident),* $(,)?) => {$(
         #[inline(always)]
-        fn $method(self, a: Self::Number, b: Self::Number) -> Self::Number {
-            self.token.$set.$instruction(a, b)
+        fn $method(self, $($number: Self::Number),*) -> Self::Number {
+            self.token.$set.$instruction($($number),*)
         }
     )*};
 }
@@ -97,7 +98,7 @@ impl Eight {
 }
 
 /// Eight lanes of single or double precision, and the way between them and rows in memory.
-pub(crate) trait EightLanes: Arithmetic {
+pub(crate) trait EightLanes: Arithmetic<Number: Pod> {
     /// The number in a lane.
     type Element: Real;
 
@@ -108,9 +109,17 @@ pub(crate) trait EightLanes: Arithmetic {
     }
 
     /// The numbers of all lanes, by lane.
-    fn to_array(self, a: Self::Number) -> [Self::Element; LANES];
+    #[inline(always)]
+    fn to_array(self, a: Self::Number) -> [Self::Element; LANES] {
+        pulp::cast(a)
+    }
+
     /// Lanes of these numbers.
-    fn load(self, lanes: &[Self::Element; LANES]) -> Self::Number;
+    #[inline(always)]
+    fn load(self, lanes: &[Self::Element; LANES]) -> Self::Number {
+        pulp::cast(*lanes)
+    }
+
     /// The mask, one bit a lane.
     fn bits(self, mask: Self::Mask) -> u8;
     /// The columns of eight rows.

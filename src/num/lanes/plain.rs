@@ -89,16 +89,6 @@ impl<R: Real, P: Product<R>> EightLanes for Plain<R, P> {
     type Element = R;
 
     #[inline(always)]
-    fn to_array(self, a: Self::Number) -> [R; LANES] {
-        a
-    }
-
-    #[inline(always)]
-    fn load(self, lanes: &[R; LANES]) -> Self::Number {
-        *lanes
-    }
-
-    #[inline(always)]
     fn bits(self, mask: Self::Mask) -> u8 {
         mask.into_iter().enumerate().fold(0, |bits, (lane, yes)| bits | u8::from(yes) << lane)
     }

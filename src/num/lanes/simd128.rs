@@ -32,18 +32,12 @@ impl Product for Simd128 {
     }
 }
 
-/// Methods of two numbers that are one instruction for each register.
+/// Methods that are one instruction for each register.
 macro_rules! registers {
-    ($($method:ident = $instruction:ident),*) => {$(
+    ($($method:ident($($number:ident),*) = $instruction:ident),* $(,)?) => {$(
         #[inline(always)]
-        fn $method(self, a: Self::Number, b: Self::Number) -> Self::Number {
-            let simd = self.token.simd128;
-            [
-                simd.$instruction(a[0], b[0]),
-                simd.$instruction(a[1], b[1]),
-                simd.$instruction(a[2], b[2]),
-                simd.$instruction(a[3], b[3]),
-            ]
+        fn $method(self, $($number: Self::Number),*) -> Self::Number {
+            std::array::from_fn(|i| self.token.simd128.$instruction($($number[i]),*))
         }
     )*};
 }
@@ -57,16 +51,9 @@ impl Arithmetic for Simd128 {
         [self.token.simd128.f64x2_splat(x); 4]
     }
 
-    registers! { add = f64x2_add, sub = f64x2_sub, mul = f64x2_mul, div = f64x2_div, and = v128_and, less = f64x2_lt }
-
-    #[inline(always)]
-    fn sqrt(self, a: [v128; 4]) -> [v128; 4] {
-        a.map(|a| self.token.simd128.f64x2_sqrt(a))
-    }
-
-    #[inline(always)]
-    fn abs(self, a: [v128; 4]) -> [v128; 4] {
-        a.map(|a| self.token.simd128.f64x2_abs(a))
+    registers! {
+        add(a, b) = f64x2_add, sub(a, b) = f64x2_sub, mul(a, b) = f64x2_mul, div(a, b) = f64x2_div, and(a, b) = v128_and,
+        less(a, b) = f64x2_lt, sqrt(a) = f64x2_sqrt, abs(a) = f64x2_abs,
     }
 
     /// By [`Split`], in the same order: SIMD128 has no fused multiply-add with defined rounding.
@@ -92,16 +79,6 @@ impl Arithmetic for Simd128 {
 
 impl EightLanes for Simd128 {
     type Element = f64;
-
-    #[inline(always)]
-    fn to_array(self, a: [v128; 4]) -> [f64; LANES] {
-        pulp::cast(a)
-    }
-
-    #[inline(always)]
-    fn load(self, lanes: &[f64; LANES]) -> [v128; 4] {
-        pulp::cast(*lanes)
-    }
 
     #[inline(always)]
     fn bits(self, mask: [v128; 4]) -> u8 {

@@ -28,13 +28,12 @@ impl Simd128Singles {
     }
 }
 
-/// Methods of two numbers that are one instruction for each register.
+/// Methods that are one instruction for each register.
 macro_rules! registers {
-    ($($method:ident = $instruction:ident),*) => {$(
+    ($($method:ident($($number:ident),*) = $instruction:ident),* $(,)?) => {$(
         #[inline(always)]
-        fn $method(self, a: Self::Number, b: Self::Number) -> Self::Number {
-            let simd = self.token.simd128;
-            [simd.$instruction(a[0], b[0]), simd.$instruction(a[1], b[1])]
+        fn $method(self, $($number: Self::Number),*) -> Self::Number {
+            std::array::from_fn(|i| self.token.simd128.$instruction($($number[i]),*))
         }
     )*};
 }
@@ -48,16 +47,9 @@ impl Arithmetic for Simd128Singles {
         [self.token.simd128.f32x4_splat(x as f32); 2]
     }
 
-    registers! { add = f32x4_add, sub = f32x4_sub, mul = f32x4_mul, div = f32x4_div, and = v128_and, less = f32x4_lt }
-
-    #[inline(always)]
-    fn sqrt(self, a: [v128; 2]) -> [v128; 2] {
-        a.map(|a| self.token.simd128.f32x4_sqrt(a))
-    }
-
-    #[inline(always)]
-    fn abs(self, a: [v128; 2]) -> [v128; 2] {
-        a.map(|a| self.token.simd128.f32x4_abs(a))
+    registers! {
+        add(a, b) = f32x4_add, sub(a, b) = f32x4_sub, mul(a, b) = f32x4_mul, div(a, b) = f32x4_div, and(a, b) = v128_and,
+        less(a, b) = f32x4_lt, sqrt(a) = f32x4_sqrt, abs(a) = f32x4_abs,
     }
 
     #[inline(always)]
@@ -73,16 +65,6 @@ impl Arithmetic for Simd128Singles {
 
 impl EightLanes for Simd128Singles {
     type Element = f32;
-
-    #[inline(always)]
-    fn to_array(self, a: [v128; 2]) -> [f32; LANES] {
-        pulp::cast(a)
-    }
-
-    #[inline(always)]
-    fn load(self, lanes: &[f32; LANES]) -> [v128; 2] {
-        pulp::cast(*lanes)
-    }
 
     #[inline(always)]
     fn bits(self, mask: [v128; 2]) -> u8 {

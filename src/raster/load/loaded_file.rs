@@ -11,7 +11,6 @@ use crate::raster::load::scene_file::{
     LoadOptions, MOST_OBJECTS, MOST_PLACED_CORNERS, SceneFile, SceneMesh, SceneObject, SceneShape,
 };
 use crate::raster::load::scene_mesh::by_label;
-use crate::raster::settings::RenderSettings;
 use crate::raster::view::camera::Camera;
 use crate::shade::Optics;
 use glam::{DMat3, DMat4, DVec3};
@@ -53,16 +52,7 @@ impl SceneFile {
         check_corners(&nodes, &parts)?;
         notes.extend(appearance.notes.iter().cloned());
 
-        let mut scene = Self {
-            meshes: Vec::new(),
-            objects: Vec::new(),
-            lights: None,
-            kept_lights: Vec::new(),
-            camera: None,
-            background: LinearRgb::BLACK,
-            settings: RenderSettings::default(),
-            notes,
-        };
+        let mut scene = Self { notes, ..Self::default() };
         let materials: BTreeMap<&str, &FileMaterial> =
             appearance.materials.iter().map(|material| (&*material.name, material)).collect();
         let prototypes = scene.add_meshes(&nodes, parts, format, &materials, options);

@@ -36,7 +36,7 @@ pub(super) const MOST_PLACED_CORNERS: u64 = 1 << 28;
 pub(super) const MOST_OBJECTS: usize = 1 << 17;
 
 /// A scene as it was read, to be changed at will before [`scene`](Self::scene) shows it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct SceneFile {
     /// The meshes that objects show, each once.
     pub meshes: Vec<SceneMesh>,

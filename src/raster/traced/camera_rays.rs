@@ -112,7 +112,7 @@ impl TileTracer {
         }
         self.count += tracer.rays;
         self.cut += tracer.cut;
-        self.stack = tracer.into_stack();
+        self.stack = tracer.stack;
         Ok(())
     }
 }

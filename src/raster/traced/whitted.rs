@@ -22,7 +22,7 @@ const MOST_RAYS: u32 = 4096;
 pub(crate) struct Tracer<'a> {
     pub(super) job: &'a Job<'a>,
     pub(super) scene: &'a TracedScene,
-    pub(super) stack: Stack,
+    pub(crate) stack: Stack,
     /// How the sets of shadow rays of the pixel are moved.
     pub(super) moved: [f64; 2],
     /// Rays of all kinds so far.
@@ -57,11 +57,6 @@ struct Onward {
 impl<'a> Tracer<'a> {
     pub(crate) fn new(job: &'a Job<'a>, scene: &'a TracedScene, stack: Stack) -> Self {
         Self { job, scene, stack, moved: [0.0; 2], rays: 0, cut: 0.0, left: 0 }
-    }
-
-    /// The memory for another tracer.
-    pub(crate) fn into_stack(self) -> Stack {
-        self.stack
     }
 
     /// The light from a point that the camera sees along a ray; `moved` belongs to the pixel.

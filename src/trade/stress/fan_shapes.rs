@@ -55,7 +55,8 @@ pub(super) fn fan_cases() -> Vec<StressCase> {
         let fans = [3, 8, 64].map(|n| Fan::cone(n, height)).to_vec();
         fans::case(Group::Fan, "cone-tips", format!("cone tips of height {height}"), fans)
     });
-    [opposite].into_iter().chain(folds).chain([fins]).chain(tips).collect()
+    let quadrics = STORED.map(quadric_case);
+    [opposite].into_iter().chain(folds).chain([fins]).chain(tips).chain(quadrics).collect()
 }
 
 /// Spokes forth and back, the way back lifted by an angle.
@@ -140,10 +141,6 @@ const STORED: [Stored; 4] = [
     ("6 decimals", 5e-7, |x| (x * 1e6).round() / 1e6),
     ("4 decimals", 5e-5, |x| (x * 1e4).round() / 1e4),
 ];
-
-pub(super) fn quadric_cases() -> Vec<StressCase> {
-    STORED.map(quadric_case).into()
-}
 
 fn quadric_case((name, moved, store): Stored) -> StressCase {
     // A corner that moves by d = √3 coordinates tilts a face by 2d over its shorter edge, here the side of the cylinder of

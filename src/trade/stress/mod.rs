@@ -70,7 +70,7 @@ pub fn cases_of(group: Group) -> Vec<StressCase> {
         Group::Degenerate => degenerate::zero_area_cases(),
         Group::NonFinite => degenerate::non_finite_cases(),
         Group::Valence => fan_shapes::valence_cases(),
-        Group::Fan => fan_shapes::fan_cases().into_iter().chain(fan_shapes::quadric_cases()).collect(),
+        Group::Fan => fan_shapes::fan_cases(),
         Group::Angle => arithmetic::angle_cases(),
         Group::Crease => creases::cases(),
         Group::Unit => arithmetic::unit_vector_cases(),

@@ -2,7 +2,7 @@
 
 use crate::io::ReadError;
 use crate::normals::{Precision, Weight};
-use crate::num::{Degrees, LinearRgb, List, Transfer};
+use crate::num::{Degrees, List, Transfer};
 use crate::raster::load::normal_settings::{CreaseValue, StoredFormat, of_keys};
 use crate::raster::load::scene_file::{LoadOptions, SceneFile, SceneObject, SceneShape};
 use crate::raster::load::toml::lighting::{LightTables, ReflectionName, lights};
@@ -57,16 +57,7 @@ impl SceneFile {
         let source = Source(text);
         let document: Document = toml::from_str(text).map_err(|error| source.syntax(&error))?;
         let (lights, kept_lights) = lights(source, document.light)?;
-        let mut scene = SceneFile {
-            meshes: Vec::new(),
-            objects: Vec::new(),
-            lights,
-            kept_lights,
-            camera: None,
-            background: LinearRgb::BLACK,
-            settings: RenderSettings::default(),
-            notes: Vec::new(),
-        };
+        let mut scene = SceneFile { lights, kept_lights, ..SceneFile::default() };
         document.settings.apply(source, &mut scene)?;
         scene.camera = document.camera.map(|camera| CameraTable::camera(source, &camera)).transpose()?;
         let SettingsTable { reflection, weight, crease, precision, normal_format, .. } = document.settings;
