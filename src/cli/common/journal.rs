@@ -5,7 +5,7 @@ use super::failure::Failure;
 use anyhow::{Context, Result, ensure};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
-use std::fs::{File, OpenOptions};
+use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 use xxhash_rust::xxh3::Xxh3;
@@ -74,10 +74,14 @@ impl Entry {
 /// If the file cannot be read.
 pub fn entries(path: &Path) -> Result<(Vec<Entry>, usize)> {
     let context = || format!("could not read the journal {}", path.display());
+    entries_of(&File::open(path).with_context(context)?).with_context(context)
+}
+
+fn entries_of(file: &File) -> std::io::Result<(Vec<Entry>, usize)> {
     let mut last = HashMap::new();
     let mut bad = 0;
-    for (number, line) in BufReader::new(File::open(path).with_context(context)?).split(b'\n').enumerate() {
-        let line = line.with_context(context)?;
+    for (number, line) in BufReader::new(file).split(b'\n').enumerate() {
+        let line = line?;
         match serde_json::from_slice::<Entry>(&line) {
             Ok(entry) => {
                 last.insert((entry.input.clone(), entry.output.clone()), (number, entry));
@@ -104,23 +108,38 @@ pub struct Journal {
 }
 
 impl Journal {
-    /// Opens a journal, or makes one.
+    /// Opens a journal, or makes one. It is locked until it is dropped, on file systems that have locks.
     ///
     /// # Errors
-    /// If the file cannot be read or written.
-    pub fn open(path: &Path, sync: bool) -> Result<Self> {
-        let context = || format!("could not open the journal {}", path.display());
+    /// If the file cannot be read or written, or another run has it.
+    pub fn open(path: &Path, sync: bool) -> Result<Self, Failure> {
+        let file = Self::file(path)?;
+        if let Err(TryLockError::WouldBlock) = file.try_lock() {
+            return Err(Failure::usage(format!(
+                "another run writes the journal {}\nhelp: give each share a journal of its own, and join them with `crease journal merge`",
+                path.display()
+            )));
+        }
+        Ok(Self::of(file, path, sync)?)
+    }
+
+    fn file(path: &Path) -> Result<File> {
         ensure!(
             path.metadata().map_or(true, |metadata| metadata.is_file()),
             "the journal {} is not a regular file\nhelp: name a file",
             path.display()
         );
-        let mut file =
-            OpenOptions::new().read(true).append(true).create(true).open(path).with_context(context)?;
-        let (old, bad) = entries(path)?;
+        let file = OpenOptions::new().read(true).append(true).create(true).open(path);
+        file.with_context(|| format!("could not open the journal {}", path.display()))
+    }
+
+    fn of(mut file: File, path: &Path, sync: bool) -> Result<Self> {
+        let context = || format!("could not open the journal {}", path.display());
+        let (old, bad) = entries_of(&file).with_context(context)?;
         if old.is_empty() {
             // Before its first entry a killed run may leave a part of that. Other files are not to be changed.
             let mut text = Vec::new();
+            file.rewind().with_context(context)?;
             (&file).take(1 << 16).read_to_end(&mut text).with_context(context)?;
             let is_part = text.starts_with(FIRST_BYTES) || FIRST_BYTES.starts_with(&text);
             ensure!(
