@@ -267,7 +267,9 @@ fn a_line_may_have_options_of_its_own() {
     let (_, json, _) = run(work.path(), &args);
     assert_eq!([statuses(&json, "ok"), statuses(&json, "skipped")], [1, 2]);
     for (options, found) in [
-        (r#""--creese""#, "options of in/0000.obj: unknown option --creese"),
+        (r#""--creese""#, "error: list:1: unknown option --creese"),
+        (r#""--to", "glb", "--in-place", "--normal-format", "i4""#, "error: list:1: --in-place is the same"),
+        (r#""--emit", "face""#, "error: list:1: --emit face writes"),
         (r#""--jobs", "2""#, "--jobs is the same for all inputs"),
         (r#""--crease", "x""#, "wrong value"),
         (r#""x.obj""#, "cannot be used with"),
@@ -277,6 +279,45 @@ fn a_line_may_have_options_of_its_own() {
         let (status, _, errors) = run(work.path(), &["--manifest", "list", "--out-dir", "x"]);
         assert!(status == 2 && errors.contains(found), "{options}: {status}: {errors}");
     }
+}
+
+/// Standard input has no name for an output, and is no input that a journal could compare.
+#[test]
+fn lines_that_no_verb_can_do_are_refused_with_their_number() {
+    let work = files(1);
+    for verb in ["normals", "inspect", "render"] {
+        let args: &[&str] = if verb == "inspect" { &[] } else { &["--out-dir", "out"] };
+        for (line, expected, found) in [
+            ("-", 3, "list:2: `-` is standard input"),
+            (r#"{"input": "-"}"#, 3, "list:2: `-` is standard input"),
+            (r#"{"input": "in/0000.obj", "options": 7}"#, 3, "list:2: not an object with"),
+            (r#"{"input": "in/0000.obj", "options": ["--creese"]}"#, 2, "list:2: unknown option --creese"),
+        ] {
+            fs::write(work.path().join("list"), format!("in/0000.obj\n{line}\n")).unwrap();
+            let (status, _, errors) = run_verb(work.path(), &[&[verb, "--manifest", "list"], args].concat());
+            let message = format!("error: {found}");
+            assert!(status == expected && errors.starts_with(&message), "{verb} {line}: {status}: {errors}");
+        }
+    }
+}
+
+#[test]
+fn a_journal_has_one_writer_at_a_time() {
+    let work = files(2);
+    let args = [&TO_OUT[..], &["--journal", "journal", "-q"]].concat();
+    assert_eq!(run(work.path(), &args).0, 0);
+    let path = work.path().join("journal");
+    let before = fs::read(&path).unwrap();
+    let other = fs::File::options().append(true).open(&path).unwrap();
+    other.lock().unwrap();
+    let (status, _, errors) = run(work.path(), &args);
+    assert!(
+        status == 2 && errors.contains("the journal journal\nhelp: give each share"),
+        "{status}: {errors}"
+    );
+    assert_eq!(fs::read(&path).unwrap(), before);
+    drop(other);
+    assert_eq!(run(work.path(), &args).0, 0);
 }
 
 /// Runs a verb in a folder.
@@ -378,7 +419,7 @@ fn a_killed_batch_goes_on() {
 fn wrong_lists_and_shares_are_refused_before_work() {
     let work = files(2);
     for (args, expected, found) in [
-        (vec!["--manifest", "list"], 2, "no output for in/0000.obj"),
+        (vec!["--manifest", "list"], 2, "list:1: no output for in/0000.obj"),
         (vec!["--manifest", "nowhere", "--out-dir", "out"], 3, "check the path of the manifest"),
         (vec!["--manifest", "list", "in/0000.obj", "--out-dir", "out"], 2, "--manifest"),
         (vec!["in/0000.obj", "--out-dir", "out", "--shard", "3/3"], 2, "from 0 to N − 1"),

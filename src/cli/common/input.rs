@@ -68,11 +68,19 @@ pub struct Input {
     pub output: Option<PathBuf>,
     /// Options for it alone, from a manifest.
     pub options: Vec<String>,
+    /// The manifest and the number of its line, for messages.
+    pub line: Option<String>,
 }
 
 impl Input {
     fn new(source: Source, place: PathBuf) -> Self {
-        Self { source, place, output: None, options: Vec::new() }
+        Self { source, place, output: None, options: Vec::new(), line: None }
+    }
+
+    /// An error in what its line of the manifest asks for.
+    pub fn refused(&self, failure: Failure) -> Failure {
+        let place = self.line.iter().map(|line| format!("{line}: "));
+        Failure { message: place.collect::<String>() + &failure.message, ..failure }
     }
 }
 

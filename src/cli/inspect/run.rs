@@ -6,7 +6,7 @@ use super::symptoms;
 use super::text::{self, Layout};
 use crate::cli::common::console::{Console, HELP, Style, Verbosity, escaped};
 use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
-use crate::cli::common::input::{Source, check_root, expand};
+use crate::cli::common::input::{Input, Source, check_root, expand};
 use crate::cli::common::ledger::{self, Ledger, Work, skipped};
 use crate::cli::common::options::Color;
 use crate::cli::common::output::{Target, is_same_file, resolve_parent, stem};
@@ -87,14 +87,14 @@ fn run(jobs: &[Job], args: &InspectArgs, console: &Console) -> Exit {
 }
 
 fn source(job: &Job) -> (&Source, Option<Format>) {
-    (&job.source, job.args.format)
+    (&job.input.source, job.args.format)
 }
 
 /// Inspects an input unless an earlier run has, and records it.
 fn one(job: &Job, shared: &Shared<'_>) -> Recorded<(InspectReport, Outcome)> {
-    let mut report = InspectReport::new(&job.source);
+    let mut report = InspectReport::new(&job.input.source);
     let start = Instant::now();
-    let work = Work { input: job.source.name(), output: None, options: job.options() };
+    let work = Work { input: job.input.source.name(), output: None, options: job.options() };
     if let Some(entry) = shared.ledger.done_before(&work) {
         report.head.status = SKIPPED;
         let worst = Severity::ALL.into_iter().find(|it| Some(it.name()) == entry.verdict.as_deref());
@@ -104,8 +104,8 @@ fn one(job: &Job, shared: &Shared<'_>) -> Recorded<(InspectReport, Outcome)> {
     }
     let log = ReadLog::default();
     let read = ReadOptions { log: log.clone(), ..job.read() };
-    let result = shared.ledger.retried(&job.source, || {
-        report = InspectReport::new(&job.source);
+    let result = shared.ledger.retried(&job.input.source, || {
+        report = InspectReport::new(&job.input.source);
         guarded(|| inspect(job, &read, shared.progress, &mut report))
     });
     report.seconds.total = start.elapsed().as_secs_f64();
@@ -139,7 +139,7 @@ fn inspect(
     progress: &FileProgress<'_>,
     report: &mut InspectReport,
 ) -> Result<Outcome, Failure> {
-    let (source, args) = (&job.source, &*job.args);
+    let (source, args) = (&job.input.source, &*job.args);
     let thresholds = &args.thresholds.resolve(args.findings.places);
     progress.stage(Stage::Read);
     let start = Instant::now();
@@ -274,7 +274,7 @@ fn print(report: &InspectReport, args: &InspectArgs, brief: bool, console: &Cons
 
 /// An input with its options.
 struct Job {
-    source: Source,
+    input: Input,
     /// Its number among those of the same stem, from 1: each fixed version has a name of its own.
     number: usize,
     args: Arc<InspectArgs>,
@@ -316,39 +316,37 @@ fn jobs(args: &InspectArgs) -> Result<Vec<Job>, Failure> {
     let (mut numbers, mut jobs) = (HashMap::new(), Vec::with_capacity(found.len()));
     for input in found {
         if input.output.is_some() {
-            return Err(Failure::usage(format!(
-                "{}: `inspect` has no `output`\nhelp: \"options\": [\"--html\", \"page.html\"] writes a page",
-                input.source.name()
+            return Err(input.refused(Failure::usage(
+                "`inspect` has no `output`\nhelp: \"options\": [\"--html\", \"page.html\"] writes a page",
             )));
         }
         let args =
             if input.options.is_empty() { base.clone() } else { Arc::new(with_line("inspect", &input)?) };
         let number = numbers.entry(input.source.path().and_then(stem)).or_insert(0);
         *number += 1;
-        jobs.push(Job { source: input.source, number: *number, args });
+        jobs.push(Job { number: *number, args, input });
     }
     let mut outputs = HashSet::new();
-    let sources: Vec<Source> = jobs.iter().map(|job| job.source.clone()).collect();
-    for args in jobs.iter().map(|job| &*job.args) {
+    let sources: Vec<Source> = jobs.iter().map(|job| job.input.source.clone()).collect();
+    for Job { input, args, .. } in &jobs {
+        let refused = |message: String| input.refused(Failure::usage(message));
         if args.against.as_deref().map(Source::of) == Some(Source::Standard)
             && sources.contains(&Source::Standard)
         {
-            return Err(Failure::usage(
-                "standard input can be read only once\nhelp: name one of the two files",
+            return Err(refused(
+                "standard input can be read only once\nhelp: name one of the two files".into(),
             ));
         }
         let pictures: Vec<&PathBuf> = args.pictures.paths().collect();
         if !pictures.is_empty() {
-            check_outputs(&sources, args).map_err(Failure::usage)?;
+            check_outputs(&sources, args).map_err(refused)?;
         }
         if let Some(twice) = pictures.iter().find(|path| !outputs.insert(resolve_parent(path))) {
-            return Err(Failure::usage(format!(
-                "{} is written for two inputs\nhelp: name two outputs",
-                twice.display()
-            )));
+            let twice = twice.display();
+            return Err(refused(format!("{twice} is written for two inputs\nhelp: name two outputs")));
         }
     }
-    jobs.retain(|job| args.batch.takes(&job.source));
+    jobs.retain(|job| args.batch.takes(&job.input.source));
     Ok(jobs)
 }
 

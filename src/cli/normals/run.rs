@@ -43,7 +43,7 @@ pub fn main(args: &NormalsArgs, color: Color) -> Exit {
 }
 
 fn source(job: &Job) -> (&Source, Option<Format>) {
-    (&job.source, job.format)
+    (&job.input.source, job.format)
 }
 
 /// Does one job unless an earlier run has, and records it.
@@ -64,7 +64,7 @@ fn one<'a>(job: &'a Job, store: &Store, shared: &Shared<'_>) -> Recorded<Report<
     }
     let log = ReadLog::default();
     let read = ReadOptions { log: log.clone(), ..job.settings.read.clone() };
-    let done = shared.ledger.retried(&job.source, || {
+    let done = shared.ledger.retried(&job.input.source, || {
         report = Report::new(job);
         guarded(|| run(job, &read, store, shared, &mut report))
     });
@@ -92,7 +92,7 @@ fn work(job: &Job) -> Work {
     let mesh = (args.mesh.up, args.mesh.scale, merge_distance);
     let reading = (&read.root, read.non_finite, &read.allowed_extensions);
     Work {
-        input: job.source.name(),
+        input: job.input.source.name(),
         output: job.target.as_ref().map(Target::name),
         options: format!("normals {:?}", (task, write, mesh, reading, job.format, job.to)),
     }
@@ -127,7 +127,7 @@ fn run(
     let (settings, progress) = (&*job.settings, shared.progress);
     progress.stage(Stage::Read);
     let start = Instant::now();
-    let mut loaded = progress.read(&job.source, job.format, read, &mut report.input.bytes)?;
+    let mut loaded = progress.read(&job.input.source, job.format, read, &mut report.input.bytes)?;
     report.seconds.read = start.elapsed().as_secs_f64();
     report.input.format = Some(loaded.format);
     report.notes.extend_from_slice(&loaded.notes);
@@ -208,7 +208,7 @@ fn compute(
 
 /// Where the output will be, for its companion files; `None` for a stream or a device.
 fn place(job: &Job) -> Option<&Path> {
-    let path = job.target.as_ref().unwrap_or(&job.source).path()?;
+    let path = job.target.as_ref().unwrap_or(&job.input.source).path()?;
     let is_device = job.target.is_some() && path.metadata().is_ok_and(|it| !it.is_file() && !it.is_dir());
     (!is_device).then_some(path)
 }
@@ -217,7 +217,7 @@ fn place(job: &Job) -> Option<&Path> {
 fn put(job: &Job, store: &Store, written: Written, unchanged: bool) -> Result<Stored, Failure> {
     let Some(target) = &job.target else { return Ok(Stored::default()) };
     // An unchanged input keeps its modification time too.
-    if unchanged && *target == job.source && target.path().is_some() {
+    if unchanged && *target == job.input.source && target.path().is_some() {
         return Ok(Stored::default());
     }
     Ok(store.store(written, target)?)
