@@ -177,7 +177,7 @@ fn failures_are_in_the_journal_and_are_retried() {
         assert_eq!(code(&output), 0);
         text(&output.stdout).to_owned()
     };
-    assert_eq!(journal("failed"), "{\"input\":\"in/0001.obj\",\"output\":\"out/in/0001.obj\"}\n");
+    assert_eq!(journal("failed"), "{\"input\":\"in/0001.obj\"}\n");
     let summary = journal("summary");
     assert!(summary.starts_with("3 files: 2 done, 1 failed") && summary.contains("1 failed: "), "{summary}");
     fs::write(work.path().join("in/0001.obj"), "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n").unwrap();
@@ -279,6 +279,109 @@ fn a_line_may_have_options_of_its_own() {
         let (status, _, errors) = run(work.path(), &["--manifest", "list", "--out-dir", "x"]);
         assert!(status == 2 && errors.contains(found), "{options}: {status}: {errors}");
     }
+}
+
+/// The list of failed files is a manifest that does what the first one asked for.
+#[test]
+fn failed_files_are_done_as_their_lines_ask() {
+    let mesh = "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n";
+    let lines = [
+        "in/0000.obj",
+        r#"{"input": "in/0001.obj", "output": "b.glb", "options": ["--normal-format=i8", "--crease", "7"]}"#,
+        r#"{"input": "in/0002.obj", "options": ["--to", "ply"]}"#,
+        r#"{"input": "in/0003.obj", "output": "d.stl"}"#,
+    ];
+    let names = ["out/in/0000.obj", "b.glb", "out/in/0002.ply", "d.stl"];
+    let outcome = |fails: bool| {
+        let work = files(4);
+        for number in 0..4 {
+            let text = if fails { "v 0 0 nan\nf 1 1 1\n" } else { mesh };
+            fs::write(work.path().join(format!("in/{number:04}.obj")), text).unwrap();
+        }
+        fs::write(work.path().join("list"), lines.join("\n")).unwrap();
+        let args = ["--out-dir", "out", "--weight", "area", "--journal", "journal", "-q"];
+        let run_list = |list: &str| run(work.path(), &[&["--manifest", list], &args[..]].concat());
+        assert_eq!(run_list("list").0, if fails { 5 } else { 0 });
+        if fails {
+            let (_, list, _) = run_verb(work.path(), &["journal", "failed", "journal"]);
+            assert_eq!(list.lines().count(), 4);
+            fs::write(work.path().join("failed"), list).unwrap();
+            (0..4)
+                .for_each(|number| fs::write(work.path().join(format!("in/{number:04}.obj")), mesh).unwrap());
+            let (status, _, errors) = run_list("failed");
+            assert_eq!(status, 0, "{errors}");
+            // The first list finds the entries of the second.
+            let (_, report, _) = run(work.path(), &[&["--manifest", "list"], &args[..6]].concat());
+            assert!(report.contains("4 files done (4 of them before)"), "{report}");
+        }
+        names.map(|name| fs::read(work.path().join(name)).unwrap())
+    };
+    assert!(outcome(true) == outcome(false));
+}
+
+/// Killed before or after the file is replaced, with or without the last line of the journal.
+#[test]
+fn a_file_is_not_flipped_twice_after_a_kill() {
+    let work = files(1);
+    let [input, journal] = ["in/0000.obj", "journal"].map(|name| work.path().join(name));
+    let old = fs::read(&input).unwrap();
+    let args = ["--manifest", "list", "--in-place", "--flip", "--journal", "journal", "-q"];
+    assert_eq!(run(work.path(), &args).0, 0);
+    let (flipped, entries) = (fs::read(&input).unwrap(), fs::read_to_string(&journal).unwrap());
+    assert!(old != flipped && entries.lines().count() == 2, "{entries}");
+    let (first, _) = entries.split_at(entries.find('\n').unwrap() + 1);
+    for (found, kept) in [(&old, ""), (&old, first), (&flipped, first), (&flipped, &entries)] {
+        fs::write(&input, found).unwrap();
+        fs::write(&journal, kept).unwrap();
+        assert_eq!(run(work.path(), &args).0, 0);
+        assert!(fs::read(&input).unwrap() == flipped, "{kept}");
+    }
+}
+
+#[test]
+fn killed_runs_flip_each_file_once() {
+    let work = files(60);
+    let read = || (0..60).map(|number| fs::read(work.path().join(format!("in/{number:04}.obj"))).unwrap());
+    let args = ["--manifest", "list", "--in-place", "--flip", "--journal", "journal", "-q", "--jobs", "2"];
+    let old: Vec<_> = read().collect();
+    for kill in 0..6 {
+        let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_crease"))
+            .arg("normals")
+            .args(args)
+            .current_dir(work.path())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(Duration::from_millis(15 + 9 * kill));
+        child.kill().unwrap();
+        child.wait().unwrap();
+    }
+    assert_eq!(run(work.path(), &args).0, 0);
+    for (old, new) in old.iter().zip(read()) {
+        let [old, new] = [old, &new].map(|bytes| text(bytes).lines().last().unwrap().to_owned());
+        assert_eq!([&*old, &*new], ["f 1 2 3", "f 1//1 3//1 2//1"]);
+    }
+}
+
+#[test]
+fn a_file_counts_once_whatever_was_done_with_it() {
+    let work = files(3);
+    fs::write(work.path().join("in/0001.obj"), "v 0 0 nan\nf 1 1 1\n").unwrap();
+    assert_eq!(run(work.path(), &[&TO_OUT[..], &["--journal", "journal", "-q"]].concat()).0, 5);
+    let inspect = ["inspect", "--manifest", "list", "--journal", "journal", "--json"];
+    assert_eq!(run_verb(work.path(), &inspect).0, 5);
+    let (_, summary, _) = run_verb(work.path(), &["journal", "summary", "journal"]);
+    assert!(summary.starts_with("3 files: 2 done, 1 failed"), "{summary}");
+    assert!(["inspect", "normals"].iter().all(|verb| summary.contains(&format!("{verb}: 2 done, 1 failed"))));
+    let (_, json, _) = run_verb(work.path(), &["journal", "summary", "journal", "--json"]);
+    assert!(
+        json.contains(r#""verbs":{"inspect":{"done":2,"failed":1},"normals":{"done":2,"failed":1}}"#),
+        "{json}"
+    );
+    // Findings of files that are skipped.
+    let (_, json, _) = run_verb(work.path(), &inspect);
+    let skipped: Vec<&str> = json.lines().filter(|line| line.contains("skipped")).collect();
+    assert!(skipped.len() == 2 && skipped[0].contains(r#""verdict":"note","findings":[{"id":"#), "{json}");
+    assert!(!skipped[0].contains("counts"), "{json}");
 }
 
 /// Standard input has no name for an output, and is no input that a journal could compare.

@@ -14,6 +14,15 @@ use xxhash_rust::xxh3::Xxh3;
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Entry {
     pub input: String,
+    /// The verb, empty in older journals.
+    #[serde(default)]
+    pub verb: String,
+    /// Options of the line of the manifest.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub line_options: Vec<String>,
+    /// The line of the manifest names no output.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub is_bare_line: bool,
     pub bytes: u64,
     /// Where the output went, if there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -52,6 +61,10 @@ pub enum Status {
 }
 
 impl Entry {
+    pub fn key(&self) -> Key {
+        (self.verb.clone(), self.input.clone(), self.output.clone())
+    }
+
     /// Whether the same work need not be repeated: all files that were read and written are the same. A file that was replaced in
     /// place is now what was written. Without a hash of the input and of an output, as for streams, nothing is known.
     pub fn is_valid(&self, options: &str) -> bool {
@@ -67,7 +80,10 @@ impl Entry {
     }
 }
 
-/// The entries of a journal: the last one for each input and output. Also the number of lines that are no entries, which a killed
+/// What identifies a piece of work: verb, input and output.
+pub type Key = (String, String, Option<String>);
+
+/// The entries of a journal: the last one for each piece of work. Also the number of lines that are no entries, which a killed
 /// run leaves.
 ///
 /// # Errors
@@ -84,7 +100,7 @@ fn entries_of(file: &File) -> std::io::Result<(Vec<Entry>, usize)> {
         let line = line?;
         match serde_json::from_slice::<Entry>(&line) {
             Ok(entry) => {
-                last.insert((entry.input.clone(), entry.output.clone()), (number, entry));
+                last.insert(entry.key(), (number, entry));
             }
             Err(_) => bad += usize::from(!line.trim_ascii().is_empty()),
         }
@@ -102,7 +118,7 @@ const FIRST_BYTES: &[u8] = b"{\"input\":\"";
 pub struct Journal {
     file: File,
     sync: bool,
-    done: HashMap<(String, Option<String>), Entry>,
+    done: HashMap<Key, Entry>,
     /// Lines that are no entries.
     pub bad: usize,
 }
@@ -157,14 +173,13 @@ impl Journal {
                 file.write_all(b"\n").with_context(context)?;
             }
         }
-        let done =
-            old.into_iter().map(|entry| ((entry.input.clone(), entry.output.clone()), entry)).collect();
+        let done = old.into_iter().map(|entry| (entry.key(), entry)).collect();
         Ok(Self { file, sync, done, bad })
     }
 
-    /// The entry of earlier runs for an input and its output.
-    pub fn entry(&self, input: &str, output: Option<&str>) -> Option<&Entry> {
-        self.done.get(&(input.to_owned(), output.map(str::to_owned)))
+    /// The entry of earlier runs for a piece of work.
+    pub fn entry(&self, work: &Key) -> Option<&Entry> {
+        self.done.get(work)
     }
 
     /// Adds an entry.
@@ -200,9 +215,9 @@ pub fn hash_of(path: &Path) -> std::io::Result<String> {
     }
 }
 
-/// The hash of a text, such as that of all options.
-pub fn hash_of_text(text: &str) -> String {
-    format!("{:032x}", xxhash_rust::xxh3::xxh3_128(text.as_bytes()))
+/// The hash of bytes, as of a file with that content.
+pub fn hash_of_bytes(bytes: &[u8]) -> String {
+    format!("{:032x}", xxhash_rust::xxh3::xxh3_128(bytes))
 }
 
 #[cfg(test)]
@@ -219,12 +234,12 @@ mod tests {
         let entry = Entry {
             input: input.to_str().unwrap().into(),
             crease: env!("CARGO_PKG_VERSION").into(),
-            options: hash_of_text("a"),
+            options: hash_of_bytes(b"a"),
             read: [named(&input)].into(),
             written: [named(&output)].into(),
             ..Entry::default()
         };
-        assert!(entry.is_valid(&hash_of_text("a")) && !entry.is_valid(&hash_of_text("b")));
+        assert!(entry.is_valid(&hash_of_bytes(b"a")) && !entry.is_valid(&hash_of_bytes(b"b")));
         assert!(!Entry { crease: "0".into(), ..entry.clone() }.is_valid(&entry.options));
         assert!(!Entry { status: Status::Failed, ..entry.clone() }.is_valid(&entry.options));
         // Replaced in place: what was read is gone, what was written is there.

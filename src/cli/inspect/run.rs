@@ -1,7 +1,7 @@
 //! Runs `crease inspect`: checks of the command line, then all inputs.
 
 use super::args::{FindingArgs, HeatMapOf, InspectArgs, PictureArgs};
-use super::json::{Against, Counts, FindingReport, InspectReport};
+use super::json::{Against, Counts, FindingReport, InspectReport, SkippedReport};
 use super::symptoms;
 use super::text::{self, Layout};
 use crate::cli::common::console::{Console, HELP, Style, Verbosity, escaped};
@@ -94,12 +94,13 @@ fn source(job: &Job) -> (&Source, Option<Format>) {
 fn one(job: &Job, shared: &Shared<'_>) -> Recorded<(InspectReport, Outcome)> {
     let mut report = InspectReport::new(&job.input.source);
     let start = Instant::now();
-    let work = Work { input: job.input.source.name(), output: None, options: job.options() };
+    let work = Work { verb: "inspect", input: &job.input, output: None, options: job.options() };
     if let Some(entry) = shared.ledger.done_before(&work) {
         report.head.status = SKIPPED;
         let worst = Severity::ALL.into_iter().find(|it| Some(it.name()) == entry.verdict.as_deref());
         let is_grave = job.args.findings.fail_on.is_some_and(|least| worst >= Some(least));
         report.verdict = worst;
+        report.before = entry.findings;
         return ((report, Outcome { is_grave, lacks_normals: false }), Ok(()));
     }
     let log = ReadLog::default();
@@ -117,14 +118,14 @@ fn one(job: &Job, shared: &Shared<'_>) -> Recorded<(InspectReport, Outcome)> {
     let done = ledger::Outcome {
         bytes: report.input.bytes.unwrap_or_default(),
         error: result.as_ref().err(),
-        read: log.take().into_iter().collect(),
+        read: log.files().into_iter().collect(),
         written: report.written.iter().map(|(_, path)| path.into()).collect(),
         findings,
         verdict: report.verdict.map(|worst| worst.name().to_owned()),
         seconds: report.seconds.total,
         ..ledger::Outcome::default()
     };
-    let recorded = shared.ledger.record(work, done);
+    let recorded = shared.ledger.record(&work, done);
     let outcome = result.unwrap_or_default();
     if outcome.is_grave {
         report.head.status = "findings";
@@ -253,6 +254,9 @@ fn print(report: &InspectReport, args: &InspectArgs, brief: bool, console: &Cons
     if let Some(error) = &report.head.error {
         console.error(&format!("{}: {}", escaped(&report.input.path), error.message));
     }
+    if report.head.status == SKIPPED {
+        return console.print(&SkippedReport::new(report), || skipped(&report.input.path));
+    }
     console.print(report, || {
         let verbose = console.verbosity == Verbosity::Verbose;
         let style = console.report_style;
@@ -265,7 +269,6 @@ fn print(report: &InspectReport, args: &InspectArgs, brief: bool, console: &Cons
         };
         match brief && !verbose {
             _ if report.head.error.is_some() => String::new(),
-            _ if report.head.status == SKIPPED => skipped(&report.input.path),
             true => layout.brief(report),
             false => layout.block(report),
         }
@@ -294,7 +297,7 @@ impl Job {
         let InspectArgs { format, root, allow_extension, against, pictures, findings, thresholds, .. } =
             &*self.args;
         let findings = (findings.severity, &findings.ignore, &findings.only, findings.places);
-        format!("inspect {:?}", (format, root, allow_extension, against, pictures, findings, thresholds))
+        format!("{:?}", (format, root, allow_extension, against, pictures, findings, thresholds))
     }
 }
 

@@ -74,27 +74,28 @@ fn one<'a>(job: &'a Job, store: &Store, shared: &Shared<'_>) -> Recorded<Report<
     let outcome = Outcome {
         bytes: report.input.bytes.unwrap_or_default(),
         error: done.as_ref().err(),
-        read: log.take().into_iter().collect(),
+        read: log.files().into_iter().collect(),
         written: done.as_ref().ok().cloned().unwrap_or_default(),
         faults: faults.sum::<usize>() as u64,
         seconds: report.seconds.total,
         ..Outcome::default()
     };
-    let recorded = shared.ledger.record(work, outcome);
+    let recorded = shared.ledger.record(&work, outcome);
     (report, recorded)
 }
 
 /// The work of a job, with all options that affect its result.
-fn work(job: &Job) -> Work {
+fn work(job: &Job) -> Work<'_> {
     let Settings { args, task, read, write, merge_distance, .. } = &*job.settings;
     // Edges are counted for reports only.
     let task = Task { edge_counts: false, ..task.clone() };
     let mesh = (args.mesh.up, args.mesh.scale, merge_distance);
     let reading = (&read.root, read.non_finite, &read.allowed_extensions);
     Work {
-        input: job.input.source.name(),
+        verb: "normals",
+        input: &job.input,
         output: job.target.as_ref().map(Target::name),
-        options: format!("normals {:?}", (task, write, mesh, reading, job.format, job.to)),
+        options: format!("{:?}", (task, write, mesh, reading, job.format, job.to)),
     }
 }
 
@@ -185,6 +186,13 @@ fn run(
     if !written.companions.is_empty() {
         // Of two inputs with different companions of one name, the later one fails.
         shared.turn.wait();
+    }
+    if settings.task.flip && job.target.as_ref() == Some(&job.input.source) && !unchanged {
+        // Flipped twice, the file would be as before. If the run is killed now, the next one finds in the journal whether the file
+        // was replaced.
+        let read = read.log.files().into_iter().collect();
+        let planned = Outcome { read, replacement: Some(&written.bytes), ..Outcome::default() };
+        shared.ledger.record(&work(job), planned)?;
     }
     let stored = put(job, store, written, unchanged)?;
     report.notes.extend(stored.notes);

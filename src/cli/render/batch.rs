@@ -113,14 +113,15 @@ fn of_input(mut args: RenderArgs, input: &Input) -> Result<RenderArgs, Failure> 
 }
 
 /// Draws a picture unless an earlier run has, and records it.
-fn one((_, request): &Job<'_>, shared: &Shared<'_>) -> Recorded<Report> {
+fn one((input, request): &Job<'_>, shared: &Shared<'_>) -> Recorded<Report> {
     let start = Instant::now();
     let mut report = Report::new(request);
     let own = RenderArgs { batch: BatchArgs::default(), run: RunArgs::default(), ..request.args.clone() };
     let work = Work {
-        input: request.source.name(),
+        verb: "render",
+        input,
         output: request.target.as_ref().map(Target::name),
-        options: format!("render {own:?}"),
+        options: format!("{own:?}"),
     };
     if shared.ledger.done_before(&work).is_some() {
         report.head.status = SKIPPED;
@@ -138,11 +139,11 @@ fn one((_, request): &Job<'_>, shared: &Shared<'_>) -> Recorded<Report> {
     let done = Outcome {
         bytes: report.input.bytes.unwrap_or_default(),
         error: result.as_ref().err(),
-        read: request.load.read.log.take().into_iter().chain(own.input).collect(),
+        read: request.load.read.log.files().into_iter().chain(own.input).collect(),
         written: own.output.output.into_iter().collect(),
         seconds: report.seconds.total,
         ..Outcome::default()
     };
-    let recorded = shared.ledger.record(work, done);
+    let recorded = shared.ledger.record(&work, done);
     (report, recorded)
 }
