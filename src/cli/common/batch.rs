@@ -58,6 +58,8 @@ pub fn memory_need(source: &Source, format: Option<Format>) -> u64 {
         Some(Format::Obj) => 4,
         Some(Format::Ply) => 6,
         Some(Format::Stl) => 8,
+        // Packed text.
+        Some(Format::ThreeMf) => 60,
         _ => 12,
     };
     source.length().unwrap_or_default().saturating_mul(ratio)

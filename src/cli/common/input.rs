@@ -108,7 +108,7 @@ pub fn expand(args: &[PathBuf], recursive: bool, out_dir: Option<&Path>) -> Resu
             search(arg, out_dir.as_deref(), &mut inputs)?;
             if inputs.len() == before {
                 let found = format!(
-                    "{}: no obj, ply, stl, gltf or glb file in this folder\nhelp: check the name of the folder",
+                    "{}: no obj, ply, stl, gltf, glb or 3mf file in this folder\nhelp: check the name of the folder",
                     arg.display()
                 );
                 return Err(Failure::input(found));

@@ -136,6 +136,9 @@ fn run(
     progress.stage(Stage::Compute);
     let start = Instant::now();
     let target = (!job.rows).then(|| job.to.unwrap_or(loaded.format));
+    if target == Some(Format::ThreeMf) {
+        return Err(Failure::usage("3MF has no normals\nhelp: choose another format with --to, such as glb"));
+    }
     if let Some(target) =
         target.filter(|&target| settings.write.compression != MeshCompression::None && target != Format::Glb)
     {
