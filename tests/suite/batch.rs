@@ -384,6 +384,23 @@ fn a_file_counts_once_whatever_was_done_with_it() {
     assert!(!skipped[0].contains("counts"), "{json}");
 }
 
+/// 3MF has no normals: an output folder receives a GLB.
+#[test]
+fn formats_that_are_not_written_become_glb_in_a_folder() {
+    let work = folder(&[]);
+    let work = work.path();
+    fs::copy(data("pyramids.3mf"), work.join("pyramids.3mf")).unwrap();
+    assert_eq!(run(work, &["pyramids.3mf", "--out-dir", "out", "-q"]).0, 0);
+    assert!(fs::read(work.join("out/pyramids.glb")).unwrap().starts_with(b"glTF"));
+    for args in [&["pyramids.3mf", "--in-place"][..], &["pyramids.3mf", "-o", "b.3mf"]] {
+        let (status, _, errors) = run(work, args);
+        assert!(
+            status == 2 && errors.contains("3MF has no normals") | errors.contains("unknown output format"),
+            "{errors}"
+        );
+    }
+}
+
 /// Standard input has no name for an output, and is no input that a journal could compare.
 #[test]
 fn lines_that_no_verb_can_do_are_refused_with_their_number() {

@@ -121,7 +121,7 @@ fn what_does_not_become_a_texture_is_named() {
         (
             "Ka 0.1 0 0\nKs 0.5\nKe 1 1 1\nNi 1.5\nTf 1 0.5 0\nillum 7\nPm 0.3\n# a",
             0,
-            "Ka, Ks, Ke, Ni, illum, Pm, Tf",
+            "Ka, Ke, Ks, Ni, Pm, Tf, illum",
         ),
         ("Ka 0 0 0\nKs 0 0 0\nNi 1\nTf 1 1 1\nillum 2\nPr 0\nsharpness 60", 0, "sharpness"),
     ] {

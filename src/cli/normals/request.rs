@@ -170,8 +170,10 @@ fn job(input: &Input, settings: Arc<Settings>) -> Result<Job, Failure> {
         let (target, to) = file_target(path, output.to).map_err(Failure::usage)?;
         (Some(target), to)
     } else if let Some(folder) = &output.out_dir {
-        let place = folder_place(input, format, output.to)?;
-        (Some(Target::File(folder.join(place))), output.to)
+        // 3MF is not written.
+        let to = output.to.or((format == Some(Format::ThreeMf)).then_some(Format::Glb));
+        let place = folder_place(input, format, to)?;
+        (Some(Target::File(folder.join(place))), to)
     } else if output.in_place {
         (Some(in_place_target(input, format, output.to)?), output.to)
     } else if args.batch.manifest.is_some() && !output.dry_run {

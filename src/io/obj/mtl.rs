@@ -275,9 +275,9 @@ fn file_material(material: &tobj::Material, found: &Found) -> FileMaterial {
     }
 }
 
-/// The statements with an effect that glTF lacks, in a fixed order. Numbers of zero, filters and refractive indices of one, and the
+/// The statements with an effect that glTF lacks. Numbers of zero, filters and refractive indices of one, and the
 /// illumination models without rays have none.
-fn omitted(material: &tobj::Material) -> impl Iterator<Item = String> {
+fn omitted(material: &tobj::Material) -> Vec<String> {
     let differs = |value: Option<[f32; 3]>| value.is_some_and(|value| value != [0.0; 3]);
     let known = [
         ("Ka", differs(material.ambient)),
@@ -291,9 +291,10 @@ fn omitted(material: &tobj::Material) -> impl Iterator<Item = String> {
         let is_neutral = |word: &str| word.parse() == Ok(neutral);
         !is_texture(word) && *word != "Tr" && !value.split_whitespace().all(is_neutral)
     };
-    let others: BTreeSet<&String> = material.unknown_param.iter().filter(has_effect).map(|it| it.0).collect();
     let known = known.into_iter().filter(|(_, has_effect)| *has_effect).map(|(word, _)| word.to_owned());
-    known.chain(others.into_iter().map(|word| shown(word.as_bytes()))).collect::<Vec<_>>().into_iter()
+    let others = material.unknown_param.iter().filter(has_effect).map(|(word, _)| shown(word.as_bytes()));
+    // Not in the order of a hash map.
+    known.chain(others).collect::<BTreeSet<_>>().into_iter().collect()
 }
 
 /// What the illumination models 3 to 9 add (*Object files*, Wavefront, 1992): all mirror Ks; 4 and 9 transmit what the opacity
