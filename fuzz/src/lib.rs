@@ -139,7 +139,7 @@ fn check_loaded(loaded: &Loaded, options: &ReadOptions, choices: &mut Choices, f
     if placed_corners(loaded) > MOST_CORNERS {
         return;
     }
-    for format in Format::ALL {
+    for format in Format::WRITTEN {
         let task = choices.task();
         let write = choices.write_options(task.emit, format, folder.filter(|_| !format.is_gltf()));
         let revision = pipeline::revise(loaded, &task, Some(format), &|_| {});

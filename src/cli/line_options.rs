@@ -13,7 +13,7 @@ use std::ffi::OsString;
 /// # Errors
 /// If an option is unknown, has a wrong value, or cannot differ within a batch.
 pub fn with_line<A: FromArgMatches>(verb: &str, input: &Input) -> Result<A, Failure> {
-    let refused = |why: String| Failure::usage(format!("options of {}: {why}", input.source.name()));
+    let refused = |why: String| input.refused(Failure::usage(why));
     let command = Cli::command().mut_subcommand(verb, |command| command.args_override_self(true));
     let options = command.find_subcommand(verb).expect("a verb");
     for word in &input.options {

@@ -113,9 +113,17 @@ impl ImageKind {
 
 /// The warning about what the materials of these names lack in another format; `None` if they lack nothing.
 pub(super) fn omitted_note<'a>(lost: impl IntoIterator<Item = (&'a str, String)>) -> Option<Note> {
-    /// The most that are named.
+    /// The most materials that are named.
     const MOST: usize = 10;
-    let mut all: Vec<String> = lost.into_iter().map(|(name, what)| format!("{what} of `{name}`")).collect();
+    let mut materials: Vec<(&str, Vec<String>)> = Vec::new();
+    for (name, what) in lost {
+        match materials.last_mut() {
+            Some((last, list)) if *last == name => list.push(what),
+            _ => materials.push((name, vec![what])),
+        }
+    }
+    let mut all: Vec<String> =
+        materials.into_iter().map(|(name, list)| format!("{} of `{name}`", list.join(", "))).collect();
     let more = all.len().saturating_sub(MOST);
     all.truncate(MOST);
     if more > 0 {

@@ -17,11 +17,18 @@ pub enum Format {
     Gltf,
     /// glTF 2.0 in its binary container.
     Glb,
+    /// 3D Manufacturing Format, which is read only.
+    #[serde(rename = "3mf")]
+    ThreeMf,
 }
 
 impl Format {
     /// All formats.
-    pub const ALL: [Format; 5] = [Format::Obj, Format::Ply, Format::Stl, Format::Gltf, Format::Glb];
+    pub const ALL: [Format; 6] =
+        [Format::Obj, Format::Ply, Format::Stl, Format::Gltf, Format::Glb, Format::ThreeMf];
+
+    /// Those that are written. 3MF has no normals.
+    pub const WRITTEN: [Format; 5] = [Format::Obj, Format::Ply, Format::Stl, Format::Gltf, Format::Glb];
 
     /// The usual file name extension, without the dot.
     pub fn extension(self) -> &'static str {
@@ -31,6 +38,7 @@ impl Format {
             Format::Stl => "stl",
             Format::Gltf => "gltf",
             Format::Glb => "glb",
+            Format::ThreeMf => "3mf",
         }
     }
 

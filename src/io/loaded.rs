@@ -14,7 +14,7 @@ use glam::{DMat4, DVec3, DVec4};
 pub struct Loaded {
     /// The format that it was in.
     pub format: Format,
-    /// Its meshes. OBJ and PLY have one, STL one a solid, glTF one a glTF mesh.
+    /// Its meshes. OBJ and PLY have one, STL one a solid, glTF one a glTF mesh, 3MF one an object with a mesh.
     pub parts: Vec<Part>,
     /// Where the meshes are placed in the world; empty if the format has no nodes (each part is then placed once, with
     /// the identity transform).
@@ -97,10 +97,11 @@ impl Loaded {
     }
 
     /// The names of some nodes with those of all above them, from the root on, as `body/arm/hand`; nodes without a name are
-    /// given by their number, as `#7`. Empty strings for formats without nodes (all but glTF).
+    /// given by their number, as `#7`. The names of the placed objects of a 3MF. Empty strings for formats without nodes.
     pub fn node_paths(&self, numbers: &[usize]) -> Vec<String> {
         let tree = self.node_tree();
-        numbers.iter().map(|&node| tree.as_ref().map_or(String::new(), |tree| tree.path(node))).collect()
+        let name = |node: usize| self.nodes.get(node).map_or(String::new(), |node| node.name.clone());
+        numbers.iter().map(|&node| tree.as_ref().map_or_else(|| name(node), |tree| tree.path(node))).collect()
     }
 
     /// The nodes of the file; `None` for formats without nodes (all but glTF).

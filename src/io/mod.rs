@@ -1,4 +1,4 @@
-//! Bytes to meshes and back (layer 2): OBJ, glTF and GLB, PLY, STL.
+//! Bytes to meshes and back (layer 2): OBJ, glTF and GLB, PLY, STL; from 3MF.
 //!
 //! A file is read into a [`Loaded`]: plain [`Mesh`](crate::mesh::Mesh)es, plus the document that they came from. Writing back to
 //! the same format edits that document, so that everything else in it survives byte for byte; writing to
@@ -32,6 +32,8 @@ pub mod obj;
 pub mod ply;
 // Stereolithography, ascii and binary (3D Systems 1988, and the practice of real files).
 pub mod stl;
+// 3MF, which is read only.
+pub mod threemf;
 // Reading a file of any format: opening it, detecting its format, calling its reader.
 mod read;
 // Writing a file of any format: edited in its own document, or new.

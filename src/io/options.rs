@@ -27,9 +27,9 @@ pub struct ReadOptions {
 pub struct ReadLog(Arc<Mutex<BTreeSet<PathBuf>>>);
 
 impl ReadLog {
-    /// The files since the last call.
-    pub fn take(&self) -> BTreeSet<PathBuf> {
-        self.0.lock().map(|mut found| std::mem::take(&mut *found)).unwrap_or_default()
+    /// The files that were read so far.
+    pub fn files(&self) -> BTreeSet<PathBuf> {
+        self.0.lock().map(|found| found.clone()).unwrap_or_default()
     }
 
     pub(super) fn add(&self, path: &Path) {

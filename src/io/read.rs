@@ -2,7 +2,7 @@
 
 use super::mesh_checks::{check_size, face_notes};
 use super::text::without_byte_order_mark;
-use super::{Format, Limits, Loaded, Place, Problem, ReadError, ReadOptions, gltf, obj, ply, stl};
+use super::{Format, Limits, Loaded, Place, Problem, ReadError, ReadOptions, gltf, obj, ply, stl, threemf};
 #[cfg(unix)]
 use rayon::prelude::*;
 use std::fs;
@@ -11,7 +11,8 @@ use std::path::Path;
 
 /// The format of a file: from its content if that is decisive, else from its name, else from its first words.
 ///
-/// Decisive are the magic words of GLB and PLY, the brace that a glTF begins with, and the length or facets of an STL.
+/// Decisive are the magic words of GLB and PLY, the brace that a glTF begins with, the length or facets of an STL, and the model of a
+/// 3MF.
 pub fn detect(bytes: &[u8], path: Option<&Path>) -> Option<Format> {
     decisive(bytes).or_else(|| Format::from_path(path?)).or_else(|| likely(bytes))
 }
@@ -25,6 +26,9 @@ fn decisive(bytes: &[u8]) -> Option<Format> {
     }
     if stl::is_certain(bytes) {
         return Some(Format::Stl);
+    }
+    if threemf::is_certain(bytes) {
+        return Some(Format::ThreeMf);
     }
     (without_byte_order_mark(bytes).trim_ascii_start().first() == Some(&b'{')).then_some(Format::Gltf)
 }
@@ -118,7 +122,8 @@ pub fn read_bytes(
     let Some(format) = format.or_else(|| detect(&bytes, None)) else {
         return Err(unknown(&bytes));
     };
-    let is_other = bytes.is_empty() || other_format(&bytes).is_some();
+    let is_package = format == Format::ThreeMf && bytes.starts_with(b"PK");
+    let is_other = bytes.is_empty() || !is_package && other_format(&bytes).is_some();
     let what_it_is = is_other.then(|| unknown(&bytes));
     let may_be_text = bytes.starts_with(b"<");
     let loaded = match format {
@@ -126,6 +131,7 @@ pub fn read_bytes(
         Format::Gltf | Format::Glb => gltf::read(bytes, base, options),
         Format::Stl => stl::read(bytes, base, options),
         Format::Ply => ply::read(bytes, base, options),
+        Format::ThreeMf => threemf::read(bytes, base, options),
     };
     let mut loaded = loaded.map_err(|error| match what_it_is {
         Some(other) if !may_be_text || is_about_the_start(&error) => other,
@@ -167,7 +173,7 @@ fn other_format(bytes: &[u8]) -> Option<(&'static str, &'static str)> {
 
 /// The error for a file of an unknown format: what it looks like. Where that is clear, another format is not suggested.
 fn unknown(bytes: &[u8]) -> ReadError {
-    const FOUND: &str = "not a mesh file that crease reads (OBJ, PLY, STL, glTF, GLB)";
+    const FOUND: &str = "not a mesh file that crease reads (OBJ, PLY, STL, glTF, GLB, 3MF)";
     let (found, advice) = match other_format(bytes) {
         _ if bytes.is_empty() => ("the file is empty".to_owned(), "name a mesh file"),
         Some((name, advice)) => (format!("{FOUND}; it starts like {name}"), advice),

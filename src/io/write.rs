@@ -108,6 +108,7 @@ fn write_parts(
         Format::Gltf | Format::Glb => gltf::write(parts, materials, format, options),
         Format::Stl => stl::write(parts, options),
         Format::Ply => ply::write(parts, options),
+        Format::ThreeMf => Err(WriteError::Unsupported("3MF has no normals; write another format".into())),
     }
 }
 

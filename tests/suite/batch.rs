@@ -177,7 +177,7 @@ fn failures_are_in_the_journal_and_are_retried() {
         assert_eq!(code(&output), 0);
         text(&output.stdout).to_owned()
     };
-    assert_eq!(journal("failed"), "{\"input\":\"in/0001.obj\",\"output\":\"out/in/0001.obj\"}\n");
+    assert_eq!(journal("failed"), "{\"input\":\"in/0001.obj\"}\n");
     let summary = journal("summary");
     assert!(summary.starts_with("3 files: 2 done, 1 failed") && summary.contains("1 failed: "), "{summary}");
     fs::write(work.path().join("in/0001.obj"), "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n").unwrap();
@@ -267,7 +267,9 @@ fn a_line_may_have_options_of_its_own() {
     let (_, json, _) = run(work.path(), &args);
     assert_eq!([statuses(&json, "ok"), statuses(&json, "skipped")], [1, 2]);
     for (options, found) in [
-        (r#""--creese""#, "options of in/0000.obj: unknown option --creese"),
+        (r#""--creese""#, "error: list:1: unknown option --creese"),
+        (r#""--to", "glb", "--in-place", "--normal-format", "i4""#, "error: list:1: --in-place is the same"),
+        (r#""--emit", "face""#, "error: list:1: --emit face writes"),
         (r#""--jobs", "2""#, "--jobs is the same for all inputs"),
         (r#""--crease", "x""#, "wrong value"),
         (r#""x.obj""#, "cannot be used with"),
@@ -277,6 +279,165 @@ fn a_line_may_have_options_of_its_own() {
         let (status, _, errors) = run(work.path(), &["--manifest", "list", "--out-dir", "x"]);
         assert!(status == 2 && errors.contains(found), "{options}: {status}: {errors}");
     }
+}
+
+/// The list of failed files is a manifest that does what the first one asked for.
+#[test]
+fn failed_files_are_done_as_their_lines_ask() {
+    let mesh = "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n";
+    let lines = [
+        "in/0000.obj",
+        r#"{"input": "in/0001.obj", "output": "b.glb", "options": ["--normal-format=i8", "--crease", "7"]}"#,
+        r#"{"input": "in/0002.obj", "options": ["--to", "ply"]}"#,
+        r#"{"input": "in/0003.obj", "output": "d.stl"}"#,
+    ];
+    let names = ["out/in/0000.obj", "b.glb", "out/in/0002.ply", "d.stl"];
+    let outcome = |fails: bool| {
+        let work = files(4);
+        for number in 0..4 {
+            let text = if fails { "v 0 0 nan\nf 1 1 1\n" } else { mesh };
+            fs::write(work.path().join(format!("in/{number:04}.obj")), text).unwrap();
+        }
+        fs::write(work.path().join("list"), lines.join("\n")).unwrap();
+        let args = ["--out-dir", "out", "--weight", "area", "--journal", "journal", "-q"];
+        let run_list = |list: &str| run(work.path(), &[&["--manifest", list], &args[..]].concat());
+        assert_eq!(run_list("list").0, if fails { 5 } else { 0 });
+        if fails {
+            let (_, list, _) = run_verb(work.path(), &["journal", "failed", "journal"]);
+            assert_eq!(list.lines().count(), 4);
+            fs::write(work.path().join("failed"), list).unwrap();
+            (0..4)
+                .for_each(|number| fs::write(work.path().join(format!("in/{number:04}.obj")), mesh).unwrap());
+            let (status, _, errors) = run_list("failed");
+            assert_eq!(status, 0, "{errors}");
+            // The first list finds the entries of the second.
+            let (_, report, _) = run(work.path(), &[&["--manifest", "list"], &args[..6]].concat());
+            assert!(report.contains("4 files done (4 of them before)"), "{report}");
+        }
+        names.map(|name| fs::read(work.path().join(name)).unwrap())
+    };
+    assert!(outcome(true) == outcome(false));
+}
+
+/// Killed before or after the file is replaced, with or without the last line of the journal.
+#[test]
+fn a_file_is_not_flipped_twice_after_a_kill() {
+    let work = files(1);
+    let [input, journal] = ["in/0000.obj", "journal"].map(|name| work.path().join(name));
+    let old = fs::read(&input).unwrap();
+    let args = ["--manifest", "list", "--in-place", "--flip", "--journal", "journal", "-q"];
+    assert_eq!(run(work.path(), &args).0, 0);
+    let (flipped, entries) = (fs::read(&input).unwrap(), fs::read_to_string(&journal).unwrap());
+    assert!(old != flipped && entries.lines().count() == 2, "{entries}");
+    let (first, _) = entries.split_at(entries.find('\n').unwrap() + 1);
+    for (found, kept) in [(&old, ""), (&old, first), (&flipped, first), (&flipped, &entries)] {
+        fs::write(&input, found).unwrap();
+        fs::write(&journal, kept).unwrap();
+        assert_eq!(run(work.path(), &args).0, 0);
+        assert!(fs::read(&input).unwrap() == flipped, "{kept}");
+    }
+}
+
+#[test]
+fn killed_runs_flip_each_file_once() {
+    let work = files(60);
+    let read = || (0..60).map(|number| fs::read(work.path().join(format!("in/{number:04}.obj"))).unwrap());
+    let args = ["--manifest", "list", "--in-place", "--flip", "--journal", "journal", "-q", "--jobs", "2"];
+    let old: Vec<_> = read().collect();
+    for kill in 0..6 {
+        let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_crease"))
+            .arg("normals")
+            .args(args)
+            .current_dir(work.path())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(Duration::from_millis(15 + 9 * kill));
+        child.kill().unwrap();
+        child.wait().unwrap();
+    }
+    assert_eq!(run(work.path(), &args).0, 0);
+    for (old, new) in old.iter().zip(read()) {
+        let [old, new] = [old, &new].map(|bytes| text(bytes).lines().last().unwrap().to_owned());
+        assert_eq!([&*old, &*new], ["f 1 2 3", "f 1//1 3//1 2//1"]);
+    }
+}
+
+#[test]
+fn a_file_counts_once_whatever_was_done_with_it() {
+    let work = files(3);
+    fs::write(work.path().join("in/0001.obj"), "v 0 0 nan\nf 1 1 1\n").unwrap();
+    assert_eq!(run(work.path(), &[&TO_OUT[..], &["--journal", "journal", "-q"]].concat()).0, 5);
+    let inspect = ["inspect", "--manifest", "list", "--journal", "journal", "--json"];
+    assert_eq!(run_verb(work.path(), &inspect).0, 5);
+    let (_, summary, _) = run_verb(work.path(), &["journal", "summary", "journal"]);
+    assert!(summary.starts_with("3 files: 2 done, 1 failed"), "{summary}");
+    assert!(["inspect", "normals"].iter().all(|verb| summary.contains(&format!("{verb}: 2 done, 1 failed"))));
+    let (_, json, _) = run_verb(work.path(), &["journal", "summary", "journal", "--json"]);
+    assert!(
+        json.contains(r#""verbs":{"inspect":{"done":2,"failed":1},"normals":{"done":2,"failed":1}}"#),
+        "{json}"
+    );
+    // Findings of files that are skipped.
+    let (_, json, _) = run_verb(work.path(), &inspect);
+    let skipped: Vec<&str> = json.lines().filter(|line| line.contains("skipped")).collect();
+    assert!(skipped.len() == 2 && skipped[0].contains(r#""verdict":"note","findings":[{"id":"#), "{json}");
+    assert!(!skipped[0].contains("counts"), "{json}");
+}
+
+/// 3MF has no normals: an output folder receives a GLB.
+#[test]
+fn formats_that_are_not_written_become_glb_in_a_folder() {
+    let work = folder(&[]);
+    let work = work.path();
+    fs::copy(data("pyramids.3mf"), work.join("pyramids.3mf")).unwrap();
+    assert_eq!(run(work, &["pyramids.3mf", "--out-dir", "out", "-q"]).0, 0);
+    assert!(fs::read(work.join("out/pyramids.glb")).unwrap().starts_with(b"glTF"));
+    for args in [&["pyramids.3mf", "--in-place"][..], &["pyramids.3mf", "-o", "b.3mf"]] {
+        let (status, _, errors) = run(work, args);
+        assert!(
+            status == 2 && errors.contains("3MF has no normals") | errors.contains("unknown output format"),
+            "{errors}"
+        );
+    }
+}
+
+/// Standard input has no name for an output, and is no input that a journal could compare.
+#[test]
+fn lines_that_no_verb_can_do_are_refused_with_their_number() {
+    let work = files(1);
+    for verb in ["normals", "inspect", "render"] {
+        let args: &[&str] = if verb == "inspect" { &[] } else { &["--out-dir", "out"] };
+        for (line, expected, found) in [
+            ("-", 3, "list:2: `-` is standard input"),
+            (r#"{"input": "-"}"#, 3, "list:2: `-` is standard input"),
+            (r#"{"input": "in/0000.obj", "options": 7}"#, 3, "list:2: not an object with"),
+            (r#"{"input": "in/0000.obj", "options": ["--creese"]}"#, 2, "list:2: unknown option --creese"),
+        ] {
+            fs::write(work.path().join("list"), format!("in/0000.obj\n{line}\n")).unwrap();
+            let (status, _, errors) = run_verb(work.path(), &[&[verb, "--manifest", "list"], args].concat());
+            let message = format!("error: {found}");
+            assert!(status == expected && errors.starts_with(&message), "{verb} {line}: {status}: {errors}");
+        }
+    }
+}
+
+#[test]
+fn a_journal_has_one_writer_at_a_time() {
+    let work = files(2);
+    let args = [&TO_OUT[..], &["--journal", "journal", "-q"]].concat();
+    assert_eq!(run(work.path(), &args).0, 0);
+    let path = work.path().join("journal");
+    let before = fs::read(&path).unwrap();
+    let other = fs::File::options().append(true).open(&path).unwrap();
+    other.lock().unwrap();
+    let (status, _, errors) = run(work.path(), &args);
+    assert!(
+        status == 2 && errors.contains("the journal journal\nhelp: give each share"),
+        "{status}: {errors}"
+    );
+    assert_eq!(fs::read(&path).unwrap(), before);
+    drop(other);
+    assert_eq!(run(work.path(), &args).0, 0);
 }
 
 /// Runs a verb in a folder.
@@ -378,7 +539,7 @@ fn a_killed_batch_goes_on() {
 fn wrong_lists_and_shares_are_refused_before_work() {
     let work = files(2);
     for (args, expected, found) in [
-        (vec!["--manifest", "list"], 2, "no output for in/0000.obj"),
+        (vec!["--manifest", "list"], 2, "list:1: no output for in/0000.obj"),
         (vec!["--manifest", "nowhere", "--out-dir", "out"], 3, "check the path of the manifest"),
         (vec!["--manifest", "list", "in/0000.obj", "--out-dir", "out"], 2, "--manifest"),
         (vec!["in/0000.obj", "--out-dir", "out", "--shard", "3/3"], 2, "from 0 to N − 1"),

@@ -70,7 +70,7 @@ fn convert_all(paths: &[PathBuf]) {
     for path in paths {
         // Some need extensions that crease refuses.
         let Ok(loaded) = io::read(path, None, &ReadOptions::default()) else { continue };
-        for to in Format::ALL
+        for to in Format::WRITTEN
             .into_iter()
             .filter(|to| *to != loaded.format && !(to.is_gltf() && loaded.format.is_gltf()))
         {

@@ -118,6 +118,12 @@ fn what_does_not_become_a_texture_is_named() {
         ("map_Kd -s 2 2 n.jpg", 1, "-s of map_Kd"),
         ("map_Bump grey.png", 0, "map_Bump (`grey.png` is a height map, not a normal map)"),
         ("norm n.jpg\nbump maps/a b.png", 1, "map_Bump"),
+        (
+            "Ka 0.1 0 0\nKs 0.5\nKe 1 1 1\nNi 1.5\nTf 1 0.5 0\nillum 7\nPm 0.3\n# a",
+            0,
+            "Ka, Ke, Ks, Ni, Pm, Tf, illum",
+        ),
+        ("Ka 0 0 0\nKs 0 0 0\nNi 1\nTf 1 1 1\nillum 2\nPr 0\nsharpness 60", 0, "sharpness"),
     ] {
         assert_eq!(image(statement, SQUARE), (images, from(what)), "{statement}");
     }
@@ -211,7 +217,7 @@ fn what_mtl_lacks_is_named() {
             r#""pbrMetallicRoughness":{"metallicFactor":0},"doubleSided":true,"alphaMode":"OPAQUE","emissiveFactor":[1,1,1],
             "extensions":{"KHR_materials_unlit":{}}"#,
             "",
-            "doubleSided of `m`, emissiveFactor of `m`, KHR_materials_unlit of `m`",
+            "doubleSided, emissiveFactor, KHR_materials_unlit of `m`",
         ),
     ] {
         let images = if images.is_empty() { r#"{"bufferView":7}"# } else { images };

@@ -20,7 +20,7 @@ use pyo3::types::{PyDict, PyTuple};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Reads a mesh file: OBJ, PLY, STL, glTF or GLB.
+/// Reads a mesh file: OBJ, PLY, STL, glTF, GLB or 3MF.
 ///
 /// Parameters
 /// ----------

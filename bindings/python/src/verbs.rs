@@ -68,7 +68,7 @@ fn diagnosis(path: &Path, line: &Line, stop: &Stop) -> Result<String, Failure> {
 /// Parameters
 /// ----------
 /// path : str or path
-///     OBJ, PLY, STL, glTF or GLB, or a scene in TOML.
+///     OBJ, PLY, STL, glTF, GLB or 3MF, or a scene in TOML.
 /// size : (int, int), optional
 ///     Width and height in pixels; default: that of the scene, else 800 x 600.
 /// shading : str, optional

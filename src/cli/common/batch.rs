@@ -1,10 +1,11 @@
 //! Options of large batches: inputs from a list, a share of them, several at a time, and a journal of what is done.
 
+use super::console::HELP;
 use super::failure::Failure;
 use super::input::{Input, Source};
 use super::jobs::Jobs;
 use clap::Args;
-use crease::io::{Format, Place, Problem, ReadError};
+use crease::io::Format;
 use serde::Deserialize;
 use std::io::Read;
 use std::path::{Component, Path, PathBuf};
@@ -57,6 +58,8 @@ pub fn memory_need(source: &Source, format: Option<Format>) -> u64 {
         Some(Format::Obj) => 4,
         Some(Format::Ply) => 6,
         Some(Format::Stl) => 8,
+        // Packed text.
+        Some(Format::ThreeMf) => 60,
         _ => 12,
     };
     source.length().unwrap_or_default().saturating_mul(ratio)
@@ -130,9 +133,8 @@ const MOST: u64 = 1 << 30;
 /// If the manifest cannot be read, or the first line that is neither.
 fn manifest(path: &Path) -> Result<Vec<Input>, Failure> {
     let name = Source::of(path).name();
-    let fail = |place, found: String, advice: &str| {
-        Failure::read(&name, ReadError::new(Problem::Syntax, place, found, advice))
-    };
+    let fail =
+        |place: &str, found: &str, advice: &str| Failure::input(format!("{place}: {found}{HELP}{advice}"));
     let mut text = String::new();
     let read = match Source::of(path) {
         Source::Standard => std::io::stdin().lock().take(MOST).read_to_string(&mut text),
@@ -140,28 +142,36 @@ fn manifest(path: &Path) -> Result<Vec<Input>, Failure> {
             std::fs::File::open(path).and_then(|file| file.take(MOST).read_to_string(&mut text))
         }
     };
-    read.map_err(|error| fail(Place::File, error.to_string(), "check the path of the manifest"))?;
+    read.map_err(|error| fail(&name, &error.to_string(), "check the path of the manifest"))?;
     if text.len() as u64 == MOST {
-        return Err(fail(Place::File, format!("the manifest has more than {MOST} bytes"), "divide it"));
+        return Err(fail(&name, &format!("the manifest has more than {MOST} bytes"), "divide it"));
     }
     let mut inputs = Vec::new();
     let lines = text.trim_start_matches('\u{feff}').lines().map(|line| line.trim_end_matches('\r'));
     for (number, line) in lines.enumerate().filter(|(_, line)| !line.trim().is_empty()) {
+        let place = format!("{name}:{}", number + 1);
         let Line { input, output, options } = if line.trim_start().starts_with('{') {
             serde_json::from_str(line).map_err(|error| {
+                // The line of the error is always 1.
+                let error = error.to_string().replace(" at line 1 ", " at ");
                 fail(
-                    Place::Line(number as u64 + 1),
-                    format!("not an object with `input`, and optionally `output` and `options`: {error}"),
+                    &place,
+                    &format!("not an object with `input`, and optionally `output` and `options`: {error}"),
                     "write a path, or {\"input\": \"…\", \"output\": \"…\", \"options\": [\"--crease\", \"40\"]}",
                 )
             })?
         } else {
             Line { input: PathBuf::from(line), output: None, options: Vec::new() }
         };
-        inputs.push(Input { place: below(&input), source: Source::File(input), output, options });
+        if [Some(&input), output.as_ref()].into_iter().flatten().any(|path| path.as_os_str() == "-") {
+            let found = "`-` is standard input or output, which a batch does not use";
+            return Err(fail(&place, found, "name a file; `./-` is a file with the name `-`"));
+        }
+        let source = Source::File(input.clone());
+        inputs.push(Input { source, place: below(&input), output, options, line: Some(place) });
     }
     if inputs.is_empty() {
-        return Err(fail(Place::File, "the manifest names no file".into(), "write a path on each line"));
+        return Err(fail(&name, "the manifest names no file", "write a path on each line"));
     }
     Ok(inputs)
 }
@@ -202,7 +212,9 @@ mod tests {
             (Path::new("c.stl"), Some(Path::new("d.glb")))
         );
         for (text, found) in [
-            ("a.obj\n{\"input\": 7}\n", "line 2"),
+            ("a.obj\n{\"input\": 7}\n", "list:2: not an object"),
+            ("a.obj\n\n-\n", "list:3: `-` is standard input"),
+            ("{\"input\": \"a.obj\", \"output\": \"-\"}", "list:1: `-` is standard input"),
             ("{\"input\": \"a\", \"to\": \"glb\"}", "unknown field `to`"),
             ("\n \n", "names no file"),
         ] {

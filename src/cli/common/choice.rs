@@ -2,6 +2,7 @@
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Arg, Command, Error};
+use crease::io::Format;
 use crease::text::{Catalogue, Language};
 use serde::Serializer;
 use std::ffi::OsStr;
@@ -47,6 +48,11 @@ pub fn as_name<T: Choose, S: Serializer>(value: &T, serializer: S) -> Result<S::
 /// A parser for the names of a type's values.
 pub fn one_of<T: Choose>() -> Choices<T> {
     Choices(T::CHOICES)
+}
+
+/// The same for the formats that are written: all but the last.
+pub fn written_formats() -> Choices<Format> {
+    Choices(&Format::CHOICES[..Format::WRITTEN.len()])
 }
 
 #[derive(Clone)]

@@ -68,11 +68,19 @@ pub struct Input {
     pub output: Option<PathBuf>,
     /// Options for it alone, from a manifest.
     pub options: Vec<String>,
+    /// The manifest and the number of its line, for messages.
+    pub line: Option<String>,
 }
 
 impl Input {
     fn new(source: Source, place: PathBuf) -> Self {
-        Self { source, place, output: None, options: Vec::new() }
+        Self { source, place, output: None, options: Vec::new(), line: None }
+    }
+
+    /// An error in what its line of the manifest asks for.
+    pub fn refused(&self, failure: Failure) -> Failure {
+        let place = self.line.iter().map(|line| format!("{line}: "));
+        Failure { message: place.collect::<String>() + &failure.message, ..failure }
     }
 }
 
@@ -100,7 +108,7 @@ pub fn expand(args: &[PathBuf], recursive: bool, out_dir: Option<&Path>) -> Resu
             search(arg, out_dir.as_deref(), &mut inputs)?;
             if inputs.len() == before {
                 let found = format!(
-                    "{}: no obj, ply, stl, gltf or glb file in this folder\nhelp: check the name of the folder",
+                    "{}: no obj, ply, stl, gltf, glb or 3mf file in this folder\nhelp: check the name of the folder",
                     arg.display()
                 );
                 return Err(Failure::input(found));

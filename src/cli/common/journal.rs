@@ -5,7 +5,7 @@ use super::failure::Failure;
 use anyhow::{Context, Result, ensure};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
-use std::fs::{File, OpenOptions};
+use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 use xxhash_rust::xxh3::Xxh3;
@@ -14,6 +14,15 @@ use xxhash_rust::xxh3::Xxh3;
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Entry {
     pub input: String,
+    /// The verb, empty in older journals.
+    #[serde(default)]
+    pub verb: String,
+    /// Options of the line of the manifest.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub line_options: Vec<String>,
+    /// The line of the manifest names no output.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub is_bare_line: bool,
     pub bytes: u64,
     /// Where the output went, if there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -52,6 +61,10 @@ pub enum Status {
 }
 
 impl Entry {
+    pub fn key(&self) -> Key {
+        (self.verb.clone(), self.input.clone(), self.output.clone())
+    }
+
     /// Whether the same work need not be repeated: all files that were read and written are the same. A file that was replaced in
     /// place is now what was written. Without a hash of the input and of an output, as for streams, nothing is known.
     pub fn is_valid(&self, options: &str) -> bool {
@@ -67,20 +80,27 @@ impl Entry {
     }
 }
 
-/// The entries of a journal: the last one for each input and output. Also the number of lines that are no entries, which a killed
+/// What identifies a piece of work: verb, input and output.
+pub type Key = (String, String, Option<String>);
+
+/// The entries of a journal: the last one for each piece of work. Also the number of lines that are no entries, which a killed
 /// run leaves.
 ///
 /// # Errors
 /// If the file cannot be read.
 pub fn entries(path: &Path) -> Result<(Vec<Entry>, usize)> {
     let context = || format!("could not read the journal {}", path.display());
+    entries_of(&File::open(path).with_context(context)?).with_context(context)
+}
+
+fn entries_of(file: &File) -> std::io::Result<(Vec<Entry>, usize)> {
     let mut last = HashMap::new();
     let mut bad = 0;
-    for (number, line) in BufReader::new(File::open(path).with_context(context)?).split(b'\n').enumerate() {
-        let line = line.with_context(context)?;
+    for (number, line) in BufReader::new(file).split(b'\n').enumerate() {
+        let line = line?;
         match serde_json::from_slice::<Entry>(&line) {
             Ok(entry) => {
-                last.insert((entry.input.clone(), entry.output.clone()), (number, entry));
+                last.insert(entry.key(), (number, entry));
             }
             Err(_) => bad += usize::from(!line.trim_ascii().is_empty()),
         }
@@ -98,29 +118,44 @@ const FIRST_BYTES: &[u8] = b"{\"input\":\"";
 pub struct Journal {
     file: File,
     sync: bool,
-    done: HashMap<(String, Option<String>), Entry>,
+    done: HashMap<Key, Entry>,
     /// Lines that are no entries.
     pub bad: usize,
 }
 
 impl Journal {
-    /// Opens a journal, or makes one.
+    /// Opens a journal, or makes one. It is locked until it is dropped, on file systems that have locks.
     ///
     /// # Errors
-    /// If the file cannot be read or written.
-    pub fn open(path: &Path, sync: bool) -> Result<Self> {
-        let context = || format!("could not open the journal {}", path.display());
+    /// If the file cannot be read or written, or another run has it.
+    pub fn open(path: &Path, sync: bool) -> Result<Self, Failure> {
+        let file = Self::file(path)?;
+        if let Err(TryLockError::WouldBlock) = file.try_lock() {
+            return Err(Failure::usage(format!(
+                "another run writes the journal {}\nhelp: give each share a journal of its own, and join them with `crease journal merge`",
+                path.display()
+            )));
+        }
+        Ok(Self::of(file, path, sync)?)
+    }
+
+    fn file(path: &Path) -> Result<File> {
         ensure!(
             path.metadata().map_or(true, |metadata| metadata.is_file()),
             "the journal {} is not a regular file\nhelp: name a file",
             path.display()
         );
-        let mut file =
-            OpenOptions::new().read(true).append(true).create(true).open(path).with_context(context)?;
-        let (old, bad) = entries(path)?;
+        let file = OpenOptions::new().read(true).append(true).create(true).open(path);
+        file.with_context(|| format!("could not open the journal {}", path.display()))
+    }
+
+    fn of(mut file: File, path: &Path, sync: bool) -> Result<Self> {
+        let context = || format!("could not open the journal {}", path.display());
+        let (old, bad) = entries_of(&file).with_context(context)?;
         if old.is_empty() {
             // Before its first entry a killed run may leave a part of that. Other files are not to be changed.
             let mut text = Vec::new();
+            file.rewind().with_context(context)?;
             (&file).take(1 << 16).read_to_end(&mut text).with_context(context)?;
             let is_part = text.starts_with(FIRST_BYTES) || FIRST_BYTES.starts_with(&text);
             ensure!(
@@ -138,14 +173,13 @@ impl Journal {
                 file.write_all(b"\n").with_context(context)?;
             }
         }
-        let done =
-            old.into_iter().map(|entry| ((entry.input.clone(), entry.output.clone()), entry)).collect();
+        let done = old.into_iter().map(|entry| (entry.key(), entry)).collect();
         Ok(Self { file, sync, done, bad })
     }
 
-    /// The entry of earlier runs for an input and its output.
-    pub fn entry(&self, input: &str, output: Option<&str>) -> Option<&Entry> {
-        self.done.get(&(input.to_owned(), output.map(str::to_owned)))
+    /// The entry of earlier runs for a piece of work.
+    pub fn entry(&self, work: &Key) -> Option<&Entry> {
+        self.done.get(work)
     }
 
     /// Adds an entry.
@@ -181,9 +215,9 @@ pub fn hash_of(path: &Path) -> std::io::Result<String> {
     }
 }
 
-/// The hash of a text, such as that of all options.
-pub fn hash_of_text(text: &str) -> String {
-    format!("{:032x}", xxhash_rust::xxh3::xxh3_128(text.as_bytes()))
+/// The hash of bytes, as of a file with that content.
+pub fn hash_of_bytes(bytes: &[u8]) -> String {
+    format!("{:032x}", xxhash_rust::xxh3::xxh3_128(bytes))
 }
 
 #[cfg(test)]
@@ -200,12 +234,12 @@ mod tests {
         let entry = Entry {
             input: input.to_str().unwrap().into(),
             crease: env!("CARGO_PKG_VERSION").into(),
-            options: hash_of_text("a"),
+            options: hash_of_bytes(b"a"),
             read: [named(&input)].into(),
             written: [named(&output)].into(),
             ..Entry::default()
         };
-        assert!(entry.is_valid(&hash_of_text("a")) && !entry.is_valid(&hash_of_text("b")));
+        assert!(entry.is_valid(&hash_of_bytes(b"a")) && !entry.is_valid(&hash_of_bytes(b"b")));
         assert!(!Entry { crease: "0".into(), ..entry.clone() }.is_valid(&entry.options));
         assert!(!Entry { status: Status::Failed, ..entry.clone() }.is_valid(&entry.options));
         // Replaced in place: what was read is gone, what was written is there.

@@ -3,8 +3,8 @@
 use super::batch::BatchArgs;
 use super::console::{Console, escaped};
 use super::failure::Failure;
-use super::input::Source;
-use super::journal::{Entry, Journal, Status, hash_of, hash_of_text};
+use super::input::{Input, Source};
+use super::journal::{Entry, Journal, Key, Status, hash_of, hash_of_bytes};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
@@ -18,11 +18,18 @@ pub struct Ledger {
 }
 
 /// What identifies a piece of work.
-pub struct Work {
-    pub input: String,
+pub struct Work<'a> {
+    pub verb: &'static str,
+    pub input: &'a Input,
     pub output: Option<String>,
     /// All options that affect the result, as text.
     pub options: String,
+}
+
+impl Work<'_> {
+    fn key(&self) -> Key {
+        (self.verb.into(), self.input.source.name(), self.output.clone())
+    }
 }
 
 /// What came of a piece of work.
@@ -33,6 +40,8 @@ pub struct Outcome<'a> {
     /// The files that were read, and those that were written.
     pub read: Vec<PathBuf>,
     pub written: Vec<PathBuf>,
+    /// The bytes that will replace the input.
+    pub replacement: Option<&'a [u8]>,
     pub faults: u64,
     pub findings: BTreeMap<String, u64>,
     pub verdict: Option<String>,
@@ -62,9 +71,9 @@ impl Ledger {
     pub fn done_before(&self, work: &Work) -> Option<Entry> {
         let entry = {
             let journal = self.journal.as_ref()?.lock().unwrap_or_else(PoisonError::into_inner);
-            journal.entry(&work.input, work.output.as_deref())?.clone()
+            journal.entry(&work.key())?.clone()
         };
-        entry.is_valid(&hash_of_text(&work.options)).then_some(entry)
+        entry.is_valid(&hash_of_bytes(work.options.as_bytes())).then_some(entry)
     }
 
     /// Does something, and repeats it if it failed for a reason that may pass. The wait doubles each time. Standard input can be read
@@ -94,7 +103,7 @@ impl Ledger {
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn record(&self, work: Work, outcome: Outcome<'_>) -> Result<(), Failure> {
+    pub fn record(&self, work: &Work<'_>, outcome: Outcome<'_>) -> Result<(), Failure> {
         let Some(journal) = &self.journal else { return Ok(()) };
         let hashed = |path: &PathBuf| Some((path.to_str()?.to_owned(), hash_of(path).ok()?));
         let hashes = |paths: &[PathBuf]| paths.iter().map(hashed).collect::<Option<BTreeMap<_, _>>>();
@@ -102,16 +111,24 @@ impl Ledger {
             let time = path.metadata().and_then(|metadata| metadata.modified());
             time.is_ok_and(|time| time >= self.start) && !outcome.written.contains(path)
         };
-        let written = if outcome.error.is_some() { Some(BTreeMap::new()) } else { hashes(&outcome.written) };
+        let (verb, input, output) = work.key();
+        let written = match outcome.replacement {
+            Some(bytes) => Some([(input.clone(), hash_of_bytes(bytes))].into()),
+            None if outcome.error.is_some() => Some(BTreeMap::new()),
+            None => hashes(&outcome.written),
+        };
         let read = hashes(&outcome.read).filter(|_| written.is_some() && !outcome.read.iter().any(is_new));
         let ended = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
         let entry = Entry {
-            input: work.input,
+            input,
+            verb,
+            line_options: work.input.options.clone(),
+            is_bare_line: work.input.line.is_some() && work.input.output.is_none(),
             bytes: outcome.bytes,
-            output: work.output,
+            output,
             status: if outcome.error.is_some() { Status::Failed } else { Status::Done },
             crease: env!("CARGO_PKG_VERSION").into(),
-            options: hash_of_text(&work.options),
+            options: hash_of_bytes(work.options.as_bytes()),
             // Without hashes the next run repeats the work: files that changed meanwhile, and those that have no content to compare.
             read: read.unwrap_or_default(),
             written: written.unwrap_or_default(),

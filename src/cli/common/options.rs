@@ -40,7 +40,7 @@ pub enum Color {
 
 choices! { Color: "auto" => Auto, "always" => Always, "never" => Never }
 
-choices! { Format: "obj" => Obj, "ply" => Ply, "stl" => Stl, "gltf" => Gltf, "glb" => Glb }
+choices! { Format: "obj" => Obj, "ply" => Ply, "stl" => Stl, "gltf" => Gltf, "glb" => Glb, "3mf" => ThreeMf }
 
 choices! { Weight:
     "uniform" => Uniform, "area" => Area, "angle" => Angle, "angle-area" => AngleArea, "max" => Max,

@@ -39,7 +39,8 @@ pub fn file_target(path: &Path, to: Option<Format>) -> Result<(Stream, Option<Fo
     if path.is_dir() {
         return Err(format!("{} is a folder\nhelp: --out-dir writes into a folder", path.display()));
     }
-    let format = match (Format::from_path(path), to) {
+    let named = Format::from_path(path).filter(|format| Format::WRITTEN.contains(format));
+    let format = match (named, to) {
         (Some(named), Some(to)) if named != to => {
             return Err(format!("{} has the name of a {named} file, but --to is {to}", path.display()));
         }

@@ -158,6 +158,7 @@ format-ply = PLY, ASCII or binary
 format-stl = STL, ASCII or binary
 format-gltf = glTF 2.0, JSON
 format-glb = glTF 2.0, binary
+format-3mf = 3MF, which is read only
 
 weight-uniform = all equal (Gouraud 1971)
 weight-area = area of the face

@@ -6,6 +6,7 @@ use crease::num::Degrees;
 use crease::quality::{Comparison, Diagnosis, Finding, Fix, PartDiagnosis, Severity, key_light_steps};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
+use std::collections::BTreeMap;
 
 #[derive(Default, Serialize)]
 pub struct InspectReport {
@@ -27,6 +28,32 @@ pub struct InspectReport {
     /// Kinds and paths of the pages and pictures that were written.
     #[serde(skip)]
     pub written: Vec<(&'static str, String)>,
+    /// How many elements have each finding, as an earlier run found.
+    #[serde(skip)]
+    pub before: BTreeMap<String, u64>,
+}
+
+/// The report on an input that an earlier run has inspected: what the journal has.
+#[derive(Serialize)]
+pub struct SkippedReport<'a> {
+    #[serde(flatten)]
+    head: &'a Head,
+    input: &'a InputReport,
+    verdict: Option<Severity>,
+    findings: Vec<EarlierFinding<'a>>,
+}
+
+#[derive(Serialize)]
+struct EarlierFinding<'a> {
+    id: &'a str,
+    count: u64,
+}
+
+impl<'a> SkippedReport<'a> {
+    pub fn new(report: &'a InspectReport) -> Self {
+        let findings = report.before.iter().map(|(id, &count)| EarlierFinding { id, count }).collect();
+        Self { head: &report.head, input: &report.input, verdict: report.verdict, findings }
+    }
 }
 
 #[derive(Clone, Copy, Debug, Default, Serialize)]

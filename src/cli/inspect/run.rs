@@ -1,12 +1,12 @@
 //! Runs `crease inspect`: checks of the command line, then all inputs.
 
 use super::args::{FindingArgs, HeatMapOf, InspectArgs, PictureArgs};
-use super::json::{Against, Counts, FindingReport, InspectReport};
+use super::json::{Against, Counts, FindingReport, InspectReport, SkippedReport};
 use super::symptoms;
 use super::text::{self, Layout};
 use crate::cli::common::console::{Console, HELP, Style, Verbosity, escaped};
 use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
-use crate::cli::common::input::{Source, check_root, expand};
+use crate::cli::common::input::{Input, Source, check_root, expand};
 use crate::cli::common::ledger::{self, Ledger, Work, skipped};
 use crate::cli::common::options::Color;
 use crate::cli::common::output::{Target, is_same_file, resolve_parent, stem};
@@ -87,25 +87,26 @@ fn run(jobs: &[Job], args: &InspectArgs, console: &Console) -> Exit {
 }
 
 fn source(job: &Job) -> (&Source, Option<Format>) {
-    (&job.source, job.args.format)
+    (&job.input.source, job.args.format)
 }
 
 /// Inspects an input unless an earlier run has, and records it.
 fn one(job: &Job, shared: &Shared<'_>) -> Recorded<(InspectReport, Outcome)> {
-    let mut report = InspectReport::new(&job.source);
+    let mut report = InspectReport::new(&job.input.source);
     let start = Instant::now();
-    let work = Work { input: job.source.name(), output: None, options: job.options() };
+    let work = Work { verb: "inspect", input: &job.input, output: None, options: job.options() };
     if let Some(entry) = shared.ledger.done_before(&work) {
         report.head.status = SKIPPED;
         let worst = Severity::ALL.into_iter().find(|it| Some(it.name()) == entry.verdict.as_deref());
         let is_grave = job.args.findings.fail_on.is_some_and(|least| worst >= Some(least));
         report.verdict = worst;
+        report.before = entry.findings;
         return ((report, Outcome { is_grave, lacks_normals: false }), Ok(()));
     }
     let log = ReadLog::default();
     let read = ReadOptions { log: log.clone(), ..job.read() };
-    let result = shared.ledger.retried(&job.source, || {
-        report = InspectReport::new(&job.source);
+    let result = shared.ledger.retried(&job.input.source, || {
+        report = InspectReport::new(&job.input.source);
         guarded(|| inspect(job, &read, shared.progress, &mut report))
     });
     report.seconds.total = start.elapsed().as_secs_f64();
@@ -117,14 +118,14 @@ fn one(job: &Job, shared: &Shared<'_>) -> Recorded<(InspectReport, Outcome)> {
     let done = ledger::Outcome {
         bytes: report.input.bytes.unwrap_or_default(),
         error: result.as_ref().err(),
-        read: log.take().into_iter().collect(),
+        read: log.files().into_iter().collect(),
         written: report.written.iter().map(|(_, path)| path.into()).collect(),
         findings,
         verdict: report.verdict.map(|worst| worst.name().to_owned()),
         seconds: report.seconds.total,
         ..ledger::Outcome::default()
     };
-    let recorded = shared.ledger.record(work, done);
+    let recorded = shared.ledger.record(&work, done);
     let outcome = result.unwrap_or_default();
     if outcome.is_grave {
         report.head.status = "findings";
@@ -139,7 +140,7 @@ fn inspect(
     progress: &FileProgress<'_>,
     report: &mut InspectReport,
 ) -> Result<Outcome, Failure> {
-    let (source, args) = (&job.source, &*job.args);
+    let (source, args) = (&job.input.source, &*job.args);
     let thresholds = &args.thresholds.resolve(args.findings.places);
     progress.stage(Stage::Read);
     let start = Instant::now();
@@ -253,6 +254,9 @@ fn print(report: &InspectReport, args: &InspectArgs, brief: bool, console: &Cons
     if let Some(error) = &report.head.error {
         console.error(&format!("{}: {}", escaped(&report.input.path), error.message));
     }
+    if report.head.status == SKIPPED {
+        return console.print(&SkippedReport::new(report), || skipped(&report.input.path));
+    }
     console.print(report, || {
         let verbose = console.verbosity == Verbosity::Verbose;
         let style = console.report_style;
@@ -265,7 +269,6 @@ fn print(report: &InspectReport, args: &InspectArgs, brief: bool, console: &Cons
         };
         match brief && !verbose {
             _ if report.head.error.is_some() => String::new(),
-            _ if report.head.status == SKIPPED => skipped(&report.input.path),
             true => layout.brief(report),
             false => layout.block(report),
         }
@@ -274,7 +277,7 @@ fn print(report: &InspectReport, args: &InspectArgs, brief: bool, console: &Cons
 
 /// An input with its options.
 struct Job {
-    source: Source,
+    input: Input,
     /// Its number among those of the same stem, from 1: each fixed version has a name of its own.
     number: usize,
     args: Arc<InspectArgs>,
@@ -294,7 +297,7 @@ impl Job {
         let InspectArgs { format, root, allow_extension, against, pictures, findings, thresholds, .. } =
             &*self.args;
         let findings = (findings.severity, &findings.ignore, &findings.only, findings.places);
-        format!("inspect {:?}", (format, root, allow_extension, against, pictures, findings, thresholds))
+        format!("{:?}", (format, root, allow_extension, against, pictures, findings, thresholds))
     }
 }
 
@@ -316,39 +319,37 @@ fn jobs(args: &InspectArgs) -> Result<Vec<Job>, Failure> {
     let (mut numbers, mut jobs) = (HashMap::new(), Vec::with_capacity(found.len()));
     for input in found {
         if input.output.is_some() {
-            return Err(Failure::usage(format!(
-                "{}: `inspect` has no `output`\nhelp: \"options\": [\"--html\", \"page.html\"] writes a page",
-                input.source.name()
+            return Err(input.refused(Failure::usage(
+                "`inspect` has no `output`\nhelp: \"options\": [\"--html\", \"page.html\"] writes a page",
             )));
         }
         let args =
             if input.options.is_empty() { base.clone() } else { Arc::new(with_line("inspect", &input)?) };
         let number = numbers.entry(input.source.path().and_then(stem)).or_insert(0);
         *number += 1;
-        jobs.push(Job { source: input.source, number: *number, args });
+        jobs.push(Job { number: *number, args, input });
     }
     let mut outputs = HashSet::new();
-    let sources: Vec<Source> = jobs.iter().map(|job| job.source.clone()).collect();
-    for args in jobs.iter().map(|job| &*job.args) {
+    let sources: Vec<Source> = jobs.iter().map(|job| job.input.source.clone()).collect();
+    for Job { input, args, .. } in &jobs {
+        let refused = |message: String| input.refused(Failure::usage(message));
         if args.against.as_deref().map(Source::of) == Some(Source::Standard)
             && sources.contains(&Source::Standard)
         {
-            return Err(Failure::usage(
-                "standard input can be read only once\nhelp: name one of the two files",
+            return Err(refused(
+                "standard input can be read only once\nhelp: name one of the two files".into(),
             ));
         }
         let pictures: Vec<&PathBuf> = args.pictures.paths().collect();
         if !pictures.is_empty() {
-            check_outputs(&sources, args).map_err(Failure::usage)?;
+            check_outputs(&sources, args).map_err(refused)?;
         }
         if let Some(twice) = pictures.iter().find(|path| !outputs.insert(resolve_parent(path))) {
-            return Err(Failure::usage(format!(
-                "{} is written for two inputs\nhelp: name two outputs",
-                twice.display()
-            )));
+            let twice = twice.display();
+            return Err(refused(format!("{twice} is written for two inputs\nhelp: name two outputs")));
         }
     }
-    jobs.retain(|job| args.batch.takes(&job.source));
+    jobs.retain(|job| args.batch.takes(&job.input.source));
     Ok(jobs)
 }
 

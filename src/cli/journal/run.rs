@@ -8,7 +8,7 @@ use crate::cli::common::numbers::{count, size};
 use crate::cli::common::options::Color;
 use crate::cli::usage::refused;
 use serde::Serialize;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 pub fn main(args: &JournalArgs, color: Color) -> Exit {
     let console = Console::new(&args.run, color, None);
@@ -23,11 +23,8 @@ pub fn main(args: &JournalArgs, color: Color) -> Exit {
         }
         Action::Failed => {
             let failed = found.iter().filter(|entry| entry.status == Status::Failed);
-            failed.for_each(|Entry { input, output, .. }| {
-                let line = output.as_ref().map_or_else(
-                    || serde_json::json!({ "input": input }),
-                    |output| serde_json::json!({ "input": input, "output": output }),
-                );
+            failed.for_each(|entry| {
+                let line = serde_json::to_string(&Line::new(entry)).expect("string keys");
                 console.report(&format!("{line}\n"));
             });
         }
@@ -39,14 +36,31 @@ pub fn main(args: &JournalArgs, color: Color) -> Exit {
     exit_code(Ok(Exit::Done), &console)
 }
 
-/// The entries of all journals: the one that ended last for each input and output, in the order of their lines.
+/// A line of a manifest.
+#[derive(Serialize)]
+struct Line<'a> {
+    input: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    output: Option<&'a str>,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    options: &'a [String],
+}
+
+impl<'a> Line<'a> {
+    /// The line that asks for an entry again.
+    fn new(Entry { input, output, line_options, is_bare_line, .. }: &'a Entry) -> Self {
+        Self { input, output: output.as_deref().filter(|_| !is_bare_line), options: line_options }
+    }
+}
+
+/// The entries of all journals: the one that ended last for each piece of work, in the order of their lines.
 fn all(args: &JournalArgs) -> Result<(Vec<Entry>, usize), Failure> {
     let (mut last, mut incomplete, mut number) = (HashMap::<_, (u32, Entry)>::new(), 0, 0);
     for path in &args.journals {
         let (found, bad) = entries(path).map_err(|error| Failure::input(format!("{error:#}")))?;
         incomplete += bad;
         for entry in found {
-            let key = (entry.input.clone(), entry.output.clone());
+            let key = entry.key();
             if last.get(&key).is_none_or(|(_, known)| known.ended <= entry.ended) {
                 last.insert(key, (number, entry));
             }
@@ -64,6 +78,8 @@ struct Summary {
     files: usize,
     done: usize,
     failed: usize,
+    /// How often each verb was done or has failed.
+    verbs: BTreeMap<String, VerbCount>,
     /// Files with fallback normals.
     with_faults: usize,
     /// Files with each finding, and elements in them.
@@ -77,6 +93,12 @@ struct Summary {
 }
 
 #[derive(Default, Serialize)]
+struct VerbCount {
+    done: usize,
+    failed: usize,
+}
+
+#[derive(Default, Serialize)]
 struct FindingCount {
     files: usize,
     count: u64,
@@ -84,9 +106,9 @@ struct FindingCount {
 
 impl Summary {
     fn new(entries: &[Entry], incomplete_lines: usize) -> Self {
-        let failed = || entries.iter().filter(|entry| entry.status == Status::Failed);
+        let is_failed = |entry: &&Entry| entry.status == Status::Failed;
         let mut errors = BTreeMap::new();
-        for entry in failed() {
+        for entry in entries.iter().filter(is_failed) {
             let first = entry.error.as_deref().and_then(|error| error.lines().next()).unwrap_or_default();
             // Without names, equal errors of different files are one.
             let names = entry.output.iter().chain([&entry.input]);
@@ -99,13 +121,24 @@ impl Summary {
             finding.files += 1;
             finding.count += count;
         }
+        let mut verbs = BTreeMap::<String, VerbCount>::new();
+        for entry in entries {
+            let verb = verbs.entry(entry.verb.clone()).or_default();
+            *(if is_failed(&entry) { &mut verb.failed } else { &mut verb.done }) += 1;
+        }
+        // Several verbs, or outputs of one, may have the same input.
+        let count = |wanted: &dyn Fn(&&Entry) -> bool| {
+            entries.iter().filter(wanted).map(|entry| &entry.input).collect::<BTreeSet<_>>().len()
+        };
+        let (files, failed) = (count(&|_| true), count(&is_failed));
         Self {
             findings,
             schema: "crease-journal/1",
-            files: entries.len(),
-            done: entries.len() - failed().count(),
-            failed: failed().count(),
-            with_faults: entries.iter().filter(|entry| entry.faults > 0).count(),
+            files,
+            done: files - failed,
+            failed,
+            verbs,
+            with_faults: count(&|entry| entry.faults > 0),
             bytes: entries.iter().map(|entry| entry.bytes).sum(),
             seconds: entries.iter().map(|entry| entry.seconds).sum(),
             errors,
@@ -114,7 +147,8 @@ impl Summary {
     }
 
     fn text(&self) -> String {
-        let rate = if self.seconds > 0.0 { self.files as f64 / self.seconds } else { 0.0 };
+        let works: usize = self.verbs.values().map(|verb| verb.done + verb.failed).sum();
+        let rate = if self.seconds > 0.0 { works as f64 / self.seconds } else { 0.0 };
         let mut text = format!(
             "{}: {} done, {} failed; {} with fallback normals\n{} read in {:.1} s of work ({rate:.1} files/s)\n",
             count(self.files, "file"),
@@ -124,6 +158,11 @@ impl Summary {
             size(self.bytes),
             self.seconds,
         );
+        if works != self.files {
+            for (verb, VerbCount { done, failed }) in &self.verbs {
+                text += &format!("  {verb}: {done} done, {failed} failed\n");
+            }
+        }
         let mut findings: Vec<_> = self.findings.iter().collect();
         findings.sort_by_key(|(_, finding)| std::cmp::Reverse(finding.files));
         for (id, FindingCount { files, count: elements }) in findings {

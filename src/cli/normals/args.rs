@@ -1,7 +1,7 @@
 //! The options of `crease normals`.
 
 use crate::cli::common::batch::BatchArgs;
-use crate::cli::common::choice::{Choose, as_name, choices, one_of};
+use crate::cli::common::choice::{Choose, as_name, choices, one_of, written_formats};
 use crate::cli::common::options::{RunArgs, confidence, crease_angle};
 use clap::{ArgGroup, Args};
 use crease::io::{Emit, Format, MaterialFallback, MeshCompression, NormalFormat, TangentPolicy};
@@ -43,7 +43,7 @@ pub struct OutputArgs {
     pub in_place: bool,
     #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>())]
     pub format: Option<Format>,
-    #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>())]
+    #[arg(long, value_name = "FORMAT", value_parser = written_formats())]
     pub to: Option<Format>,
     #[arg(short, long)]
     pub recursive: bool,

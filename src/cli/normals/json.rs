@@ -42,7 +42,7 @@ impl<'a> Report<'a> {
     pub fn new(job: &'a Job) -> Self {
         Self {
             head: Head::new("crease-normals/1"),
-            input: InputReport::new(&job.source, job.format),
+            input: InputReport::new(&job.input.source, job.format),
             output: None,
             dry_run: job.settings.args.output.dry_run,
             recipe: &job.settings.args.normals,

@@ -19,7 +19,7 @@ pub struct Request {
 
 #[derive(Clone, Debug)]
 pub struct Job {
-    pub source: Source,
+    pub input: Input,
     /// The input's format as typed; `None`: by its content, else by its name.
     pub format: Option<Format>,
     /// The output; `None` if nothing is written.
@@ -78,10 +78,10 @@ impl Request {
             if !input.options.is_empty() {
                 of_lines.insert(&input.options, settings.clone());
             }
-            jobs.push(job(input, settings)?);
+            jobs.push(job(input, settings).map_err(|failure| input.refused(failure))?);
         }
         check_collisions(&jobs, args.output.in_place)?;
-        jobs.retain(|job| args.batch.takes(&job.source));
+        jobs.retain(|job| args.batch.takes(&job.input.source));
         Ok(Request { jobs })
     }
 }
@@ -170,8 +170,10 @@ fn job(input: &Input, settings: Arc<Settings>) -> Result<Job, Failure> {
         let (target, to) = file_target(path, output.to).map_err(Failure::usage)?;
         (Some(target), to)
     } else if let Some(folder) = &output.out_dir {
-        let place = folder_place(input, format, output.to)?;
-        (Some(Target::File(folder.join(place))), output.to)
+        // 3MF is not written.
+        let to = output.to.or((format == Some(Format::ThreeMf)).then_some(Format::Glb));
+        let place = folder_place(input, format, to)?;
+        (Some(Target::File(folder.join(place))), to)
     } else if output.in_place {
         (Some(in_place_target(input, format, output.to)?), output.to)
     } else if args.batch.manifest.is_some() && !output.dry_run {
@@ -195,7 +197,7 @@ fn job(input: &Input, settings: Arc<Settings>) -> Result<Job, Failure> {
         }
     }
     let rows = settings.rows && target.is_none();
-    Ok(Job { source: input.source.clone(), format: output.format, target, to, rows, settings })
+    Ok(Job { input: input.clone(), format: output.format, target, to, rows, settings })
 }
 
 fn folder_place(input: &Input, format: Option<Format>, to: Option<Format>) -> Result<PathBuf, Failure> {
@@ -232,12 +234,14 @@ fn in_place_target(input: &Input, format: Option<Format>, to: Option<Format>) ->
 fn check_collisions(jobs: &[Job], in_place: bool) -> Result<(), Failure> {
     let real = |path: &Path| path.canonicalize().ok();
     let mut inputs = BTreeMap::new();
-    for path in jobs.iter().filter_map(|job| job.source.path()) {
+    for path in jobs.iter().filter_map(|job| job.input.source.path()) {
         inputs.extend(real(path).map(|real| (real, path)));
     }
     let mut outputs: BTreeMap<PathBuf, &Path> = BTreeMap::new();
     for job in jobs {
-        let (Some(Target::File(target)), Source::File(source)) = (&job.target, &job.source) else { continue };
+        let (Some(Target::File(target)), Source::File(source)) = (&job.target, &job.input.source) else {
+            continue;
+        };
         if let Some(other) = outputs.insert(resolve_parent(target), source) {
             let (first, second) = (other.display(), source.display());
             return usage(format!(

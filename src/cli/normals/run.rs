@@ -43,7 +43,7 @@ pub fn main(args: &NormalsArgs, color: Color) -> Exit {
 }
 
 fn source(job: &Job) -> (&Source, Option<Format>) {
-    (&job.source, job.format)
+    (&job.input.source, job.format)
 }
 
 /// Does one job unless an earlier run has, and records it.
@@ -64,7 +64,7 @@ fn one<'a>(job: &'a Job, store: &Store, shared: &Shared<'_>) -> Recorded<Report<
     }
     let log = ReadLog::default();
     let read = ReadOptions { log: log.clone(), ..job.settings.read.clone() };
-    let done = shared.ledger.retried(&job.source, || {
+    let done = shared.ledger.retried(&job.input.source, || {
         report = Report::new(job);
         guarded(|| run(job, &read, store, shared, &mut report))
     });
@@ -74,27 +74,28 @@ fn one<'a>(job: &'a Job, store: &Store, shared: &Shared<'_>) -> Recorded<Report<
     let outcome = Outcome {
         bytes: report.input.bytes.unwrap_or_default(),
         error: done.as_ref().err(),
-        read: log.take().into_iter().collect(),
+        read: log.files().into_iter().collect(),
         written: done.as_ref().ok().cloned().unwrap_or_default(),
         faults: faults.sum::<usize>() as u64,
         seconds: report.seconds.total,
         ..Outcome::default()
     };
-    let recorded = shared.ledger.record(work, outcome);
+    let recorded = shared.ledger.record(&work, outcome);
     (report, recorded)
 }
 
 /// The work of a job, with all options that affect its result.
-fn work(job: &Job) -> Work {
+fn work(job: &Job) -> Work<'_> {
     let Settings { args, task, read, write, merge_distance, .. } = &*job.settings;
     // Edges are counted for reports only.
     let task = Task { edge_counts: false, ..task.clone() };
     let mesh = (args.mesh.up, args.mesh.scale, merge_distance);
     let reading = (&read.root, read.non_finite, &read.allowed_extensions);
     Work {
-        input: job.source.name(),
+        verb: "normals",
+        input: &job.input,
         output: job.target.as_ref().map(Target::name),
-        options: format!("normals {:?}", (task, write, mesh, reading, job.format, job.to)),
+        options: format!("{:?}", (task, write, mesh, reading, job.format, job.to)),
     }
 }
 
@@ -127,7 +128,7 @@ fn run(
     let (settings, progress) = (&*job.settings, shared.progress);
     progress.stage(Stage::Read);
     let start = Instant::now();
-    let mut loaded = progress.read(&job.source, job.format, read, &mut report.input.bytes)?;
+    let mut loaded = progress.read(&job.input.source, job.format, read, &mut report.input.bytes)?;
     report.seconds.read = start.elapsed().as_secs_f64();
     report.input.format = Some(loaded.format);
     report.notes.extend_from_slice(&loaded.notes);
@@ -135,6 +136,9 @@ fn run(
     progress.stage(Stage::Compute);
     let start = Instant::now();
     let target = (!job.rows).then(|| job.to.unwrap_or(loaded.format));
+    if target == Some(Format::ThreeMf) {
+        return Err(Failure::usage("3MF has no normals\nhelp: choose another format with --to, such as glb"));
+    }
     if let Some(target) =
         target.filter(|&target| settings.write.compression != MeshCompression::None && target != Format::Glb)
     {
@@ -187,6 +191,13 @@ fn run(
         // Of two inputs with different companions of one name, the later one fails.
         shared.turn.wait();
     }
+    if settings.task.flip && job.target.as_ref() == Some(&job.input.source) && !unchanged {
+        // Flipped twice, the file would be as before. If the run is killed now, the next one finds in the journal whether the file
+        // was replaced.
+        let read = read.log.files().into_iter().collect();
+        let planned = Outcome { read, replacement: Some(&written.bytes), ..Outcome::default() };
+        shared.ledger.record(&work(job), planned)?;
+    }
     let stored = put(job, store, written, unchanged)?;
     report.notes.extend(stored.notes);
     report.seconds.write = start.elapsed().as_secs_f64();
@@ -209,7 +220,7 @@ fn compute(
 
 /// Where the output will be, for its companion files; `None` for a stream or a device.
 fn place(job: &Job) -> Option<&Path> {
-    let path = job.target.as_ref().unwrap_or(&job.source).path()?;
+    let path = job.target.as_ref().unwrap_or(&job.input.source).path()?;
     let is_device = job.target.is_some() && path.metadata().is_ok_and(|it| !it.is_file() && !it.is_dir());
     (!is_device).then_some(path)
 }
@@ -218,7 +229,7 @@ fn place(job: &Job) -> Option<&Path> {
 fn put(job: &Job, store: &Store, written: Written, unchanged: bool) -> Result<Stored, Failure> {
     let Some(target) = &job.target else { return Ok(Stored::default()) };
     // An unchanged input keeps its modification time too.
-    if unchanged && *target == job.source && target.path().is_some() {
+    if unchanged && *target == job.input.source && target.path().is_some() {
         return Ok(Stored::default());
     }
     Ok(store.store(written, target)?)

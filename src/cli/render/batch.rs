@@ -30,13 +30,13 @@ pub fn main(args: &RenderArgs, color: Color) -> Exit {
         Ok(all) => all,
         Err(failure) => return failed(failure),
     };
-    let prepared = requests(&all).and_then(|it| Ok((it, Ledger::open(&args.batch, false, false)?)));
-    let (requests, ledger) = match prepared {
+    let prepared = jobs(&all).and_then(|it| Ok((it, Ledger::open(&args.batch, false, false)?)));
+    let (jobs, ledger) = match prepared {
         Ok(prepared) => prepared,
         Err(failure) => return failed(failure),
     };
     args.run.use_threads();
-    run_batch(console, &args.batch, &ledger, &requests, source, one, |request, report: Report, batch| {
+    run_batch(console, &args.batch, &ledger, &jobs, source, one, |(_, request), report: Report, batch| {
         batch.count(&report.input.path, &report.head);
         if report.head.status == SKIPPED {
             console.print(&report, || skipped(&report.input.path));
@@ -51,44 +51,47 @@ pub fn main(args: &RenderArgs, color: Color) -> Exit {
     })
 }
 
-fn source<'a>(request: &'a Request<'_>) -> (&'a Source, Option<Format>) {
+fn source<'a>((_, request): &'a Job<'_>) -> (&'a Source, Option<Format>) {
     (&request.source, request.format)
 }
 
-/// The options of each input.
-fn options(args: &RenderArgs) -> Result<Vec<RenderArgs>, Failure> {
-    let inputs = args.batch.inputs(|| Ok(Vec::new()))?;
-    let own = |input: &Input| match input.options.is_empty() {
-        true => of_input(args.clone(), input),
-        false => of_input(with_line("render", input)?, input),
+/// The inputs with their options.
+fn options(args: &RenderArgs) -> Result<Vec<(Input, RenderArgs)>, Failure> {
+    let own = |input: Input| {
+        let own = if input.options.is_empty() { args.clone() } else { with_line("render", &input)? };
+        let own = of_input(own, &input).map_err(|failure| input.refused(failure))?;
+        Ok((input, own))
     };
-    inputs.iter().map(own).collect()
+    args.batch.inputs(|| Ok(Vec::new()))?.into_iter().map(own).collect()
 }
 
+/// An input of the manifest, and what is drawn.
+type Job<'a> = (&'a Input, Request<'a>);
+
 /// What is drawn for each. Each picture has a place of its own, which is no input.
-fn requests(all: &[RenderArgs]) -> Result<Vec<Request<'_>>, Failure> {
+fn jobs(all: &[(Input, RenderArgs)]) -> Result<Vec<Job<'_>>, Failure> {
     let inputs: HashSet<PathBuf> =
-        all.iter().filter_map(|args| args.input.as_deref()).map(resolve_parent).collect();
+        all.iter().filter_map(|(input, _)| input.source.path()).map(resolve_parent).collect();
     let mut outputs = HashSet::new();
-    let mut requests = Vec::with_capacity(all.len());
-    for args in all {
-        let mut request = Request::resolve(args).map_err(Failure::usage)?;
+    let mut jobs = Vec::with_capacity(all.len());
+    for (input, args) in all {
+        let refused = |why: String| input.refused(Failure::usage(why));
+        let mut request = Request::resolve(args).map_err(refused)?;
         if let Some(Target::File(path)) = &request.target {
             let place = resolve_parent(path);
-            let refused =
-                |why| Err(Failure::usage(format!("{} {why}\nhelp: name another output", path.display())));
+            let taken = |why| Err(refused(format!("{} {why}\nhelp: name another output", path.display())));
             if inputs.contains(&place) {
-                return refused("is an input of this batch");
+                return taken("is an input of this batch");
             }
             if !outputs.insert(place) {
-                return refused("is the picture of two inputs");
+                return taken("is the picture of two inputs");
             }
         }
         request.load.read.log = ReadLog::default();
-        requests.push(request);
+        jobs.push((input, request));
     }
-    requests.retain(|request| request.args.batch.takes(&request.source));
-    Ok(requests)
+    jobs.retain(|(input, request)| request.args.batch.takes(&input.source));
+    Ok(jobs)
 }
 
 /// The options for one input.
@@ -110,14 +113,15 @@ fn of_input(mut args: RenderArgs, input: &Input) -> Result<RenderArgs, Failure> 
 }
 
 /// Draws a picture unless an earlier run has, and records it.
-fn one(request: &Request<'_>, shared: &Shared<'_>) -> Recorded<Report> {
+fn one((input, request): &Job<'_>, shared: &Shared<'_>) -> Recorded<Report> {
     let start = Instant::now();
     let mut report = Report::new(request);
     let own = RenderArgs { batch: BatchArgs::default(), run: RunArgs::default(), ..request.args.clone() };
     let work = Work {
-        input: request.source.name(),
+        verb: "render",
+        input,
         output: request.target.as_ref().map(Target::name),
-        options: format!("render {own:?}"),
+        options: format!("{own:?}"),
     };
     if shared.ledger.done_before(&work).is_some() {
         report.head.status = SKIPPED;
@@ -135,11 +139,11 @@ fn one(request: &Request<'_>, shared: &Shared<'_>) -> Recorded<Report> {
     let done = Outcome {
         bytes: report.input.bytes.unwrap_or_default(),
         error: result.as_ref().err(),
-        read: request.load.read.log.take().into_iter().chain(own.input).collect(),
+        read: request.load.read.log.files().into_iter().chain(own.input).collect(),
         written: own.output.output.into_iter().collect(),
         seconds: report.seconds.total,
         ..Outcome::default()
     };
-    let recorded = shared.ledger.record(work, done);
+    let recorded = shared.ledger.record(&work, done);
     (report, recorded)
 }

@@ -1,6 +1,6 @@
 //! The options of `crease surface`.
 
-use crate::cli::common::choice::{choices, one_of};
+use crate::cli::common::choice::{choices, one_of, written_formats};
 use crate::cli::common::options::RunArgs;
 use crate::cli::common::options::{finite_numbers, vector};
 use clap::Args;
@@ -16,7 +16,7 @@ pub struct SurfaceArgs {
     pub kind: Kind,
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
-    #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>())]
+    #[arg(long, value_name = "FORMAT", value_parser = written_formats())]
     pub to: Option<Format>,
     #[arg(long)]
     pub sync: bool,

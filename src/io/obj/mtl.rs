@@ -208,8 +208,7 @@ fn split_names(names: &str) -> Vec<&str> {
     }
 }
 
-/// The materials of a library. Only statements that are understood here are handed on, with the numbers that make
-/// sense: `tobj` panics at a colour with fewer than three, and gives up at bytes that are not UTF-8 and at numbers that
+/// The materials of a library. Statements that are understood here are handed on with the numbers that make sense: `tobj` panics at a colour with fewer than three, and gives up at bytes that are not UTF-8 and at numbers that
 /// are none.
 fn materials(library: &[u8]) -> Vec<tobj::Material> {
     let mut kept = String::new();
@@ -220,10 +219,12 @@ fn materials(library: &[u8]) -> Vec<tobj::Material> {
         let argument = match word {
             _ if argument.is_empty() => None,
             "newmtl" => Some(argument.to_owned()),
-            "Ka" | "Kd" | "Ks" | "Tf" => colour(argument),
+            _ if word.starts_with('#') => None,
+            "Ka" | "Kd" | "Ks" | "Ke" | "Tf" => colour(argument),
             "Ns" | "Ni" | "d" | "Tr" => numbers(argument).next().map(|number| number.to_string()),
             "illum" => argument.parse::<u8>().ok().map(|model| model.to_string()),
-            word => is_texture(word).then(|| argument.to_owned()),
+            // Textures, and what is named as omitted.
+            _ => Some(argument.to_owned()),
         };
         if let Some(argument) = argument {
             kept.push_str(&format!("{word} {argument}\n"));
@@ -266,8 +267,34 @@ fn file_material(material: &tobj::Material, found: &Found) -> FileMaterial {
         opacity,
         optics: optics(material, opacity),
         textures: textures(material).len(),
-        images: images(material, found),
+        images: {
+            let mut images = images(material, found);
+            images.omitted.extend(omitted(material));
+            images
+        },
     }
+}
+
+/// The statements with an effect that glTF lacks. Numbers of zero, filters and refractive indices of one, and the
+/// illumination models without rays have none.
+fn omitted(material: &tobj::Material) -> Vec<String> {
+    let differs = |value: Option<[f32; 3]>| value.is_some_and(|value| value != [0.0; 3]);
+    let known = [
+        ("Ka", differs(material.ambient)),
+        ("Ks", differs(material.specular)),
+        ("Ke", differs(material.emissive)),
+        ("Ni", material.optical_density.is_some_and(|index| index != 1.0)),
+        ("illum", material.illumination_model.is_some_and(|model| model > 2)),
+    ];
+    let has_effect = |(word, value): &(&String, &String)| {
+        let neutral = if *word == "Tf" { 1.0 } else { 0.0 };
+        let is_neutral = |word: &str| word.parse() == Ok(neutral);
+        !is_texture(word) && *word != "Tr" && !value.split_whitespace().all(is_neutral)
+    };
+    let known = known.into_iter().filter(|(_, has_effect)| *has_effect).map(|(word, _)| word.to_owned());
+    let others = material.unknown_param.iter().filter(has_effect).map(|(word, _)| shown(word.as_bytes()));
+    // Not in the order of a hash map.
+    known.chain(others).collect::<BTreeSet<_>>().into_iter().collect()
 }
 
 /// What the illumination models 3 to 9 add (*Object files*, Wavefront, 1992): all mirror Ks; 4 and 9 transmit what the opacity

@@ -51,7 +51,9 @@ impl SceneMesh {
 fn linear(colours: &[[f32; 4]], format: Format) -> Vec<LinearRgb> {
     let decode = |component: f32| match format {
         Format::Gltf | Format::Glb => f64::from(component),
-        Format::Obj | Format::Ply | Format::Stl => Transfer::Srgb.decode(f64::from(component)),
+        Format::Obj | Format::Ply | Format::Stl | Format::ThreeMf => {
+            Transfer::Srgb.decode(f64::from(component))
+        }
     };
     colours.par_iter().map(|&[r, g, b, _]| [r, g, b].map(decode).into()).collect()
 }

@@ -63,7 +63,7 @@ def inspect(path: Union[str, "os.PathLike[str]"], *, threads: Optional[int] = No
     Parameters
     ----------
     path : str or path
-        OBJ, PLY, STL, glTF or GLB.
+        OBJ, PLY, STL, glTF, GLB or 3MF.
     threads : int, optional
         Most threads; default: one for each processor.
     **options

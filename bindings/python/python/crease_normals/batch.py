@@ -379,7 +379,8 @@ def run(
 def failed(job: Job, error: Exception) -> dict[str, Any]:
     """The entry of a job whose worker could not do it."""
     empty: dict[str, Any] = {"bytes": 0, "crease": "", "options": "", "read": {}, "written": {}, "faults": 0, "seconds": 0.0}
-    return {"input": job.input, "output": job.output, "status": "failed", **empty, "error": str(error)}
+    line = {"input": job.input, "verb": "normals", "line_options": job.options, "output": job.output}
+    return {**line, "status": "failed", **empty, "error": str(error)}
 
 
 def main(words: Optional[list[str]] = None) -> int:

@@ -274,7 +274,7 @@ impl<'a> Builder<'a> {
             // A scene cannot name the format of a file.
             let is_unknown = error.problem == Problem::Syntax && error.advice.contains("--format");
             let advice = match is_unknown {
-                true => "give it the ending of its format: .obj, .ply, .stl, .gltf or .glb",
+                true => "give it the ending of its format: .obj, .ply, .stl, .gltf, .glb or .3mf",
                 false => &error.advice,
             };
             ReadError { problem: error.problem, ..self.source.error(&name.span(), &found, advice) }
