@@ -8,7 +8,6 @@ use quick_xml::{Reader, XmlVersion};
 use std::borrow::Cow;
 use std::io::{BufReader, Cursor, Read, Take};
 use zip::ZipArchive;
-use zip::read::ZipFile;
 
 /// The largest sum of unpacked model parts, in bytes and in multiples of the size of the file. Real models pack to a fifth, and
 /// regular ones to a thirtieth.
@@ -112,7 +111,7 @@ impl<'a> Package<'a> {
     }
 }
 
-fn is_spent(reader: &Reader<BufReader<Take<ZipFile<'_, Cursor<&[u8]>>>>>) -> bool {
+fn is_spent<R>(reader: &Reader<BufReader<Take<R>>>) -> bool {
     reader.get_ref().get_ref().limit() == 0
 }
 
