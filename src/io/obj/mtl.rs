@@ -208,8 +208,8 @@ fn split_names(names: &str) -> Vec<&str> {
     }
 }
 
-/// The materials of a library. Statements that are understood here are handed on with the numbers that make sense: `tobj` panics at a colour with fewer than three, and gives up at bytes that are not UTF-8 and at numbers that
-/// are none.
+/// The materials of a library. Statements that are understood here are handed on with the numbers that make sense: `tobj` panics
+/// at a colour with fewer than three, and gives up at bytes that are not UTF-8 and at numbers that are none.
 fn materials(library: &[u8]) -> Vec<tobj::Material> {
     let mut kept = String::new();
     for line in library.split(|&byte| matches!(byte, b'\n' | b'\r')) {

@@ -46,12 +46,14 @@ pub struct Model {
     pub has_properties: bool,
     /// Elements of meshes that are not read.
     pub skipped: BTreeSet<String>,
+    /// Objects, components and items, those of the parts before included.
     uses: usize,
 }
 
 impl Model {
-    pub fn read(package: &mut Package<'_>, part: &str) -> Result<Self, ReadError> {
-        let mut model = Self::default();
+    /// Reads a part. `uses` counts the objects, components and items of all parts.
+    pub fn read(package: &mut Package<'_>, part: &str, uses: &mut usize) -> Result<Self, ReadError> {
+        let mut model = Self { uses: *uses, ..Self::default() };
         let mut is_in_mesh = false;
         package.elements(part, |element| match element {
             Element::Start(start) => model.start(start, &mut is_in_mesh),
@@ -62,6 +64,7 @@ impl Model {
                 if name == "object" { model.check() } else { Ok(()) }
             }
         })?;
+        *uses = model.uses;
         Ok(model)
     }
 

@@ -31,12 +31,14 @@ pub fn read(bytes: Vec<u8>, _base: Option<&Path>, options: &ReadOptions) -> Resu
     check_size(bytes.len() as u64, &options.limits)?;
     let mut package = Package::new(&bytes, &options.limits)?;
     let mut paths = vec![package.root()?];
-    let mut models = Vec::new();
+    let mut numbers = BTreeMap::from([(paths[0].clone(), 0)]);
+    let (mut models, mut uses) = (Vec::new(), 0);
     while let Some(path) = paths.get(models.len()) {
-        let model = Model::read(&mut package, path)?;
+        let model = Model::read(&mut package, path, &mut uses)?;
         let components = model.objects.iter().flat_map(|object| &object.components);
         for part in components.chain(&model.items).filter_map(|used| used.part.as_ref()) {
-            if !paths.contains(part) {
+            if !numbers.contains_key(part) {
+                numbers.insert(part.clone(), paths.len());
                 paths.push(part.clone());
             }
         }
@@ -44,10 +46,15 @@ pub fn read(bytes: Vec<u8>, _base: Option<&Path>, options: &ReadOptions) -> Resu
     }
     drop(package);
     drop(bytes);
-    loaded(models, &paths, options)
+    loaded(models, &paths, &numbers, options)
 }
 
-fn loaded(mut models: Vec<Model>, paths: &[String], options: &ReadOptions) -> Result<Loaded, ReadError> {
+fn loaded(
+    mut models: Vec<Model>,
+    paths: &[String],
+    numbers: &BTreeMap<String, usize>,
+    options: &ReadOptions,
+) -> Result<Loaded, ReadError> {
     let mut notes = notes(&models);
     let mut parts = Vec::new();
     let all = models.iter().flat_map(|model| &model.objects).map(|object| &object.positions[..]);
@@ -72,8 +79,8 @@ fn loaded(mut models: Vec<Model>, paths: &[String], options: &ReadOptions) -> Re
             parts.push(part);
         }
     }
-    let mut build =
-        Build { paths, objects: BTreeMap::new(), part_of, parts: &parts, nodes: Vec::new(), visits: 0 };
+    let (objects, nodes) = (BTreeMap::new(), Vec::new());
+    let mut build = Build { paths, numbers, objects, part_of, parts: &parts, nodes, visits: 0 };
     for (number, model) in models.iter().enumerate() {
         build.objects.extend(model.objects.iter().map(|object| ((number, object.id), object)));
     }
@@ -92,7 +99,8 @@ fn notes(models: &[Model]) -> Vec<Note> {
         "inch" => "inches (--scale in)",
         "foot" => "feet (--scale 0.3048)",
         "meter" => "metres",
-        _ => "millimetres (--scale mm)",
+        "millimeter" => "millimetres (--scale mm)",
+        _ => "an unknown unit",
     };
     let mut notes = vec![Note::remark(format!("positions are in {unit}, with z up (--up z)"))];
     if models.iter().any(|model| model.has_properties) {
@@ -109,6 +117,8 @@ fn notes(models: &[Model]) -> Vec<Note> {
 /// The objects that the items of the build place.
 struct Build<'a> {
     paths: &'a [String],
+    /// The number of each of these model parts.
+    numbers: &'a BTreeMap<String, usize>,
     objects: BTreeMap<Key, &'a Object>,
     part_of: BTreeMap<Key, usize>,
     parts: &'a [Part],
@@ -125,8 +135,8 @@ impl Build<'_> {
         world_from_parent: DMat4,
         open: &mut Vec<Key>,
     ) -> Result<(), ReadError> {
-        let named = |part: &String| self.paths.iter().position(|path| path == part);
-        let key = (used.part.as_ref().and_then(named).unwrap_or(number), used.object);
+        let named = used.part.as_ref().and_then(|part| self.numbers.get(part));
+        let key = (named.copied().unwrap_or(number), used.object);
         let fail = |problem, found| Err(error(problem, found, ADVICE));
         let Some(&object) = self.objects.get(&key) else {
             let path = shown(self.paths[key.0].as_bytes());

@@ -53,6 +53,26 @@ fn objects_are_placed_by_items_and_components_of_several_parts() {
     assert_eq!(notes, [unit, (Severity::Warning, "materials and colours are omitted")]);
 }
 
+/// The limit holds for the package: here half of it and one more in each of two parts.
+#[test]
+fn parts_count_together() {
+    let crowd = "<object id='1'/>".repeat(1 << 15);
+    let main = model(&crowd, "<item objectid='1' p:path='/b.model'/>");
+    let other = model(&crowd, "");
+    let parts = [("_rels/.rels", RELATIONS), ("3D/3dmodel.model", &main), ("b.model", &other)];
+    let error = read(archive(&parts, CompressionMethod::Deflated)).unwrap_err();
+    assert!(error.problem == Problem::Limit && error.found.contains("in `b.model`"), "{error:?}");
+}
+
+#[test]
+fn an_unknown_unit_is_reported() {
+    let text = model(&format!("<object id='1'>{TRIANGLE}</object>"), "").replace("inch", "parsec");
+    assert_eq!(
+        read(package(&text)).unwrap().notes[0].text,
+        "positions are in an unknown unit, with z up (--up z)"
+    );
+}
+
 #[test]
 fn an_object_without_items_is_placed_once_and_other_elements_are_named() {
     let mesh = TRIANGLE.replace("</mesh>", "<b:beamlattice><b:beams/></b:beamlattice></mesh>");
