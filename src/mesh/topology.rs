@@ -25,12 +25,9 @@ pub struct Topology {
     pub(super) welded_vertices: Vec<bool>,
     /// Whether a half-edge runs between two vertices at equal positions; empty if none does.
     pub(super) without_length: Vec<bool>,
-    /// Clusters of positions that chains of short distances made wider than twice the welding distance.
-    pub wide_clusters: usize,
-    /// How many edges have more than two faces, by vertex index.
-    pub non_manifold_edges: usize,
-    /// How many groups of several coincident boundary edges were not joined because they are ambiguous.
-    pub ambiguous_edges: usize,
+    pub(super) wide_clusters: usize,
+    non_manifold: usize,
+    pub(super) ambiguous: usize,
 }
 
 impl Topology {
@@ -55,8 +52,8 @@ impl Topology {
             welded_vertices: Vec::new(),
             without_length: Vec::new(),
             wide_clusters: 0,
-            non_manifold_edges: 0,
-            ambiguous_edges: 0,
+            non_manifold: 0,
+            ambiguous: 0,
         };
         let mut crowded: Vec<(u32, u32)> = (0..faces.corners().len() as u32)
             .into_par_iter()
@@ -66,7 +63,7 @@ impl Topology {
             .collect();
         crowded.par_sort_unstable();
         crowded.dedup();
-        topology.non_manifold_edges = crowded.len();
+        topology.non_manifold = crowded.len();
         topology
     }
 
@@ -146,6 +143,21 @@ impl Topology {
     /// Whether any two edges are joined by welding.
     pub fn has_welds(&self) -> bool {
         !self.welded_vertices.is_empty()
+    }
+
+    /// How many edges have more than two faces, by vertex index.
+    pub fn non_manifold_edges(&self) -> usize {
+        self.non_manifold
+    }
+
+    /// How many groups of several coincident boundary edges were not joined because they are ambiguous.
+    pub fn ambiguous_edges(&self) -> usize {
+        self.ambiguous
+    }
+
+    /// Clusters of positions that chains of short distances made wider than twice the welding distance.
+    pub fn wide_clusters(&self) -> usize {
+        self.wide_clusters
     }
 }
 
@@ -284,8 +296,8 @@ mod tests {
             let (low, high) = chain.bounds().unwrap();
             (high - low).length()
         };
-        assert_eq!(Topology::build(&chain, Weld::Relative(1.1e-3 / diagonal)).wide_clusters, 1);
-        assert_eq!(Topology::build(&chain, Weld::Relative(0.9e-3 / diagonal)).wide_clusters, 0);
+        assert_eq!(Topology::build(&chain, Weld::Relative(1.1e-3 / diagonal)).wide_clusters(), 1);
+        assert_eq!(Topology::build(&chain, Weld::Relative(0.9e-3 / diagonal)).wide_clusters(), 0);
     }
 
     #[test]

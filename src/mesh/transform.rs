@@ -16,8 +16,7 @@ pub struct NormalMatrix {
     cofactors: DMat3,
     /// What the columns were scaled by, up to a common factor.
     scale: DVec3,
-    /// Whether the map mirrors.
-    pub mirrored: bool,
+    mirrored: bool,
 }
 
 /// The normal matrix of a linear map, or `None` if the map is singular (it flattens space).
@@ -32,7 +31,7 @@ pub struct NormalMatrix {
 /// use glam::{DMat3, DVec3};
 ///
 /// let squeeze = normal_matrix(DMat3::from_diagonal(DVec3::new(1e-200, 1.0, -1.0))).unwrap();
-/// assert!(squeeze.mirrored);
+/// assert!(squeeze.mirrored());
 /// assert_eq!(squeeze.apply(DVec3::Z), Some(DVec3::NEG_Z));
 /// assert_eq!(normal_matrix(DMat3::from_diagonal(DVec3::new(1.0, 0.0, 1.0))), None);
 /// ```
@@ -62,6 +61,11 @@ pub(crate) fn permanent(a: DVec3, b: DVec3, c: DVec3) -> f64 {
 }
 
 impl NormalMatrix {
+    /// Whether the map mirrors.
+    pub fn mirrored(&self) -> bool {
+        self.mirrored
+    }
+
     /// The unit normal that a normal becomes; `None` for one that is zero or not finite.
     pub fn apply(&self, normal: DVec3) -> Option<DVec3> {
         let scaled = normal * self.scale;
@@ -90,7 +94,7 @@ impl Mesh {
         }
         let linear = DMat3::from_mat4(map);
         let normals = normal_matrix(linear);
-        let is_mirrored = normals.is_some_and(|normals| normals.mirrored);
+        let is_mirrored = normals.is_some_and(|normals| normals.mirrored());
         let count = if is_mirrored { self.face_count() as u32 } else { 0 };
         let mut moved = self.with_faces(&FaceEdit { reversed: (0..count).collect(), ..FaceEdit::default() });
         let mut positions = self.positions().to_vec();
@@ -146,10 +150,10 @@ mod tests {
     fn normals_stay_perpendicular_and_agree_with_the_way_round() {
         for map in maps() {
             let matrix = normal_matrix(map).unwrap();
-            assert_eq!(matrix.mirrored, map.determinant() < 0.0);
+            assert_eq!(matrix.mirrored(), map.determinant() < 0.0);
             for (a, b) in [(DVec3::X, DVec3::Y), (DVec3::new(1.0, 2.0, 3.0), DVec3::new(-1.0, 0.5, 2.0))] {
                 let moved = matrix.apply(a.cross(b).normalize()).unwrap();
-                let truth = image_normal(map, a, b) * if matrix.mirrored { -1.0 } else { 1.0 };
+                let truth = image_normal(map, a, b) * if matrix.mirrored() { -1.0 } else { 1.0 };
                 // Two normalisations and a product of condition below 50.
                 assert!((moved - truth).length() < 1e-14, "{map}: {moved} is not {truth}");
             }

@@ -89,7 +89,7 @@ impl Topology {
         }
         let found = join(mesh, self, &open, weld);
         self.wide_clusters += found.wide_clusters;
-        self.ambiguous_edges += found.ambiguous;
+        self.ambiguous += found.ambiguous;
         let mut joined = 0;
         for &half_edge in &open {
             let link = self.link(half_edge);

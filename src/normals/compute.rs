@@ -191,7 +191,7 @@ impl<'a> Shape<'a> {
             crease_chains: edges.chains(mesh.positions()),
             cone_declined,
             crease_degrees: applied_angle(mesh, recipe).map(|Degrees(angle)| angle),
-            wide_clusters: topology.map_or(0, |topology| topology.wide_clusters),
+            wide_clusters: topology.map_or(0, Topology::wide_clusters),
             faces_before_groups: faces_before_groups(mesh, recipe),
             referenced_vertices: groups.entry_vertex.chunk_by(|a, b| a == b).count(),
             fast_declined: sums.fast_declined,

@@ -1,6 +1,6 @@
 //! The plan of a scene file: views, search and verification.
 
-use super::apply::{AXES_OF_FILES, FileModels, name_storage};
+use super::apply::{FileModels, name_storage};
 use super::axes::{Axis, LightModel, ObjectModel};
 use super::compare::{Difference, Metric};
 use super::decisions::{Described, Plan};
@@ -78,8 +78,9 @@ fn find(
     let (low, high) = whole.scene().bounds().unwrap_or_default();
     let (middle, radius) = (low.midpoint(high), 0.5 * low.distance(high));
     let files = options.for_files.then(|| FileModels::new(&document, base, load)).transpose()?;
-    let is_open =
-        |axis: Axis| !options.keep.contains(&axis) && (files.is_none() || AXES_OF_FILES.contains(&axis));
+    let is_open = |axis: Axis| {
+        !options.keep.contains(&axis) && files.as_ref().is_none_or(|files| files.may_change(axis))
+    };
     let models: Vec<Vec<ObjectModel>> = (0..stage.units.len())
         .map(|unit| match &files {
             Some(files) => files.models_of(&stage, unit, &is_open),

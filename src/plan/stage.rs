@@ -14,6 +14,7 @@ use crate::shade::Light;
 use std::borrow::Cow;
 use std::cell::RefCell;
 use std::collections::HashMap;
+use std::ops::Range;
 use std::path::Path;
 use std::rc::Rc;
 
@@ -31,7 +32,7 @@ pub struct Stage<'a> {
     /// Its objects.
     pub units: Rc<[Unit]>,
     /// The number of the first object of each unit, and of all objects at the end.
-    pub(super) first: Vec<usize>,
+    first: Vec<usize>,
     background: LinearRgb,
     /// Those of other models that were needed.
     loaded: Rc<RefCell<Loaded>>,
@@ -210,6 +211,11 @@ impl<'a> Stage<'a> {
     /// The number of objects of all units.
     pub fn objects(&self) -> usize {
         self.first.last().copied().unwrap_or(0)
+    }
+
+    /// The numbers of a unit's objects among those of all.
+    pub fn objects_of(&self, unit: usize) -> Range<usize> {
+        self.first[unit]..self.first[unit + 1]
     }
 
     /// The unit that an object belongs to.

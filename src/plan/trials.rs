@@ -254,7 +254,7 @@ impl<'a> Trials<'a> {
         let lights = self.lights_of(view, choice);
         let picture = self.draw(&[(unit, *model)], &lights, view)?;
         let Some(shown) = &picture.objects else { return Ok((0.0, true)) };
-        let objects = self.stage.first[unit]..self.stage.first[unit + 1];
+        let objects = self.stage.objects_of(unit);
         let samples = self.stage.settings.samples.count();
         let is_compared = |pixel: usize| {
             let object = view.object_of[pixel] as usize;

@@ -30,8 +30,8 @@ pub(crate) fn edge_counts(walker: &MeshWalker, turns: Option<&[f64]>) -> FoundEd
     for (edge, verdict) in decided_by_others(walker, turns, &undecided) {
         edges.add(verdict, || ends(walker, edge));
     }
-    edges.counts.non_manifold = walker.fans.topology.non_manifold_edges;
-    edges.counts.ambiguous = walker.fans.topology.ambiguous_edges;
+    edges.counts.non_manifold = walker.fans.topology.non_manifold_edges();
+    edges.counts.ambiguous = walker.fans.topology.ambiguous_edges();
     edges
 }
 

@@ -33,6 +33,11 @@ impl FileModels {
         Ok(Self { may_omit_normals })
     }
 
+    /// Whether files hold the values of an axis.
+    pub fn may_change(&self, axis: Axis) -> bool {
+        AXES_OF_FILES.contains(&axis)
+    }
+
     /// The models that a unit may have: those of [`models_of`] whose normals are stored as glTF does, and flat shading without normals.
     pub fn models_of(&self, stage: &Stage, unit: usize, is_open: &dyn Fn(Axis) -> bool) -> Vec<ObjectModel> {
         let reference = stage.units[unit].reference;

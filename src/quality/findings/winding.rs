@@ -18,7 +18,7 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
     let mut is_certain = !facts.file.shares_vertices();
     for &face in &facts.winding.minority {
         let number = face as usize;
-        if facts.duplicates.all_same_way.binary_search(&face).is_err() && facts.has_direction(number) {
+        if !facts.duplicates.is_doubled(face) && facts.has_direction(number) {
             is_certain |= facts.corners_of(number).any(is_by_index);
             found.add(Kind::InconsistentWinding, Spot::face(number).by(180.0), facts.area[number]);
         }
@@ -57,12 +57,7 @@ pub(crate) fn search_components(facts: &Facts<'_>, found: &mut Found) {
         let Some(highest) = alike().map(severity).max() else { continue };
         for component in alike() {
             // The back of faces that are there as well is a finding of its own.
-            if is_open
-                && component
-                    .faces
-                    .iter()
-                    .all(|face| facts.duplicates.back_to_back.binary_search(face).is_ok())
-            {
+            if is_open && component.faces.iter().all(|&face| facts.duplicates.is_back(face)) {
                 continue;
             }
             if severity(component) < highest {

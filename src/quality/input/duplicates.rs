@@ -38,6 +38,15 @@ impl DuplicateFaces {
         found.all_same_way.dedup();
         found
     }
+
+    /// Whether a face is the back of an earlier one.
+    pub(crate) fn is_back(&self, face: u32) -> bool {
+        self.back_to_back.binary_search(&face).is_ok()
+    }
+
+    pub(crate) fn is_doubled(&self, face: u32) -> bool {
+        self.all_same_way.binary_search(&face).is_ok()
+    }
 }
 
 /// Faces that may have a duplicate, ascending: those whose hashes agree with those of others.

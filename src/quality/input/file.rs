@@ -110,6 +110,11 @@ impl<'a> FileContext<'a> {
         self.loaded.format != Format::Stl
     }
 
+    /// Whether the format has a choice of how normals are stored; only glTF has.
+    pub(crate) fn has_normal_formats(&self) -> bool {
+        self.loaded.format.is_gltf()
+    }
+
     /// The materials, unless the thresholds give one exponent for all.
     pub(crate) fn materials(&self) -> &[FileMaterial] {
         self.materials.get_or_init(|| match self.thresholds.exponent {

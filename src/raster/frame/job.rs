@@ -67,7 +67,7 @@ impl<'a> Job<'a> {
             .collect::<Result<Vec<_>, _>>()?;
         let (mut drawn, mut first) = (Vec::new(), 0);
         for (number, object) in scene.objects.iter().enumerate().filter(|&(n, _)| !objects[n].is_cast) {
-            let mirrored = normal_matrix(DMat3::from_mat4(object.transform)).is_some_and(|n| n.mirrored);
+            let mirrored = normal_matrix(DMat3::from_mat4(object.transform)).is_some_and(|n| n.mirrored());
             let ready =
                 DrawnObject::new(&object.shape, number, first as u32, object.transform, mirrored, &view);
             let Some(ready) = ready else { continue };

@@ -187,7 +187,7 @@ fn corner_colours(model: &Model, layers: &[Layer], camera: &Camera) -> Vec<Vec<L
         let to_part = place.map_or(DMat3::IDENTITY, |place| DMat3::from_mat4(place).transpose());
         // A covector: the product with the normal has the sign that it has in the world.
         let (towards, forward) = ((to_part * towards).normalize_or_zero(), to_part * forward);
-        for (colour, normal) in colours.iter_mut().zip(&model.parts[number].ruled.normals.values) {
+        for (colour, normal) in colours.iter_mut().zip(model.parts[number].form_normals()) {
             let visible = if normal.dot(forward) > 0.0 { -*normal } else { *normal };
             *colour = *colour * (SHADOW + (1.0 - SHADOW) * visible.dot(towards).max(0.0));
         }

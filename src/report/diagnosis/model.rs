@@ -33,7 +33,7 @@ pub(super) struct PartModel {
     pub(super) mesh: Mesh,
     pub(super) field: NormalField,
     /// The normals of the estimated weighting: their creases show the form, whatever is wrong.
-    pub(super) ruled: NormalField,
+    ruled: NormalField,
     /// The deviation of each corner, in degrees.
     pub(super) deviations: Vec<Option<f64>>,
     /// The same, to be drawn.
@@ -167,6 +167,11 @@ impl Model {
 }
 
 impl PartModel {
+    /// The normals that show the form, corner by corner.
+    pub(super) fn form_normals(&self) -> &[DVec3] {
+        &self.ruled.normals.values
+    }
+
     fn new(mesh: &Mesh, survey: &Survey) -> Result<Self> {
         let corners = mesh.faces().corners();
         let mut faces = Faces::with_capacity(corners.len());

@@ -29,7 +29,7 @@ pub struct Compression {
     /// Bytes of the document and of its buffers that are files.
     bytes: u64,
     /// The files of the buffers that the new one replaces.
-    pub files: Vec<String>,
+    files: Vec<String>,
 }
 
 /// The bytes that decompressed data may have: so many times those of the file, and so many for each implied element.
@@ -109,6 +109,11 @@ fn reopen(
 }
 
 impl Compression {
+    /// Whether the input has its compressed data in a file of this name.
+    pub fn has_file(&self, name: &str) -> bool {
+        self.files.iter().any(|file| file == name)
+    }
+
     /// How much larger the output is, which is compressed anew or not. Copies of images do not count, other buffers do.
     pub fn note(&self, written: &Written, buffers: &Buffers, is_compressed: bool) -> Note {
         let copied = |path| {

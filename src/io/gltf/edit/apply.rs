@@ -96,9 +96,7 @@ pub fn edit(
     written.count_change(vertices);
     let note = |(remark, count): (Remark, usize)| {
         let note = Note::counted(count, remark.1, remark.2)?;
-        // An edit of normals is meant to make this change.
-        let is_expected = remark == Remark::TANGENTS_COMPUTED;
-        Some(if is_expected { Note { severity: Severity::Note, ..note } } else { note })
+        Some(if remark.is_expected() { Note { severity: Severity::Note, ..note } } else { note })
     };
     written.notes.extend(remarks.filter_map(note));
     let warning = |(text, places): (String, Vec<Place>)| {
@@ -220,11 +218,7 @@ impl Package<'_> {
             let mut of_input = self.document.buffers.list.iter().filter_map(|buffer| buffer.storage.file());
             of_input.any(|(other, _)| output_name(Path::new(""), other).as_ref() == Some(name))
                 || self.written.companions.iter().any(|file| file.name == *name)
-                || self
-                    .document
-                    .compression
-                    .as_ref()
-                    .is_some_and(|compression| compression.files.contains(name))
+                || self.document.compression.as_ref().is_some_and(|compression| compression.has_file(name))
         };
         let (front, extension) = name.rsplit_once('.').unwrap_or((name, "bin"));
         let front = if front.is_empty() { stem.to_owned() } else { format!("{stem}.{front}") };

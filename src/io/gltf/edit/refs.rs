@@ -9,7 +9,7 @@ use std::ops::Range;
 /// How often each accessor and view is referred to. A number anywhere in an extension may mean either.
 pub struct References {
     accessors: FxHashMap<u64, usize>,
-    pub views: FxHashMap<u64, usize>,
+    views: FxHashMap<u64, usize>,
     /// Accessors whose bytes in the BIN chunk are no other accessor's.
     pub unaliased: FxHashSet<usize>,
 }
@@ -52,6 +52,10 @@ impl References {
     /// Whether all references to an accessor are the `sites` that a change will go through.
     pub fn is_only_at(&self, accessor: usize, sites: usize) -> bool {
         self.accessors.get(&(accessor as u64)) == Some(&sites)
+    }
+
+    pub fn is_only_user(&self, view: usize) -> bool {
+        self.views.get(&(view as u64)) == Some(&1)
     }
 }
 

@@ -151,9 +151,8 @@ impl<'a> Store<'a> {
                 } else {
                     let record = &records.accessors[old];
                     let own_view = record.view.filter(|_| record.sparse.is_none());
-                    let view = own_view.filter(|&view| {
-                        self.refs.views.get(&(view as u64)) == Some(&1) && !records.views[view].extended
-                    });
+                    let view = own_view
+                        .filter(|&view| self.refs.is_only_user(view) && !records.views[view].extended);
                     let changes = self.accessor_changes(old, view, &data);
                     self.splices.change(record.object, changes);
                 }
@@ -347,6 +346,13 @@ impl<'a> Store<'a> {
 /// What an edit changes besides normals: its rank among the notes, the noun for its count, and its text.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Remark(u8, pub [&'static str; 2], pub &'static str);
+
+impl Remark {
+    /// Whether the change is one that an edit of normals is meant to make.
+    pub fn is_expected(self) -> bool {
+        self == Self::TANGENTS_COMPUTED
+    }
+}
 
 const HAVE: [&str; 2] = ["primitive has", "primitives have"];
 const LOST: [&str; 2] = ["primitive lost", "primitives lost"];

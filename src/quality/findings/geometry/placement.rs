@@ -74,7 +74,7 @@ pub(crate) fn search_nodes(nodes: &[&FileNode], found: &mut Found) {
                 found.add(Kind::SingularNode, spot, 0.0);
             }
             // Half a turn in a viewer that does not reverse the winding.
-            Some(matrix) if matrix.mirrored => {
+            Some(matrix) if matrix.mirrored() => {
                 found.add(Kind::MirroredNode, Spot::node(number).by(180.0), 0.0)
             }
             Some(_) => {}

@@ -23,7 +23,7 @@ const REACH: f64 = 0.866_025_403_784_438_6;
 /// A way of rounding normals: x · scale + offset is whole.
 #[derive(Clone, Debug)]
 pub(crate) struct Grid {
-    pub(crate) layout: Layout,
+    layout: Layout,
     scale: f64,
     offset: f64,
     pub(crate) name: String,
@@ -31,7 +31,7 @@ pub(crate) struct Grid {
 
 /// What is rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Layout {
+enum Layout {
     Components,
     /// Each component, before the vector is normalised.
     MadeUnit,
@@ -121,6 +121,11 @@ impl Grid {
             // At right angles to the normal at worst.
             _ => Radians(libm::asin(REACH / self.scale)).into(),
         }
+    }
+
+    /// Whether its normals have the lengths that rounding leaves.
+    pub(crate) fn spoils_lengths(&self) -> bool {
+        self.layout == Layout::Components
     }
 }
 

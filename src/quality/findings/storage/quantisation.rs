@@ -3,7 +3,7 @@
 use crate::num::{Degrees, largest_exponent, three_digits};
 use crate::quality::effect::Highlights;
 use crate::quality::findings::prelude::*;
-use crate::quality::findings::storage::grid::{Grid, Layout};
+use crate::quality::findings::storage::grid::Grid;
 use glam::DVec3;
 
 /// The largest share of corners that may deviate by more than rounding explains.
@@ -42,8 +42,8 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) -> Option<Precision> 
         exponent: largest_exponent(grid.error().into(), VISIBLE),
         grid: grid.name.clone(),
     };
-    let remedy = facts.file.loaded.format.is_gltf().then(|| FINER.to_owned());
-    if remedy.is_some() && grid.layout == Layout::Components && found.count(Kind::LooseLength) > 0 {
+    let remedy = facts.file.has_normal_formats().then(|| FINER.to_owned());
+    if remedy.is_some() && grid.spoils_lengths() && found.count(Kind::LooseLength) > 0 {
         found.tally(Kind::LooseLength).remedy = remedy.clone();
     }
     let exponent = Highlights::new(facts).largest_exponent(facts.mesh);
