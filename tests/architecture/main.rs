@@ -47,6 +47,7 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     ("dashu", &["trade"]),
     ("draco_core", &["io"]),
     ("fast_float2", &["io"]),
+    ("flate2", &["io"]),
     ("fluent_bundle", &["text"]),
     (
         "glam",
