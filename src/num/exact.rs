@@ -76,7 +76,7 @@ impl ExactSum {
 mod tests {
     use super::*;
     use crate::num::test_numbers::Numbers;
-    use dashu::rational::RBig;
+    use dashu_ratio::RBig;
 
     fn sum(numbers: &[f64]) -> f64 {
         let mut sum = ExactSum::new();

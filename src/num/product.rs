@@ -100,7 +100,7 @@ pub(crate) fn cross<P: Product>(u: DVec3, v: DVec3) -> DVec3 {
 mod tests {
     use super::*;
     use crate::num::test_numbers::Numbers;
-    use dashu::rational::RBig;
+    use dashu_ratio::RBig;
 
     fn exact(x: f64) -> RBig {
         RBig::try_from(x).unwrap()

@@ -3,9 +3,9 @@
 use super::failure::Failure;
 use super::stream::Stream;
 use crease::io::{self, Format, Limits, Loaded, Place, Problem, ReadError, ReadOptions};
-use ignore::WalkBuilder;
 use std::io::{IsTerminal, Read};
 use std::path::{Path, PathBuf};
+use walkdir::WalkDir;
 
 /// What is read.
 pub type Source = Stream;
@@ -122,17 +122,13 @@ pub fn expand(args: &[PathBuf], recursive: bool, out_dir: Option<&Path>) -> Resu
 }
 
 fn search(folder: &Path, out_dir: Option<&Path>, inputs: &mut Vec<Input>) -> Result<(), Failure> {
-    let out_dir = out_dir.map(Path::to_path_buf);
-    let walk = WalkBuilder::new(folder)
-        .standard_filters(false)
-        .hidden(true)
-        .sort_by_file_path(Path::cmp)
-        // The folder itself may be where the output goes; then only its collisions are refused.
-        .filter_entry(move |entry| {
-            entry.depth() == 0 || out_dir.is_none() || entry.path().canonicalize().ok() != out_dir
-        })
-        .build();
-    for entry in walk {
+    // Of the folder itself only the collisions are refused: it may be hidden, or where the output goes.
+    let is_input = |entry: &walkdir::DirEntry| {
+        let is_hidden = entry.file_name().as_encoded_bytes().starts_with(b".");
+        let is_output = || out_dir.is_some() && entry.path().canonicalize().ok().as_deref() == out_dir;
+        entry.depth() == 0 || !is_hidden && !is_output()
+    };
+    for entry in WalkDir::new(folder).sort_by_file_name().into_iter().filter_entry(is_input) {
         let entry = entry.map_err(Failure::input)?;
         let path = entry.into_path();
         if Format::from_path(&path).is_some() && !path.is_dir() {

@@ -3,7 +3,7 @@
 use super::vector::{Vector, add, angle, cross, difference, dot, length, unit};
 use super::{BITS, Big, big};
 use crate::normals::Weight;
-use dashu::integer::IBig;
+use dashu_int::IBig;
 use glam::DVec3;
 use rayon::prelude::*;
 

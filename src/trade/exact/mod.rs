@@ -14,7 +14,7 @@ pub(crate) use face::{degenerate, dihedral, face_normal, radians, turn, vertex_n
 pub(crate) use ray::Target;
 pub(crate) use vector::{Vector, angle, degrees_to, distance, dot, error_in_ulps, length, unit};
 
-use dashu::float::{FBig, round::mode::HalfEven};
+use dashu_float::{FBig, round::mode::HalfEven};
 
 /// A binary floating-point number of [`BITS`] bits.
 pub(crate) type Big = FBig<HalfEven, 2>;

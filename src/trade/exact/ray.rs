@@ -1,7 +1,7 @@
 //! Intersections of rays with a triangle, in exact integers: the true coverage of a pixel.
 
-use dashu::base::Signed;
-use dashu::integer::IBig;
+use dashu_base::Signed;
+use dashu_int::IBig;
 use glam::DVec3;
 
 /// A vector of whole multiples of a power of two.

@@ -1,7 +1,7 @@
 //! Vectors of big numbers, and the errors of computed ones.
 
 use super::{Big, big, small};
-use dashu::base::Abs;
+use dashu_base::Abs;
 use glam::DVec3;
 
 /// Three components.

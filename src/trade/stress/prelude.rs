@@ -16,6 +16,6 @@ pub(super) use crate::shade::{
     Attenuation, Light, Material, Reflectance, Reflection, ShadeSettings, Shader, SurfacePoint, Viewer,
 };
 pub(super) use crate::trade::exact::{self, Big, big, small};
-pub(super) use dashu::base::Abs;
+pub(super) use dashu_base::Abs;
 pub(super) use glam::{DQuat, DVec3, Vec3};
 pub(super) use std::f64::consts::{PI, TAU};
