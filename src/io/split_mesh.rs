@@ -47,6 +47,17 @@ impl<'a> SplitMesh<'a> {
         Self { mesh, vertex_of: Cow::Borrowed(corners), split: None, is_used }
     }
 
+    /// Splits written vertices further, where their corners differ in one more value, which has this number at each corner.
+    pub fn refine(&mut self, numbers: &[u32]) {
+        let again = split_vertices(self.vertex_count(), &self.vertex_of, &[numbers]);
+        if again.is_identity(self.vertex_count()) {
+            return;
+        }
+        let source = again.source.iter().map(|&vertex| self.source(vertex as usize) as u32).collect();
+        self.vertex_of = Cow::Owned(again.corners);
+        self.split = Some(VertexSplit { source, sample: again.sample, corners: Vec::new() });
+    }
+
     /// Whether the written vertices are those of the mesh.
     pub fn is_identity(&self) -> bool {
         self.split.is_none()
@@ -60,6 +71,11 @@ impl<'a> SplitMesh<'a> {
     /// The vertex of the mesh behind a written one.
     pub fn source(&self, vertex: usize) -> usize {
         self.split.as_ref().map_or(vertex, |split| split.source[vertex] as usize)
+    }
+
+    /// A corner that uses a written vertex of a mesh of which vertices are split; [`NONE`] if there is none.
+    pub fn sample(&self, vertex: usize) -> u32 {
+        self.split.as_ref().map_or(NONE, |split| split.sample[vertex])
     }
 
     /// Whether faces use a written vertex, in a mesh without normals per vertex.

@@ -1,7 +1,8 @@
 //! Images of materials: from MTL to glTF, and from glTF to MTL.
 
 use crease::io::{
-    self, FileReflection, Format, Loaded, OutputContent, ReadOptions, WriteOptions, Written, read, read_bytes,
+    self, FileReflection, Format, Loaded, OutputContent, ReadOptions, TangentPolicy, WriteOptions, Written,
+    read, read_bytes,
 };
 use serde_json::{Value, json};
 use std::fs;
@@ -255,4 +256,63 @@ fn images_in_data_uris_move_into_a_glb() {
         assert_eq!(file.0["buffers"].as_array().unwrap().len(), 1);
         read_bytes(output.bytes, None, None, &ReadOptions::default()).unwrap();
     }
+}
+
+/// The tangents that a GLB has at its vertices, by position and u.
+fn tangents((document, bin): &(Value, &[u8])) -> Vec<([f32; 3], f32, [f32; 4])> {
+    let attributes = &document["meshes"][0]["primitives"][0]["attributes"];
+    let floats = |name: &str, width: usize| -> Vec<f32> {
+        let accessor = &document["accessors"][attributes[name].as_u64().unwrap() as usize];
+        let view = &document["bufferViews"][accessor["bufferView"].as_u64().unwrap() as usize];
+        let start = view["byteOffset"].as_u64().unwrap() as usize;
+        let length = 4 * width * accessor["count"].as_u64().unwrap() as usize;
+        bin[start..start + length]
+            .chunks(4)
+            .map(|four| f32::from_le_bytes(four.try_into().unwrap()))
+            .collect()
+    };
+    let (places, uvs, tangents) = (floats("POSITION", 3), floats("TEXCOORD_0", 2), floats("TANGENT", 4));
+    let vertices = places.chunks(3).zip(uvs.chunks(2)).zip(tangents.chunks(4));
+    vertices.map(|((p, uv), t)| (p.try_into().unwrap(), uv[0], t.try_into().unwrap())).collect()
+}
+
+/// Two squares, the second of which mirrors the texture. They share the vertices, the normals and the texture coordinates of their
+/// edge, and differ there in tangent alone.
+const MIRRORED: &str = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n\
+                        vt 0 1\nvn 0 0 1\nusemtl m\nf 1/1/1 2/2/1 3/3/1 4/4/1\nf 2/2/1 5/1/1 6/4/1 3/3/1\n";
+
+#[test]
+fn new_files_have_tangents_for_normal_textures() {
+    let folder = folder(MIRRORED, "newmtl m\nnorm n.jpg\n");
+    let output = written(folder.path(), Format::Glb, None);
+    let vertices = tangents(&glb(&output.bytes));
+    assert_eq!(vertices.len(), 8, "{vertices:?}");
+    for ([x, ..], _, tangent) in &vertices {
+        // The picture is upright: u rises with x on the left square, and falls on the right one.
+        let expected: &[[f32; 4]] = match *x {
+            0.0 => &[[1.0, 0.0, 0.0, 1.0]],
+            1.0 => &[[1.0, 0.0, 0.0, 1.0], [-1.0, 0.0, 0.0, -1.0]],
+            _ => &[[-1.0, 0.0, 0.0, -1.0]],
+        };
+        assert!(expected.contains(tangent), "{x}: {tangent:?}");
+    }
+    assert_eq!(vertices.iter().filter(|(place, _, tangent)| place[0] == 1.0 && tangent[3] == 1.0).count(), 2);
+
+    let options = WriteOptions { tangents: TangentPolicy::Drop, ..WriteOptions::default() };
+    let loaded = read(&folder.path().join("a.obj"), None, &ReadOptions::default()).unwrap();
+    let without = io::write(&loaded, &[], Format::Glb, &options).unwrap();
+    let attributes = &glb(&without.bytes).0["meshes"][0]["primitives"][0]["attributes"];
+    assert!(attributes["TANGENT"].is_null() && !attributes["NORMAL"].is_null());
+}
+
+#[test]
+fn tangents_of_new_files_are_those_of_edited_ones() {
+    let folder = folder(MIRRORED, "newmtl m\nnorm n.jpg\n");
+    let new = written(folder.path(), Format::Glb, None);
+    let loaded = read_bytes(new.bytes.clone(), Some(Format::Glb), None, &ReadOptions::default()).unwrap();
+    let options = WriteOptions { tangents: TangentPolicy::Regenerate, ..WriteOptions::default() };
+    let normals: Vec<_> = loaded.parts.iter().map(|part| part.mesh.columns().normals.clone()).collect();
+    assert!(normals.iter().all(Option::is_some));
+    let edited = io::write(&loaded, &[], Format::Glb, &options).unwrap();
+    assert_eq!(tangents(&glb(&edited.bytes)), tangents(&glb(&new.bytes)));
 }

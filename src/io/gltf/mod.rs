@@ -46,7 +46,6 @@ mod read;
 // New binary data, and the JSON that describes them.
 mod data;
 // The meshes and primitives of a new file.
-mod pieces;
 // A new file from meshes.
 mod new_file;
 // Changes to a document.

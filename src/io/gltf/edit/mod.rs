@@ -9,7 +9,7 @@ mod member;
 // The values of vertices.
 mod rows;
 // Tangents by MikkTSpace.
-mod mikktspace;
+pub mod mikktspace;
 // The tangents that vertices can have.
 mod tangent_rows;
 // Tangents that go with new normals.

@@ -1,6 +1,9 @@
 //! A new glTF file from meshes.
 
-use super::appearance::{MaterialTextures, material_members};
+mod materials;
+mod pieces;
+mod tangents;
+
 use super::buffers::address;
 use super::data::{Blob, Bounds, Bytes, Target, accessor_json, normal_format, steps, view_json};
 use super::edit::compress::compress_as;
@@ -8,22 +11,23 @@ use super::extensions::QUANTIZATION;
 use super::glb;
 use super::json::quoted;
 use super::materials::new_textures::NewTextures;
-use super::pieces::{groups, pieces};
 use super::records::{Component, Format as ElementFormat};
 use crate::io::mesh_checks::{beyond_f32, displacement_note, unsupported_notes};
 use crate::io::split_mesh::SplitMesh;
 use crate::io::text::counted;
 use crate::io::{
-    FileImages, FileMaterial, FileOptics, FileReflection, Format, MaterialFallback, Merge, NormalFormat,
-    Note, OutputContent, OutputFile, Part, WriteError, WriteOptions, Written,
+    FileMaterial, Format, MaterialFallback, Merge, NormalFormat, Note, OutputContent, OutputFile, Part,
+    TangentPolicy, WriteError, WriteOptions, Written,
 };
-use crate::mesh::{Column, FaceLabels, Mesh, NONE, PositionsRef, Storage};
+use crate::mesh::{Column, Mesh, NONE, PositionsRef, Storage};
 use glam::DVec3;
 use gltf::json::mesh as mode;
+use pieces::{Group, groups, pieces};
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 use std::fmt::Write as _;
+use tangents::new_tangents;
 
 /// Writes a new `.glb` or `.gltf`: one mesh and one node a part, or an object of a part; one primitive a material.
 ///
@@ -38,9 +42,10 @@ pub(in crate::io) fn write(
 ) -> Result<Written, WriteError> {
     let (pieces, unused) = pieces(parts);
     let known = materials.iter().map(|material| (material.name.as_str(), material)).collect();
-    let WriteOptions { normal_format, merge, material, .. } = *options;
+    let WriteOptions { normal_format, merge, material, tangents, .. } = *options;
     let textures = NewTextures::new(to == Format::Glb || options.stem.is_none());
-    let mut file = File { known, normal_format, merge, fallback: material, textures, ..File::default() };
+    let mut file =
+        File { known, normal_format, merge, tangents, fallback: material, textures, ..File::default() };
     for part in &pieces {
         file.part(part)?;
     }
@@ -85,6 +90,7 @@ struct File<'a> {
     textures: NewTextures<'a>,
     normal_format: NormalFormat,
     merge: Merge,
+    tangents: TangentPolicy,
     is_quantized: bool,
 }
 
@@ -128,8 +134,24 @@ impl<'a> File<'a> {
             return Ok(());
         }
         let groups = groups(mesh, &mut self.written.notes);
-        let split = SplitMesh::new(mesh, false, (self.merge, Storage::F32));
-        let attributes = self.attributes(&split)?;
+        let mut split = SplitMesh::new(mesh, false, (self.merge, Storage::F32));
+        let has_normal_texture = |group: &Group| self.normal_texture(mesh, group.label).is_some();
+        let tangents = match self.tangents {
+            TangentPolicy::Drop | TangentPolicy::Keep => None,
+            TangentPolicy::Auto | TangentPolicy::Regenerate => {
+                new_tangents(mesh, &groups, has_normal_texture)
+            }
+        };
+        if let Some(tangents) = &tangents {
+            split.refine(&tangents.of_corner);
+        }
+        let mut attributes = self.attributes(&split)?;
+        if let Some(tangents) = &tangents {
+            let values =
+                (0..split.vertex_count()).map(|vertex| tangents.at(split.sample(vertex))).collect::<Vec<_>>();
+            let accessor = self.vertices(values, ElementFormat::vector(Component::F32, false, 4), None);
+            attributes.textured = format!("{},\"TANGENT\":{accessor}", attributes.full);
+        }
         let mut primitives = Vec::new();
         let vertices = split.vertex_count();
         let mut vertex_of = split.vertex_of;
@@ -140,7 +162,11 @@ impl<'a> File<'a> {
                 Some(corners) => corners.iter().map(|&corner| vertex_of[corner as usize]).collect(),
             };
             let indices = self.indices(indices, vertices);
-            let list = if group.flat { &attributes.flat } else { &attributes.full };
+            let list = match group.flat {
+                true => &attributes.flat,
+                false if self.normal_texture(mesh, group.label).is_some() => &attributes.textured,
+                false => &attributes.full,
+            };
             let mut json = format!("{{\"attributes\":{{{list}}},\"indices\":{indices}");
             let material = match &mesh.columns().materials {
                 Some(labels) if group.label != NONE => {
@@ -188,7 +214,7 @@ impl<'a> File<'a> {
         if let Some(normals) = &columns.normals {
             let _ = write!(full, ",\"NORMAL\":{}", self.normals(split, normals));
         }
-        Ok(Attributes { loose, flat, full })
+        Ok(Attributes { loose, flat, textured: full.clone(), full })
     }
 
     /// Stores the normal of every vertex, +z where there is none.
@@ -239,59 +265,6 @@ impl<'a> File<'a> {
         }
     }
 
-    fn material(&mut self, labels: &'a FaceLabels, label: u32, has_uvs: bool) -> Result<usize, WriteError> {
-        let name = labels.names[label as usize].as_str();
-        let known = self.known.get(name).copied();
-        let has_images = known.is_some_and(|known| known.images.has_any());
-        let key = (name, has_uvs || !has_images);
-        if let Some(number) = self.material_numbers.get(&key) {
-            return Ok(*number);
-        }
-        let mut members = String::new();
-        if let Some(known) = known {
-            let Self { views, blob, textures, .. } = self;
-            let mut embed = |bytes: Vec<u8>| {
-                let length = bytes.len();
-                let offset = blob.push(bytes);
-                views.push(format!("{{\"buffer\":0,\"byteOffset\":{offset},\"byteLength\":{length}}}"));
-                views.len() - 1
-            };
-            members = material_members(known, textures.of_material(known, has_uvs, &mut embed)?);
-        }
-        self.materials.push(format!("{{\"name\":{}{members}}}", quoted(name)));
-        self.material_numbers.insert(key, self.materials.len() - 1);
-        Ok(self.materials.len() - 1)
-    }
-
-    /// The material of faces without one. Colours of vertices multiply its base colour.
-    fn fallback_material(&mut self, is_coloured: bool) -> Option<usize> {
-        if self.fallback == MaterialFallback::Omit {
-            return None;
-        }
-        let next = self.materials.len();
-        let number = *self.fallback_numbers[usize::from(is_coloured)].get_or_insert(next);
-        if number == next {
-            let (name, grey) = if is_coloured { ("default, coloured", 1.0) } else { ("default", 0.8) };
-            let reflection = FileReflection::MetallicRoughness {
-                base_colour: [grey; 3],
-                metallic: 0.0,
-                roughness: 0.6,
-                unlit: false,
-            };
-            let plastic = FileMaterial {
-                name: name.into(),
-                reflection,
-                opacity: None,
-                optics: FileOptics::default(),
-                textures: 0,
-                images: FileImages::default(),
-            };
-            let members = material_members(&plastic, MaterialTextures::default());
-            self.materials.push(format!("{{\"name\":{}{members}}}", quoted(name)));
-        }
-        Some(number)
-    }
-
     /// Stores indices in the smallest type of two or four bytes that has room; the largest value of each is forbidden.
     fn indices(&mut self, indices: Cow<'a, [u32]>, vertices: usize) -> usize {
         let format = |component| ElementFormat::vector(component, false, 1);
@@ -337,11 +310,13 @@ fn notes(parts: &[Part], unused: usize, omitted: Option<Note>) -> Vec<Note> {
     notes
 }
 
-/// The members of a primitive's `attributes`: of points and lines, of flat faces, of faces with normals.
+/// The members of a primitive's `attributes`: of points and lines, of flat faces, of faces with normals, and of those of them
+/// that have a normal texture.
 struct Attributes {
     loose: String,
     flat: String,
     full: String,
+    textured: String,
 }
 
 /// The value of every written vertex, `default` where it has none.
