@@ -1,11 +1,11 @@
 unknown = there is no experiment `{ $found }`; `crease artefact list` names them all
 unknown-but-similar = there is no experiment `{ $found }`; `crease artefact list` names them all (did you mean `{ $nearest }`?)
 not-taken = the experiment `{ $experiment }` has no { $name }; it takes { $takes }
-size-range = --size is { $found }; give 32 to 1024 pixels
-segments-range = --segments is { $found }; give a number from 3 to 1024
-light-range = --light is { $found }; give an angle from -180 to 180 degrees
-exponent-range = --exponent is { $found }; give a number from 0 to 1000000
-crease-range = --crease is { $found }; give an angle from 0 to 180 degrees
+size-range = --size is { $found }, out of range; give 32 to 1024 pixels
+segments-range = --segments is { $found }, out of range; give a number from 3 to 1024
+light-range = --light is { $found }, out of range; give an angle from -180 to 180 degrees
+exponent-range = --exponent is { $found }, out of range; give a number from 0 to 1000000
+crease-range = --crease is { $found }, out of range; give an angle from 0 to 180 degrees
 own-segments = --segments is { $found }; the experiment `{ $experiment }` takes { $least } to { $most }
 still = the experiment `{ $experiment }` has no animation; these have one: { $animated }
 not-visible = `{ $mesh }` covers no pixel of a picture of { $size } pixels; give a larger picture (--size), or a mesh whose faces have an area and are not seen from their edge

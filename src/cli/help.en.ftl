@@ -1,6 +1,6 @@
 # The help of the program, and of options that several verbs have.
 
-about = Mesh normals: compute them, split them at creases, write them back losslessly, draw what they look like
+about = Compute, check and draw mesh normals; change nothing else in a file
 threads = Threads to use; the output is the same for any number [default: one per processor]
 json = Report as JSON
 quiet = Report errors only
@@ -10,11 +10,17 @@ completions-about = Print a completion script for a shell
 completions-shell = The shell
 man-about = Print the manual page of the program, or of one verb
 man-verb = The verb; without it, the program
+completions-example-1 = crease completions bash > ~/.local/share/bash-completion/completions/crease
+completions-example-2 = crease completions zsh > ~/.zfunc/_crease
+completions-example-3 = crease completions fish > ~/.config/fish/completions/crease.fish
+man-example-1 = crease man > crease.1
+man-example-2 = crease man normals > crease-normals.1
+man-example-3 = crease man inspect | man -l -
 inputs = Files, folders (with --recursive), or `-` for standard input
 format = Format of the input [default: by content, else by name]
 recursive = Include all mesh files in folders and below, except hidden ones
 manifest = File that lists the inputs, or `-`: a path on each line, or an object with `input`, `output` and `options`
-shard = Share of the inputs, chosen by a hash of their names: 0/4 to 3/4 are together all inputs
+shard = Share of the inputs, chosen by a hash of their names: 0/4 to 3/4 together contain all inputs
 journal = Journal of the batch, a line of JSON for each file. A run with the same journal skips the files that are done, if their
     inputs, outputs and the options are unchanged
 retries = Further tries for files that cannot be read or written

@@ -29,17 +29,24 @@ const EXIT_CODES: &str = include_str!("exit_codes.txt");
 pub fn command() -> Command {
     let program = described(Cli::command(), &SHARED, "").after_help(EXIT_CODES.trim_end());
     let program = VERBS.iter().fold(program, |program, (verb, texts, syntax)| {
-        let examples = texts.list("example").into_iter();
-        let examples: String = examples.map(|text| format!("\n  {}", text.get(Language::English))).collect();
-        let short = format!("Examples:{examples}");
+        let short = examples(texts, "example");
         let long = format!("{syntax}\n{short}\n\n{EXIT_CODES}");
         program.mut_subcommand(verb, |command| {
             described(command, texts, "").after_help(short).after_long_help(long.trim().to_owned())
         })
     });
     ["completions", "man"].into_iter().fold(program, |program, verb| {
-        program.mut_subcommand(verb, |command| described(command, &SHARED, &format!("{verb}-")))
+        let examples = examples(&SHARED, &format!("{verb}-example"));
+        program.mut_subcommand(verb, |command| {
+            described(command, &SHARED, &format!("{verb}-")).after_help(examples)
+        })
     })
+}
+
+fn examples(texts: &Catalogue, stem: &str) -> String {
+    let examples = texts.list(stem).into_iter();
+    let lines: String = examples.map(|text| format!("\n  {}", text.get(Language::English))).collect();
+    format!("Examples:{lines}")
 }
 
 /// A command with its own help and that of its options, whose keys have a prefix.
@@ -140,7 +147,7 @@ mod tests {
             include_str!("plan/help.en.ftl"),
             include_str!("journal/help.en.ftl"),
         ];
-        for key in sources.into_iter().flat_map(keys).filter(|key| !key.starts_with("example-")) {
+        for key in sources.into_iter().flat_map(keys).filter(|key| !key.contains("example-")) {
             assert!(known.contains(key.trim_end_matches("-short")), "{key} is no option");
         }
         let texts = english(include_str!("common/values.en.ftl"));

@@ -76,15 +76,20 @@ fn refusal(error: &Error, verb: &str) -> (String, String) {
         ),
         ErrorKind::MissingSubcommand => ("no verb is given".into(), verbs),
         ErrorKind::MissingRequiredArgument => {
-            let missing = all(ContextKind::InvalidArg).join(" and ");
+            let missing = all(ContextKind::InvalidArg);
+            let verb = if missing.len() > 1 { "are" } else { "is" };
+            let missing = missing.join(" and ");
             let usage = one(ContextKind::Usage).replace("Usage:", "");
-            (format!("{missing} is required"), format!("usage: {}", usage.trim()))
+            (format!("{missing} {verb} required"), format!("usage: {}", usage.trim()))
         }
         ErrorKind::ArgumentConflict => {
             let others = all(ContextKind::PriorArg);
             let others: Vec<&str> = others.iter().map(|other| name(other)).collect();
             match &others[..] {
-                [] => (format!("{argument} cannot be used with other arguments"), String::new()),
+                [] => (
+                    format!("{argument} cannot be used with other arguments"),
+                    "omit the file and all other options".into(),
+                ),
                 [other] if *other == argument => {
                     (format!("{argument} is given twice"), "give it once".into())
                 }
@@ -102,7 +107,11 @@ fn refusal(error: &Error, verb: &str) -> (String, String) {
         ErrorKind::ValueValidation => {
             let reason = error.source().map(|source| expected(&source.to_string())).unwrap_or_default();
             let (reason, help) = reason.split_once(HELP).unwrap_or((&reason, &values));
-            (format!("wrong value {value:?} of {argument}: {reason}"), help.to_owned())
+            let found = match reason.strip_prefix(&format!("{value:?} ")) {
+                Some(reason) => format!("the value {value:?} of {argument} {reason}"),
+                None => format!("wrong value {value:?} of {argument}: {reason}"),
+            };
+            (found, help.to_owned())
         }
         _ => {
             let text = error.to_string();
@@ -183,7 +192,12 @@ mod tests {
             ("crease surface sphere --jitter x", "wrong value \"x\" of --jitter: expected a number / "),
             ("crease inspect a --only flat", "wrong value \"flat\" of --only: no finding has this id / "),
             ("crease stress x", "unexpected argument \"x\" / `crease stress --help` lists the arguments"),
-            ("crease inspect a --explain b", "--explain cannot be used with other arguments / "),
+            ("crease inspect a --explain b", "--explain cannot be used with other arguments / omit the file"),
+            ("crease surface", "--output <FILE> and <SURFACE> are required / "),
+            (
+                "crease inspect a --shard 4/4",
+                "the value \"4/4\" of --shard is not I/N with I from 0 to N − 1, such as 0/4 / ",
+            ),
         ] {
             assert!(said(line).starts_with(expected), "{line}: {}", said(line));
         }

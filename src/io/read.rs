@@ -175,7 +175,7 @@ fn other_format(bytes: &[u8]) -> Option<(&'static str, &'static str)> {
 fn unknown(bytes: &[u8]) -> ReadError {
     const FOUND: &str = "not a mesh file that crease reads (OBJ, PLY, STL, glTF, GLB, 3MF)";
     let (found, advice) = match other_format(bytes) {
-        _ if bytes.is_empty() => ("the file is empty".to_owned(), "name a mesh file"),
+        _ if bytes.is_empty() => ("the file is empty".to_owned(), "export it again"),
         Some((name, advice)) => (format!("{FOUND}; it starts like {name}"), advice),
         None => (FOUND.to_owned(), "choose its format with --format"),
     };

@@ -28,29 +28,27 @@ not-unit-normals-meaning =
     normalise, brightness changes by that factor, and highlights by the factor raised to the specular exponent.
 not-unit-normals-advice = Divide them by their length; their directions stay.
 
-loose-length-title = normals of nearly unit length
+loose-length-title = normals whose length is slightly off
 loose-length-meaning =
-    The length is off by more than 0.001, but not by more than 8-bit storage causes. Only a sharp highlight shows
-    it, in a renderer that does not normalise.
-loose-length-advice = No action needed, unless your renderer skips normalising: then compute them anew.
+    The length is off by more than 0.001, but by no more than 8-bit storage can cause. Only a sharp highlight shows it,
+    in a renderer that does not normalise.
+loose-length-advice = No action needed, unless your renderer skips normalising: then recompute them.
 
 inverted-normals-title = nearly all normals point against their faces
 inverted-normals-meaning =
     Over nine tenths of the corners have a normal on the back of their face. The mesh is black under light from the
     front and bright under light from behind.
-inverted-normals-advice =
-    Compute the normals anew; if the faces are reversed too, add `--orient outward` or `--flip`.
+inverted-normals-advice = Recompute the normals; if the faces are reversed too, add `--orient outward` or `--flip`.
 
 flipped-normals-title = normals that point opposite to the expected direction
 flipped-normals-meaning =
-    The normal is nearly the opposite of what the faces around its vertex give. The surface is dark there, with
+    The normal points nearly opposite to the average of the faces around its vertex. The surface is dark there, with
     bright fringes where interpolation passes through zero.
 flipped-normals-advice = Replace them by computed ones; the others stay unchanged.
 
 normals-against-face-title = normals that point behind their own face
 normals-against-face-meaning =
-    The normal is more than 95° from its face, and no sharp fold explains it. Light from behind the face reaches
-    parts of it.
+    The normal is more than 95° from its face, and no sharp fold explains it. Light from behind brightens parts of it.
 normals-against-face-advice = Replace them by computed ones, unless they are authored.
 
 constant-normals-title = all normals are equal, although the shape is curved
@@ -77,7 +75,7 @@ untransformed-normals-meaning =
     seems to come from another side, or slides over a scaled shape.
 untransformed-normals-advice = Compute them: they are then in the space of the mesh.
 
-stray-normals-title = single normals deviate from all others
+stray-normals-title = isolated normals deviate from all others
 stray-normals-meaning =
     They do not follow the recipe of the other normals, and no faces at the vertex explain them. The surface shows a
     dent or a bump that it does not have.
@@ -85,8 +83,8 @@ stray-normals-advice = Compute them with the weight and the crease angle of the 
 
 custom-normals-title = normals that no weighting reproduces
 custom-normals-meaning =
-    They were transferred from a finer mesh, manually edited, or made from marked edges. They are not wrong;
-    computing them anew would change the picture.
+    They were transferred from a finer mesh, manually edited, or made from marked edges. They are not wrong; recomputing
+    them would change the picture.
 custom-normals-advice = Keep them: `--when missing` and `--when broken` leave them unchanged.
 
 faceted-normals-title = flat normals on a smooth shape
@@ -94,8 +92,8 @@ faceted-normals-meaning =
     Every face has its own normal, although the dihedral angles of most edges are small. Each facet is visible, and
     each vertex is stored once for every face.
 faceted-normals-advice =
-    Compute smooth normals, unless the facets are intended. STL files store only facet normals: convert them to
-    another format.
+    Compute smooth normals, unless the facets are intended. An STL always looks faceted and is not reported: the format
+    stores facet normals only. Convert it to GLB: `crease normals part.stl -o part.glb`.
 
 soft-normals-title = smooth normals on a shape with sharp edges
 soft-normals-meaning =
@@ -108,13 +106,13 @@ coarse-normals-meaning =
     All of them lie on one grid: components of few decimals or bits, or octahedral codes. A narrow highlight moves
     in steps over smooth surfaces, and reflections look like hammered metal.
 coarse-normals-advice =
-    Compute them anew if the material is glossy, and store floats or 16-bit integers (`--normal-format` in glTF).
+    Recompute them if the material is glossy, and store floats or 16-bit integers (`--normal-format` in glTF).
 
 tangents-off-normals-title = tangents that do not match the normals
 tangents-off-normals-meaning =
     A tangent is perpendicular to its normal, has length 1, and its handedness is 1 or −1; these are not. Bumps of
     normal maps are lit from the wrong side, and seams are visible.
-tangents-off-normals-advice = Compute both anew.
+tangents-off-normals-advice = Recompute both.
 
 wrong-morph-normals-title = normals of morphed shapes that do not fit the shape
 wrong-morph-normals-meaning =
@@ -138,7 +136,7 @@ needless-seam-title = seams with equal normals on both sides
 needless-seam-meaning =
     Position, normal and texture coordinates are equal on both sides, but there are two vertices. No picture shows
     it; it costs memory, and tools that use indices do not smooth across it.
-needless-seam-advice = Merge the vertices with a tool for that; normals need no action.
+needless-seam-advice = Merge the vertices in a modelling program; normals need no action.
 
 cracked-seam-title = edges that are separated by the rounding of their vertices
 cracked-seam-meaning =
@@ -170,11 +168,11 @@ non-orientable-advice = Cut it open along a line, or draw it two-sided and with 
 
 inside-out-title = closed surfaces with reversed winding
 inside-out-meaning =
-    The signed volume has the wrong sign: negative for a solid, positive for a cavity in one. With back-face culling
-    one sees the far side from inside; lit, it is dark on the side of the light.
+    The signed volume has the wrong sign: negative for a solid, positive for a cavity in one. With back-face culling one
+    sees the far side from inside; with lighting, the side towards the light is dark.
 inside-out-advice = Reverse its faces, unless it is meant to be seen from inside.
 
-open-inside-out-title = open surfaces with the less visible side in front
+open-inside-out-title = open surfaces whose front is the less visible side
 open-inside-out-meaning =
     An open surface has no inside, but usually an outer side: the one from which more rays escape. With back-face
     culling one sees through the surface from outside.
@@ -203,15 +201,15 @@ faces-below-storage-advice =
 
 needle-faces-title = long, thin faces
 needle-faces-meaning =
-    They are less than a thousandth as wide as long. Rounding rotates their normals far, interpolation across them
-    is a jump, and in motion they flicker.
-needle-faces-advice = Mesh the surface with better-shaped faces at the source.
+    They are less than a thousandth as wide as long. Rounding rotates their normals by large angles, interpolated values
+    jump across them, and in motion they flicker.
+needle-faces-advice = Mesh the surface with better-shaped faces in the modelling program.
 
 duplicate-faces-title = duplicate faces
 duplicate-faces-meaning =
     They have the same corners in the same order. The two compete for each pixel where their shading differs, and
     smoothing stops at their edges.
-duplicate-faces-advice = Remove the copies at the source.
+duplicate-faces-advice = Remove the copies in the modelling program.
 
 back-to-back-faces-title = faces back to back with another face
 back-to-back-faces-meaning =
@@ -224,21 +222,21 @@ duplicate-vertices-meaning =
     Texture coordinates, colours, material and object are equal as well as the position, and no normals are stored.
     Programs that use indices shade the edge as a sharp one.
 duplicate-vertices-advice =
-    Merge the vertices with a tool for that, unless they mark sharp edges; crease smooths across them.
+    Merge the vertices in a modelling program, unless they mark sharp edges; crease smooths across them.
 
 non-planar-polygons-title = non-planar polygons
 non-planar-polygons-meaning =
     The choice of two triangles for a quad changes its shape and its shading, and programs choose differently.
-non-planar-polygons-advice = Triangulate them at the source, so that all programs agree.
+non-planar-polygons-advice = Triangulate them in the modelling program, so that all programs agree.
 
 concave-polygons-title = concave polygons
 concave-polygons-meaning =
     Programs that cut polygons into fans put triangles outside of them. One sees dark wedges and overlaps.
-concave-polygons-advice = Triangulate them at the source.
+concave-polygons-advice = Triangulate them in the modelling program.
 
 crossed-polygons-title = polygons with crossing edges
 crossed-polygons-meaning =
-    One part faces up and the other down, so there is no right normal for the whole. A part of it is lit from
+    One part faces up and the other down, so no single normal is correct for the whole polygon. A part of it is lit from
     behind.
 crossed-polygons-advice = Correct the order of their corners.
 
@@ -246,7 +244,7 @@ non-manifold-edges-title = edges with more than two faces
 non-manifold-edges-meaning =
     It is ambiguous which of the faces continue each other, so nothing is smoothed across. A crease is visible
     there.
-non-manifold-edges-advice = Separate the sheets at the source, if the line disturbs.
+non-manifold-edges-advice = Separate the sheets in the modelling program, if the line is not wanted.
 
 pinched-vertices-title = vertices where separate fans of faces touch
 pinched-vertices-meaning =
@@ -274,7 +272,7 @@ high-valence-poles-advice = Mesh the cap in another way, for example as a grid.
 far-from-origin-title = the mesh is far from the origin for its detail
 far-from-origin-meaning =
     Viewers store positions in 32 bits: at this distance few bits remain for the size of a face. Normals that are
-    computed there are wrong, and shading flickers even with right stored normals.
+    computed there are wrong, and shading flickers even with correct stored normals.
 far-from-origin-advice = Move the mesh to the origin and put the distance into its node.
 
 mirrored-node-title = a node that mirrors its mesh

@@ -221,7 +221,8 @@ fn search(facts: &Facts<'_>, nodes: &[&FileNode], found: &mut Found) -> Option<P
 /// Single normals are to be replaced by ones of the estimated recipe, or they would be outliers. If no recipe is known, the default
 /// one is as good as any.
 fn refine_remedies(facts: &Facts<'_>, found: &mut Found) {
-    let is_usual = |it: &Estimate| it.is_default() && facts.mesh.columns().smoothing.is_none();
+    let has_groups = facts.mesh.columns().smoothing.is_some();
+    let is_usual = |it: &Estimate| it.is_default() && !has_groups;
     let Some(estimate) = facts.estimate.filter(|it| it.fits_most() && !is_usual(it)) else { return };
     let replaced = [
         Kind::MissingNormals,
@@ -233,7 +234,7 @@ fn refine_remedies(facts: &Facts<'_>, found: &mut Found) {
     ];
     for kind in replaced {
         let own = kind.entry().remedy.unwrap_or_default();
-        found.tally(kind).remedy = Some(format!("{own} {}", estimate.options()));
+        found.tally(kind).remedy = Some(format!("{own} {}", estimate.options(has_groups)));
     }
 }
 

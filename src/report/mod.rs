@@ -48,7 +48,7 @@ mod plan;
 pub use animation::{Animation, ColourCount, Palette};
 pub use artefact::{
     chart_plot, experiment_page, experiment_sheet, index_page, list_table, mathml, measure_table, misses,
-    page_name, picture_name, running, spoken, verdict_text,
+    page_name, picture_name, running, spoken, verdict_sentence, verdict_text,
 };
 pub use diagnosis::{After, DiagnosisPage, HeatMap, Sight, heat_map};
 pub use error::ReportError;

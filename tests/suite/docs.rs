@@ -389,10 +389,12 @@ fn messages_and_texts_are_in_plain_words() {
         }
     };
     let code = |source: &str| source.split("#[cfg(test)]\nmod ").next().unwrap().to_owned();
-    for (name, source) in ["src", "tests", "benches"].map(|it| sources(&root().join(it), ".rs")).concat() {
+    let folders = ["src", "tests", "benches", "bindings/web/src", "bindings/python/src"];
+    for (name, source) in folders.map(|it| sources(&root().join(it), ".rs")).concat() {
         let [_, comments] = literals_and_comments(&source);
         comments.iter().for_each(|comment| check(&name, comment));
-        if name.starts_with("src/") && !name.ends_with("tests.rs") {
+        let is_read = name.starts_with("src/") || name.starts_with("bindings/");
+        if is_read && !name.ends_with("tests.rs") {
             literals_and_comments(&code(&source))[0].iter().for_each(|text| check(&name, text));
         }
     }
@@ -403,6 +405,11 @@ fn messages_and_texts_are_in_plain_words() {
     }
     for (name, text) in sources(&root().join("src"), ".txt") {
         text.lines().for_each(|line| check(&name, line));
+    }
+    for (folder, ending) in [("bindings/web/page", "en.json"), ("bindings/python/python", ".py")] {
+        for (name, text) in sources(&root().join(folder), ending) {
+            text.lines().for_each(|line| check(&name, line));
+        }
     }
     for (name, texts) in sources(&root().join("src"), ".en.ftl") {
         texts.lines().filter(|line| !line.starts_with('#')).for_each(|line| check(&name, line));

@@ -1,6 +1,6 @@
 # The help of `crease artefact`.
 
-about = Show the classic artefacts of shading, with numbers
+about = Draw and measure the classic artefacts of shading
 
     Each experiment states what textbooks claim, draws it, measures it, and compares the numbers with a formula or an
     independent check. It reports whether the claim holds and under what conditions it fails. With -o it writes a page with all

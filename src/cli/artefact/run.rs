@@ -14,7 +14,7 @@ use crate::cli::usage::usage_error;
 use crease::artefact::{ArtefactError, EXPERIMENTS, Experiment, Language, ParameterName, Setup, UserMesh};
 use crease::io::{Loaded, ReadOptions, shell_word};
 use crease::mesh::{Faces, Mesh, MeshBuilder};
-use crease::report::{list_table, measure_table, misses, verdict_text};
+use crease::report::{list_table, measure_table, misses, verdict_sentence};
 use rayon::prelude::*;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -188,10 +188,10 @@ fn print(run: &Run, files: Vec<String>, agrees: bool, args: &ArtefactArgs, conso
         let title = console.report_style.paint(Style::BOLD, experiment.title().get(language));
         let claim = experiment.claim();
         let claim = claim.get(language);
-        let [verdict, condition] = verdict_text(outcome, language);
+        let verdict = verdict_sentence(outcome, language);
         let numbers = measure_table(outcome, language).to_text();
         let files = if files.is_empty() { String::new() } else { format!("  → {}\n", files.join(", ")) };
-        format!("{title}\n  {claim}\n  {verdict}: {condition}\n{numbers}{files}")
+        format!("{title}\n  {claim}\n  {verdict}\n{numbers}{files}")
     });
 }
 

@@ -4,6 +4,7 @@ use super::console::{Console, HELP};
 use crease::io::{Place, Problem, ReadError};
 use crease::report::ReportError;
 use serde::{Serialize, Serializer};
+use std::io::{self, ErrorKind};
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, Once, PoisonError};
@@ -105,9 +106,32 @@ fn in_one_line<S: Serializer>(message: &str, serializer: S) -> Result<S::Ok, S::
 }
 
 impl From<anyhow::Error> for Failure {
+    /// An output that failed: in words of this program, without the name of a temporary file.
     fn from(error: anyhow::Error) -> Self {
-        Self::output(format!("{error:#}"))
+        let Some(cause) = error.chain().find_map(|cause| cause.downcast_ref::<io::Error>()) else {
+            return Self::output(format!("{error:#}"));
+        };
+        let contexts = error.chain().take_while(|cause| !cause.is::<io::Error>());
+        let mut parts: Vec<String> = contexts.map(ToString::to_string).collect();
+        let (reason, advice) = io_reason(cause);
+        parts.push(reason);
+        Self::output(format!("{}{HELP}{advice}", parts.join(": ")))
     }
+}
+
+/// Why the operating system refused, and the next step.
+pub fn io_reason(error: &io::Error) -> (String, &'static str) {
+    let (reason, advice) = match error.kind() {
+        ErrorKind::NotFound => ("there is no such file or folder", "check the path"),
+        ErrorKind::PermissionDenied => ("no permission", "check the permissions"),
+        ErrorKind::StorageFull => ("the disk is full", "make room, or choose another disk"),
+        ErrorKind::ReadOnlyFilesystem => ("the file system is read-only", "choose another folder"),
+        _ => {
+            let text = error.to_string();
+            return (text.split(" (os error ").next().unwrap_or_default().to_owned(), "check the path");
+        }
+    };
+    (reason.to_owned(), advice)
 }
 
 impl From<ReportError> for Failure {

@@ -88,9 +88,8 @@ pub type Key = (String, String, Option<String>);
 ///
 /// # Errors
 /// If the file cannot be read.
-pub fn entries(path: &Path) -> Result<(Vec<Entry>, usize)> {
-    let context = || format!("could not read the journal {}", path.display());
-    entries_of(&File::open(path).with_context(context)?).with_context(context)
+pub fn entries(path: &Path) -> std::io::Result<(Vec<Entry>, usize)> {
+    entries_of(&File::open(path)?)
 }
 
 fn entries_of(file: &File) -> std::io::Result<(Vec<Entry>, usize)> {

@@ -29,8 +29,8 @@ orient-consistent = neighbours agree; in each component the minority is reversed
 orient-outward = closed components face outward, cavities inward, rooms as their stored normals; open components face their
     outer side, if it is certain
 
-meshcompression-none = none: every program reads it
-meshcompression-meshopt = without loss by meshopt (EXT_meshopt_compression), which readers must know
+meshcompression-none = no compression: every program reads it
+meshcompression-meshopt = without loss by meshopt (EXT_meshopt_compression), which not every program reads
 
 tangentpolicy-auto = computed by MikkTSpace where normals change, from the texture coordinates of the normal or anisotropy
     texture. Without coordinates they stay if normals turn by less than 30°, else they are omitted with a warning
@@ -39,7 +39,7 @@ tangentpolicy-keep = kept unchanged
 tangentpolicy-regenerate = computed by MikkTSpace, also where normals do not change; omitted without coordinates
 
 materialfallback-default = light grey, not metallic, roughness 0.6; white if vertices have colours
-materialfallback-none = none: viewers then show a rough metal
+materialfallback-none = no material: viewers then show a rough metal
 
 upaxis-x = +x
 upaxis-y = +y
@@ -94,7 +94,7 @@ pattern-scattered = Delaunay triangles of random points (plane, wave, monkey-sad
 shading-flat = once a face
 shading-gouraud = at the corners; colours are interpolated (Gouraud 1971)
 shading-phong = at every sample; normals are interpolated (Phong 1973)
-shading-wireframe = nowhere: edges are drawn
+shading-wireframe = only edges are drawn
 shading-exact = at every sample, on the analytic surface of the object
 shading-traced = at every sample, with shadows, reflection and refraction (Whitted 1980)
 

@@ -74,16 +74,23 @@ fn run(jobs: &[Job], args: &InspectArgs, console: &Console) -> Exit {
         Ok(ledger) => ledger,
         Err(failure) => return refused("inspect", &failure, console),
     };
-    run_batch(console, &args.batch, &ledger, jobs, source, one, |job, (report, outcome), batch| {
-        batch.count(&report.input.path, &report.head);
-        if outcome.is_grave {
-            batch.exit = Exit::Findings;
-        }
-        if outcome.lacks_normals {
-            console.note(&format!("{}: {NO_DEVIATION}", report.input.path));
-        }
-        print(&report, &job.args, jobs.len() > 1, console);
-    })
+    let mut has_findings = false;
+    let exit =
+        run_batch(console, &args.batch, &ledger, jobs, source, one, |job, (report, outcome), batch| {
+            has_findings |= !report.findings.is_empty();
+            batch.count(&report.input.path, &report.head);
+            if outcome.is_grave {
+                batch.exit = Exit::Findings;
+            }
+            if outcome.lacks_normals {
+                console.note(&format!("{}: {NO_DEVIATION}", report.input.path));
+            }
+            print(&report, &job.args, jobs.len() > 1, console);
+        });
+    if has_findings && jobs.len() > 1 && console.verbosity == Verbosity::Normal {
+        console.text(|| "-v lists the findings of each file\n".to_owned());
+    }
+    exit
 }
 
 fn source(job: &Job) -> (&Source, Option<Format>) {

@@ -40,8 +40,12 @@ impl Layout {
         if self.hides_notes {
             hidden.note += std::mem::take(&mut shown.note);
         }
+        let pronoun = if hidden.error + hidden.warning + hidden.note == 1 { "it" } else { "them" };
         let (shown, hidden) = (self.counted(shown), self.counted(hidden));
-        let hint = if self.selects_by_severity { " (--severity note shows them)" } else { "" };
+        let hint = match self.selects_by_severity {
+            true => format!(" (--severity note shows {pronoun})"),
+            false => String::new(),
+        };
         let nothing = if self.selects_by_severity { "no errors or warnings" } else { "no selected findings" };
         let verdict = match (&*shown, &*hidden) {
             ("", "") => "No problems found.".into(),

@@ -77,4 +77,4 @@ light-short = Light, in place of all lights of the scene except ambient light
 material-short = Material of all objects
 weight-short = Weight of each face at a corner [default: angle]
 crease-short = Crease angle in degrees [default: 40 without smoothing groups]
-when-short = Stored normals to replace [default: all]
+when-short = Stored normals to replace [default: always]

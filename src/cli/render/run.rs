@@ -210,13 +210,27 @@ fn small(file: &SceneFile, drawings: &[Drawing]) -> Option<String> {
 fn framing_camera(file: &SceneFile) -> Option<String> {
     let [width, height] = file.settings.size.map(f64::from);
     let camera = file.scene().framing(width / height)?;
-    let vector = |at: DVec3| at.to_array().map(three_digits).join(",");
+    let distance = camera.eye.distance(camera.target);
+    let vector = |at: DVec3| at.to_array().map(|x| rounded_to(x, distance)).join(",");
     let (eye, target) = (vector(camera.eye), vector(camera.target));
     let angle = match camera.projection {
         Projection::Perspective(angle) => format!(" angle={}", three_digits(Degrees::from(angle).0)),
         Projection::Orthographic(_) => String::new(),
     };
     Some(format!("--camera 'eye={eye} target={target}{angle}'"))
+}
+
+/// A coordinate with the digits that matter at a distance: to a thousandth of its power of ten.
+fn rounded_to(x: f64, distance: f64) -> String {
+    let exponent = format!("{distance:e}").split_once('e').and_then(|(_, digits)| digits.parse().ok());
+    let decimals = 3 - exponent.unwrap_or(0_i32);
+    if decimals > 12 {
+        return if x.abs() < 1e-3 * distance { "0".to_owned() } else { three_digits(x) };
+    }
+    let decimals = decimals.max(0) as usize;
+    let text = format!("{x:.decimals$}");
+    let text = if decimals > 0 { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
 /// What brings something into the picture, if the cause does not say so itself.

@@ -1,6 +1,6 @@
 # The help of `crease stress`.
 
-about = Run the numerical extremes and print what holds
+about = Test numerical extremes and report which error bounds hold
 
     Each case computes something at the ends of the number range and compares it with exact arithmetic, or with the same formula
     in 256 bits. The table shows the worst error of `faithful` and of `fast` (of f64 and f32 where there is no such choice) next

@@ -31,6 +31,12 @@ struct Node {
     kind: Kind,
 }
 
+/// What is wrong, without the line and the column: the place has the offset in the file.
+fn without_position(error: &serde_json::Error) -> String {
+    let text = error.to_string();
+    text.rsplit_once(" at line ").map_or(text.as_str(), |(found, _)| found).to_owned()
+}
+
 /// A JSON text and the spans of its values.
 #[derive(Clone, Debug)]
 pub struct Json {
@@ -58,7 +64,7 @@ impl Json {
             error(Problem::Limit, at, found, "check where the file comes from")
         })?;
         serde_json::from_str::<IgnoredAny>(&text[begin..])
-            .map_err(|error| syntax(begin + offset_of(&error, &text[begin..]), error.to_string()))?;
+            .map_err(|error| syntax(begin + offset_of(&error, &text[begin..]), without_position(&error)))?;
         Ok(Json { text, nodes })
     }
 

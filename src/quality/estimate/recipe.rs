@@ -116,14 +116,14 @@ impl Estimate {
         }
     }
 
-    /// The recipe as options of `crease normals`.
-    pub fn options(&self) -> String {
+    /// The recipe as options of `crease normals`, for a mesh with or without smoothing groups.
+    pub fn options(&self, has_groups: bool) -> String {
         let mut options = match self.weight {
             Weight::Angle => String::new(),
             weight => format!("--weight {} ", weight.name()),
         };
         options.push_str(&format!("--crease {}", self.crease.0));
-        options.push_str(if self.groups { "" } else { " --groups ignore" });
+        options.push_str(if has_groups && !self.groups { " --groups ignore" } else { "" });
         options
     }
 

@@ -13,4 +13,4 @@ mod tests;
 
 pub use notation::{mathml, running, spoken};
 pub use page::{chart_plot, experiment_page, experiment_sheet, index_page, page_name, picture_name};
-pub use tables::{list_table, measure_table, misses, verdict_text};
+pub use tables::{list_table, measure_table, misses, verdict_sentence, verdict_text};

@@ -180,12 +180,17 @@ pub fn verdict_text(outcome: &Outcome, language: Language) -> [String; 2] {
     [text(key, language), condition.get(language).to_owned()]
 }
 
+/// The verdict as a sentence.
+pub fn verdict_sentence(outcome: &Outcome, language: Language) -> String {
+    let [name, condition] = verdict_text(outcome, language);
+    let colon = if matches!(outcome.verdict, Verdict::HoldsOnlyIf(_)) { "" } else { ":" };
+    format!("{name}{colon} {condition}")
+}
+
 /// The verdict as a sentence, with the first of its conditions.
 pub(super) fn verdict_in_short(outcome: &Outcome, language: Language) -> String {
-    let [name, condition] = verdict_text(outcome, language);
-    let first = condition.split_inclusive(". ").next().unwrap_or_default().trim_end();
-    let colon = if matches!(outcome.verdict, Verdict::HoldsOnlyIf(_)) { "" } else { ":" };
-    format!("{name}{colon} {first}")
+    let verdict = verdict_sentence(outcome, language);
+    verdict.split_inclusive(". ").next().unwrap_or_default().trim_end().to_owned()
 }
 
 #[cfg(test)]

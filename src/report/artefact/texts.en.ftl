@@ -56,7 +56,7 @@ effect-present =
     artefact is visible above { $from } ({ $why }). The cure must bring the quantity below this threshold or make it at
     least { $factor } times smaller.
 absent-below-threshold =
-    the artefact is not visible: { $name } is { $bad }, and the threshold is { $from } ({ $why }). { $shown-by }
+    the artefact is not visible ({ $name } is { $bad }; threshold { $from }, { $why }). { $shown-by }
 absent-in-pictures = the pictures do not show the artefact with these parameters ({ $name }: { $bad }). { $shown-by }
 shown-in = { $said } These pictures still show it in part: { $labels }.
 cure-fails =

@@ -56,7 +56,7 @@ effect-present =
     artefato acima de { $from } ({ $why }). A cura deve levar a grandeza para baixo desse limiar ou torná-la ao menos
     { $factor } vezes menor.
 absent-below-threshold =
-    o artefato não é visível: { $name } vale { $bad }, e o limiar é { $from } ({ $why }). { $shown-by }
+    o artefato não é visível ({ $name } vale { $bad }; limiar { $from }, { $why }). { $shown-by }
 absent-in-pictures = as imagens não mostram o artefato com estes parâmetros ({ $name }: { $bad }). { $shown-by }
 shown-in = { $said } Mesmo assim, estas imagens o mostram em parte: { $labels }.
 cure-fails =

@@ -226,7 +226,7 @@ fn severity_hides_findings_from_the_gate() {
     assert_eq!(code(&inspect(&["--fail-on", "note", &good])), 1);
     assert_eq!(code(&inspect(&["--fail-on", "note", "--severity", "error", &good])), 0);
     let said = |options: &[&str]| text(&inspect(&[options, &[&good]].concat()).stdout).to_owned();
-    let hidden = "good.obj: no errors or warnings; 1 note hidden (--severity note shows them)\n";
+    let hidden = "good.obj: no errors or warnings; 1 note hidden (--severity note shows it)\n";
     for options in [&["--severity", "error"][..], &[]] {
         assert!(said(options).contains(hidden) && !said(options).contains("no-normals"), "{}", said(options));
     }

@@ -43,7 +43,7 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
         };
         let severity = (count > 0 && !is_certain()).then_some(Severity::Note);
         let tally = edges.tally(finding);
-        tally.remedy = Some(estimate.options());
+        tally.remedy = Some(estimate.options(facts.mesh.columns().smoothing.is_some()));
         tally.may_be_meant = !restores;
         tally.severity = severity;
     }

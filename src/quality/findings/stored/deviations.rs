@@ -222,7 +222,8 @@ fn grade_by_recipe(
     }
     let faults = faults(found);
     let outliers = found.tally(Kind::Outlier);
-    outliers.remedy = estimate.map(|estimate| estimate.options());
+    let has_groups = facts.mesh.columns().smoothing.is_some();
+    outliers.remedy = estimate.map(|estimate| estimate.options(has_groups));
     // Computing all normals is no remedy if others were made in another way.
     outliers.may_be_meant = !is_departed_from || faults < 0.5 * unexplained;
 }
