@@ -6,7 +6,7 @@ use super::compare::{Difference, Metric};
 use super::decisions::{Described, Plan};
 use super::document::Document;
 use super::evidence::Evidence;
-use super::lights::{bound_combinations, replacements};
+use super::lights::replacements;
 use super::model_bounds::ModelBounds;
 use super::models::models_of;
 use super::options::PlanOptions;
@@ -91,8 +91,7 @@ fn find(
         let found = format!("{} objects have too many models together; open fewer axes", models.len());
         return Err(PlanError::Invalid(found));
     }
-    let mut lights = light_models(&whole, middle, is_open(Axis::Lights));
-    let is_bounded = bound_combinations(&mut lights);
+    let lights = light_models(&whole, middle, is_open(Axis::Lights));
     let (mut views, mut waiting) = views_of(&stage, &whole, options, middle)?;
     let limits = Limits {
         metric: options.metric,
@@ -140,9 +139,6 @@ fn find(
         plan.repairs = repairs;
         if files.is_some() {
             name_storage(&mut plan.decisions, &stage.units);
-        }
-        if is_bounded {
-            (plan.proven, plan.is_cheapest) = (0, false);
         }
         let found = outcome.found.as_ref().filter(|_| wants_evidence);
         let evidence = found.map(|found| described.evidence(&searches[best], found, &plan)).transpose()?;

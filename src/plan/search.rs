@@ -7,7 +7,8 @@
 
 use super::axes::ObjectModel;
 use super::compare::Difference;
-use super::cost::{Cost, Minimise, Sizes, object_cost};
+use super::cost::{Cost, Minimise, Sizes, light_class, object_cost};
+use super::light_tree::{LightTree, Next};
 use super::lights::LightChoice;
 use super::stage::PlanError;
 use super::trials::Trials;
@@ -59,6 +60,10 @@ pub struct Search<'a> {
     pub minimise: Minimise,
     /// The sizes of each unit, by what of a model they depend on.
     sizes: RefCell<HashMap<Shape, Sizes>>,
+    /// The least cost under lights of these classes.
+    least: RefCell<HashMap<Vec<(u64, bool)>, u64>>,
+    /// The model of each unit that passed all witnesses last.
+    survivors: RefCell<Vec<usize>>,
 }
 
 /// A unit, its cells, and whether its normals are split: what its sizes depend on.
@@ -70,7 +75,9 @@ type Ranked = (u64, u32, usize, Cost);
 impl<'a> Search<'a> {
     /// A search over everything that is listed.
     pub fn new(trials: Trials<'a>, models: &'a [Vec<ObjectModel>], minimise: Minimise) -> Self {
-        Self { trials, models, minimise, sizes: RefCell::default() }
+        let survivors = RefCell::new(vec![0; models.len()]);
+        let (sizes, least) = Default::default();
+        Self { trials, models, minimise, sizes, least, survivors }
     }
 
     /// Searches for a plan that is cheaper than the `best` one so far. Without one, that is the reference itself.
@@ -78,29 +85,32 @@ impl<'a> Search<'a> {
     /// # Errors
     /// What makes a picture impossible.
     pub fn run(&self, best: Option<&Found>) -> Result<Outcome, PlanError> {
-        let mut ranked: Vec<(u64, u32, LightChoice)> = Vec::new();
-        for choice in self.light_choices() {
-            let changes = choice.iter().filter(|&&number| number > 0).count() as u32;
-            ranked.push((self.least(&choice)?, changes + u32::from(self.has_fewer_samples()), choice));
+        let key = |found: &Found| (found.cost.of(self.minimise), found.changes);
+        let start = match best {
+            None => Some(self.reference()?),
+            Some(best) => self.verified(best.models.clone(), best.lights.clone())?,
+        };
+        let mut found = start.map(|start| self.descend(start)).transpose()?;
+        // Of plans with the same cost and as many changes the search decides, so that they do not depend on the descent.
+        let mut most = found.as_ref().map_or((u64::MAX, u32::MAX), |found| (key(found).0, key(found).1 + 1));
+        if let Some(best) = best {
+            most = most.min(key(best));
+            found = found.filter(|found| key(found) < key(best));
         }
-        ranked.sort_unstable();
-        let models = self.models.iter().map(|list| list.len() as f64);
-        let combinations = ranked.len() as f64 * models.product::<f64>();
-        let mut found = if best.is_none() { Some(self.reference()?) } else { None };
-        let cost = |found: &Found| (found.cost.of(self.minimise), found.changes);
-        let mut most = best.or(found.as_ref()).map_or((u64::MAX, u32::MAX), cost);
+        let mut tree = LightTree::new(self, self.has_fewer_samples().into())?;
         let mut open = u64::MAX;
-        for (least, changes, choice) in &ranked {
-            if *least > most.0 {
-                break;
-            }
-            if self.trials.is_spent() {
-                open = *least;
-                break;
-            }
-            match self.cheapest(choice, &self.ranked(choice)?, *changes, most)? {
+        loop {
+            let (changes, choice) = match tree.next(self, most)? {
+                Next::Choice(changes, choice) => (changes, choice),
+                Next::Nothing => break,
+                Next::Spent(least) => {
+                    open = least;
+                    break;
+                }
+            };
+            match self.cheapest(&choice, &self.ranked(&choice)?, changes, most)? {
                 Step::Found(better) => {
-                    most = cost(&better);
+                    most = key(&better);
                     found = Some(*better);
                 }
                 Step::Nothing => {}
@@ -110,12 +120,39 @@ impl<'a> Search<'a> {
                 }
             }
         }
+        let numbers = self.models.iter().map(Vec::len).chain(self.trials.lights.iter().map(Vec::len));
+        let combinations = numbers.map(|count| count as f64).product::<f64>().min(f64::MAX);
         let (drawn, refused) = (self.trials.drawn(), self.trials.refused());
         Ok(Outcome { proven: open.min(most.0), found, drawn, combinations, refused })
     }
 
+    /// Whether each model of some unit is refused at a pixel, with all choices of the `allowed` replacements of lights.
+    ///
+    /// # Errors
+    /// What makes a picture impossible.
+    pub fn is_refuted(&self, allowed: &[Vec<usize>]) -> Result<bool, PlanError> {
+        if !self.trials.adds_lights() {
+            return Ok(false);
+        }
+        for (unit, models) in self.models.iter().enumerate() {
+            // The last one that was not refused comes first, since a small change of lights refuses few others.
+            let last = self.survivors.borrow()[unit];
+            let others = (0..models.len()).filter(|&number| number != last);
+            let mut survivor = None;
+            for number in std::iter::once(last).chain(others) {
+                if self.trials.least_error((unit, number), &models[number], allowed)? == 0.0 {
+                    survivor = Some(number);
+                    break;
+                }
+            }
+            let Some(survivor) = survivor else { return Ok(true) };
+            self.survivors.borrow_mut()[unit] = survivor;
+        }
+        Ok(false)
+    }
+
     /// Whether pictures have fewer samples than those of the reference.
-    fn has_fewer_samples(&self) -> bool {
+    pub(super) fn has_fewer_samples(&self) -> bool {
         self.trials.stage.settings.samples != self.trials.views[0].truth.samples()
     }
 
@@ -135,7 +172,12 @@ impl<'a> Search<'a> {
         models.iter().enumerate().map(|(unit, model)| self.unit_cost(unit, model, &lights)).sum()
     }
 
-    fn unit_cost(&self, unit: usize, model: &ObjectModel, lights: &[Light]) -> Result<Cost, PlanError> {
+    pub(super) fn unit_cost(
+        &self,
+        unit: usize,
+        model: &ObjectModel,
+        lights: &[Light],
+    ) -> Result<Cost, PlanError> {
         let Trials { stage, views, .. } = self.trials;
         let key = (unit, model.segments, model.normals.is_none_or(|normals| normals.creases));
         let known = self.sizes.borrow().get(&key).copied();
@@ -156,23 +198,17 @@ impl<'a> Search<'a> {
             || matches!(self.trials.views[0].camera.projection, Projection::Orthographic(_))
     }
 
-    /// All combinations of replacements of lights.
-    fn light_choices(&self) -> Vec<LightChoice> {
-        let mut choices = vec![Vec::new()];
-        for models in self.trials.lights {
-            choices = choices
-                .into_iter()
-                .flat_map(|choice| {
-                    (0..models.len()).map(move |number| choice.iter().copied().chain([number]).collect())
-                })
-                .collect();
-        }
-        choices
-    }
-
     /// No plan with these lights costs less than this.
-    fn least(&self, choice: &LightChoice) -> Result<u64, PlanError> {
+    ///
+    /// # Errors
+    /// What makes the changed scene unreadable.
+    pub fn least(&self, choice: &LightChoice) -> Result<u64, PlanError> {
         let lights = self.trials.lights_of(&self.trials.views[0], choice);
+        let mut classes: Vec<(u64, bool)> = lights.iter().map(light_class).collect();
+        classes.sort_unstable();
+        if let Some(&known) = self.least.borrow().get(&classes) {
+            return Ok(known);
+        }
         let mut sum = 0;
         for (unit, models) in self.models.iter().enumerate() {
             let mut least = u64::MAX;
@@ -181,6 +217,7 @@ impl<'a> Search<'a> {
             }
             sum += least;
         }
+        self.least.borrow_mut().insert(classes, sum);
         Ok(sum)
     }
 

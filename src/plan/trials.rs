@@ -6,6 +6,7 @@ use super::lights::LightChoice;
 use super::model_bounds::ModelBounds;
 use super::stage::{PlanError, Stage};
 use super::views::View;
+use super::witnesses::Witnesses;
 use crate::mesh::NONE;
 use crate::raster::Image;
 use crate::shade::Light;
@@ -84,29 +85,12 @@ pub struct Trials<'a> {
     counts: &'a Counts,
     known: RefCell<HashMap<(usize, usize, LightChoice), bool>>,
     log: RefCell<Vec<Trial>>,
-    /// Pixels at which models of a unit with these cells were refused: most others fail there too. The latest comes first.
-    witnesses: RefCell<Witnesses>,
+    /// Pixels at which models were refused.
+    pub(super) witnesses: Witnesses,
 }
-
-/// A pixel of a view of which all samples show one face.
-#[derive(Clone, Copy, Debug)]
-struct Witness {
-    view: usize,
-    pixel: [u32; 2],
-    face: (usize, u32),
-}
-
-/// The witnesses of each unit, by its cells.
-type Witnesses = HashMap<(usize, Option<[u32; 2]>), Vec<Witness>>;
 
 /// The largest difference of a plan with the number of its view, and the largest distance of outlines.
 pub type Worst = ((Difference, usize), f64);
-
-/// Pixels of the tile that is drawn for a witness.
-const TILE: u64 = 64 * 64;
-
-/// Most witnesses of a unit.
-const WITNESSES: usize = 12;
 
 impl<'a> Trials<'a> {
     /// Of the models of a scene.
@@ -175,7 +159,7 @@ impl<'a> Trials<'a> {
         let is_bounded = bound.is_some_and(|bound| bound <= self.limits.tolerance);
         let mut is_within = true;
         if !is_bounded {
-            let mut error = self.error_at_witness(unit, model, choice)?;
+            let mut error = self.error_at_witness((unit, number), model, choice)?;
             is_within = error <= self.limits.tolerance;
             for view in 0..self.views.len() {
                 if is_within {
@@ -189,57 +173,6 @@ impl<'a> Trials<'a> {
         self.counts.refused.set(self.counts.refused.get() + u64::from(!is_within));
         self.known.borrow_mut().insert(key, is_within);
         Ok(is_within)
-    }
-
-    /// The difference of a model at a pixel where others were beyond the tolerance: that takes a face, not a picture. 0 if it is within the
-    /// tolerance at all of them.
-    fn error_at_witness(
-        &self,
-        unit: usize,
-        model: &ObjectModel,
-        choice: &LightChoice,
-    ) -> Result<f64, PlanError> {
-        // With a share, one pixel refuses nothing.
-        if self.limits.share > 0.0 {
-            return Ok(0.0);
-        }
-        let key = (unit, model.segments);
-        let list = self.witnesses.borrow().get(&key).cloned().unwrap_or_default();
-        for (number, witness) in list.iter().enumerate() {
-            let view = &self.views[witness.view];
-            let lights = self.lights_of(view, choice);
-            let at = (witness.face, witness.pixel);
-            let colour = self.stage.colour_of_face((unit, model), &lights, &view.camera, at)?;
-            let [width, height] = self.stage.settings.size.map(u64::from);
-            self.count((width * height).min(TILE));
-            let steps = view.truth.steps_at(witness.pixel, colour);
-            if steps > self.limits.tolerance {
-                if let Some(list) = self.witnesses.borrow_mut().get_mut(&key) {
-                    list[..=number].rotate_right(1);
-                }
-                return Ok(steps);
-            }
-        }
-        Ok(0.0)
-    }
-
-    /// Remembers a pixel at which a model was refused.
-    fn add_witness(
-        &self,
-        view: usize,
-        unit: usize,
-        model: &ObjectModel,
-        pixel: [u32; 2],
-    ) -> Result<(), PlanError> {
-        let camera = &self.views[view].camera;
-        let face = self.stage.face_at((unit, model), camera, pixel)?;
-        if let Some(face) = face {
-            let mut witnesses = self.witnesses.borrow_mut();
-            let list = witnesses.entry((unit, model.segments)).or_default();
-            list.insert(0, Witness { view, pixel, face });
-            list.truncate(WITNESSES);
-        }
-        Ok(())
     }
 
     /// The largest difference of a model in a view, and whether it is within the limits.
@@ -303,7 +236,7 @@ impl<'a> Trials<'a> {
     }
 
     /// Counts drawn pixels.
-    fn count(&self, pixels: u64) {
+    pub(super) fn count(&self, pixels: u64) {
         self.counts.drawn.set(self.counts.drawn.get() + pixels);
         (self.progress)((self.counts.drawn.get() as f64 / self.limits.budget.max(1) as f64).min(1.0));
     }
@@ -320,6 +253,12 @@ impl<'a> Trials<'a> {
             let (difference, distance) = self.measure(view, models, choice)?;
             if !self.limits.accept(view, &difference, distance) {
                 log(difference.by(metric), false);
+                let [x, y] = difference.pixel;
+                let object = view.truth.image.index(x, y).map_or(NONE, |pixel| view.object_of[pixel]);
+                if difference.beyond > 0 && object != NONE {
+                    let unit = self.stage.unit_of(object);
+                    self.add_witness(number, unit, &models[unit], difference.pixel)?;
+                }
                 return Ok(None);
             }
             if difference.by(metric) > worst.0.by(metric) {
