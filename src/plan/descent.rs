@@ -42,6 +42,7 @@ impl Search<'_> {
                 continue;
             };
             found = better;
+            self.note(0, found.cost.of(self.minimise));
             match step {
                 Step::Object(unit, ..) => steps[unit] = self.object_steps(unit, &found)?,
                 Step::Light(..) => {

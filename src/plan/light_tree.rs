@@ -59,6 +59,7 @@ impl LightTree {
             if search.trials.is_spent() {
                 return Ok(Next::Spent(least));
             }
+            search.note(least, most.0);
             self.remove_impossible(search)?;
             let now = self.least(search, &choice)?;
             if now > least {

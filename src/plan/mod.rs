@@ -55,9 +55,11 @@ pub use apply::{AXES_OF_FILES, Applied, AppliedFile, FileSize, Home, Reference, 
 pub use axes::{Axis, LightModel, Normals, ObjectModel, Source, Terms};
 pub use compare::{Difference, Metric};
 pub use cost::{Cost, Minimise};
-pub use decisions::{Decision, Plan};
+pub use decisions::{Decision, Plan, limit};
 pub use evidence::{Comparison, Evidence, Refusal, Tried};
-pub use options::PlanOptions;
+pub use options::{PlanOptions, Progress};
 pub use planned::{plan, plan_with_evidence};
-pub use source::{most_accurate, scene_text, with_size};
+pub use search::End;
+pub use source::{most_accurate, scene_text, with_mesh_names, with_size};
 pub use stage::PlanError;
+pub use views::{Place, TurnOfLights};

@@ -79,5 +79,14 @@ impl PlanOptions {
     }
 }
 
+/// How far a search is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    /// The share of the cost of the best plan that is proven, or of the budget that is used up, whichever is larger; 1 at the end.
+    pub share: f64,
+    /// The cost of the best plan, as a share of the declared cost.
+    pub best: f64,
+}
+
 /// Most seconds of a search: thirty years.
 const MOST_SECONDS: f64 = 1e9;

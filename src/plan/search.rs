@@ -14,7 +14,7 @@ use super::stage::PlanError;
 use super::trials::Trials;
 use crate::raster::Projection;
 use crate::shade::Light;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap, HashSet};
 
@@ -35,16 +35,36 @@ pub struct Found {
     pub changes: u32,
 }
 
-/// How a search ended.
+/// Why a search ended.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[serde(tag = "reason", rename_all = "lowercase")]
+pub enum End {
+    /// All cheaper plans are refused.
+    Proven,
+    /// The budget is used up.
+    Budget {
+        /// Most pixels to draw.
+        pixels: u64,
+    },
+    /// The time is used up, so the plan depends on the machine.
+    Time {
+        /// Most seconds to search.
+        seconds: f64,
+    },
+}
+
+/// What a search has found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
+    /// Why it ended.
+    pub end: End,
     /// The cheapest plan; `None` if none is cheaper than the best one before.
     pub found: Option<Found>,
     /// No plan costs less than this; the cost of the best plan if it is proven cheapest.
     pub proven: u64,
     /// Pixels drawn.
     pub drawn: u64,
-    /// Combinations of models in all.
+    /// Combinations of models in all; the largest finite number if there are more.
     pub combinations: f64,
     /// Models that were drawn and refused.
     pub refused: u64,
@@ -64,6 +84,8 @@ pub struct Search<'a> {
     least: RefCell<HashMap<Vec<(u64, bool)>, u64>>,
     /// The model of each unit that passed all witnesses last.
     survivors: RefCell<Vec<usize>>,
+    /// The declared cost.
+    declared: Cell<u64>,
 }
 
 /// A unit, its cells, and whether its normals are split: what its sizes depend on.
@@ -76,8 +98,8 @@ impl<'a> Search<'a> {
     /// A search over everything that is listed.
     pub fn new(trials: Trials<'a>, models: &'a [Vec<ObjectModel>], minimise: Minimise) -> Self {
         let survivors = RefCell::new(vec![0; models.len()]);
-        let (sizes, least) = Default::default();
-        Self { trials, models, minimise, sizes, least, survivors }
+        let (sizes, least, declared) = Default::default();
+        Self { trials, models, minimise, sizes, least, survivors, declared }
     }
 
     /// Searches for a plan that is cheaper than the `best` one so far. Without one, that is the reference itself.
@@ -85,6 +107,7 @@ impl<'a> Search<'a> {
     /// # Errors
     /// What makes a picture impossible.
     pub fn run(&self, best: Option<&Found>) -> Result<Outcome, PlanError> {
+        self.declared.set(self.reference()?.cost.of(self.minimise));
         let key = |found: &Found| (found.cost.of(self.minimise), found.changes);
         let start = match best {
             None => Some(self.reference()?),
@@ -123,7 +146,13 @@ impl<'a> Search<'a> {
         let numbers = self.models.iter().map(Vec::len).chain(self.trials.lights.iter().map(Vec::len));
         let combinations = numbers.map(|count| count as f64).product::<f64>().min(f64::MAX);
         let (drawn, refused) = (self.trials.drawn(), self.trials.refused());
-        Ok(Outcome { proven: open.min(most.0), found, drawn, combinations, refused })
+        let end = if open == u64::MAX { End::Proven } else { self.trials.spent().unwrap_or(End::Proven) };
+        Ok(Outcome { end, proven: open.min(most.0), found, drawn, combinations, refused })
+    }
+
+    /// Notes the costs that are proven and found, for the progress.
+    pub(super) fn note(&self, proven: u64, best: u64) {
+        self.trials.note(proven, best, self.declared.get());
     }
 
     /// Whether each model of some unit is refused at a pixel, with all choices of the `allowed` replacements of lights.

@@ -4,6 +4,8 @@ use super::axes::{LightModel, ObjectModel};
 use super::compare::{Difference, Metric, outline_distance};
 use super::lights::LightChoice;
 use super::model_bounds::ModelBounds;
+use super::options::Progress;
+use super::search::End;
 use super::stage::{PlanError, Stage};
 use super::views::View;
 use super::witnesses::Witnesses;
@@ -29,6 +31,8 @@ pub struct Limits {
     pub budget: u64,
     /// When the search ends.
     pub deadline: Option<Instant>,
+    /// Most seconds until then.
+    pub seconds: f64,
 }
 
 impl Limits {
@@ -53,6 +57,10 @@ pub struct Counts {
     drawn: Cell<u64>,
     /// Models that were refused.
     refused: Cell<u64>,
+    /// The share of the cost of the best plan that is proven.
+    proven: Cell<f64>,
+    /// The cost of the best plan as a share of the declared one.
+    best: Cell<Option<f64>>,
 }
 
 /// Models that were drawn and compared.
@@ -80,8 +88,8 @@ pub struct Trials<'a> {
     pub limits: Limits,
     /// Bounds on the difference of models, where they hold.
     pub bounds: Option<ModelBounds<'a>>,
-    /// Called with the share of the budget that is used up.
-    progress: &'a dyn Fn(f64),
+    /// Called after each picture.
+    progress: &'a dyn Fn(Progress),
     counts: &'a Counts,
     known: RefCell<HashMap<(usize, usize, LightChoice), bool>>,
     log: RefCell<Vec<Trial>>,
@@ -101,7 +109,7 @@ impl<'a> Trials<'a> {
         limits: Limits,
         bounds: Option<ModelBounds<'a>>,
         counts: &'a Counts,
-        progress: &'a dyn Fn(f64),
+        progress: &'a dyn Fn(Progress),
     ) -> Self {
         let (known, log, witnesses) = Default::default();
         Self { stage, views, lights, limits, bounds, progress, counts, known, log, witnesses }
@@ -124,8 +132,16 @@ impl<'a> Trials<'a> {
 
     /// Whether the budget or the time is used up.
     pub fn is_spent(&self) -> bool {
-        self.counts.drawn.get() > self.limits.budget
-            || self.limits.deadline.is_some_and(|deadline| Instant::now() > deadline)
+        self.spent().is_some()
+    }
+
+    /// What is used up. If it is the time, the plan depends on the machine, with or without the budget.
+    pub fn spent(&self) -> Option<End> {
+        let Limits { budget, deadline, seconds, .. } = self.limits;
+        if deadline.is_some_and(|deadline| Instant::now() > deadline) {
+            return Some(End::Time { seconds });
+        }
+        (self.counts.drawn.get() > budget).then_some(End::Budget { pixels: budget })
     }
 
     /// The lights of a view with a choice: all declared ones where no light has replacements.
@@ -238,7 +254,17 @@ impl<'a> Trials<'a> {
     /// Counts drawn pixels.
     pub(super) fn count(&self, pixels: u64) {
         self.counts.drawn.set(self.counts.drawn.get() + pixels);
-        (self.progress)((self.counts.drawn.get() as f64 / self.limits.budget.max(1) as f64).min(1.0));
+        let used = self.counts.drawn.get() as f64 / self.limits.budget.max(1) as f64;
+        let (proven, best) = (self.counts.proven.get(), self.counts.best.get());
+        (self.progress)(Progress { share: used.max(proven).min(1.0), best: best.unwrap_or(1.0) });
+    }
+
+    /// Notes the costs that are proven and found, for the progress.
+    pub(super) fn note(&self, proven: u64, best: u64, declared: u64) {
+        let share = |part: u64, whole: u64| (part as f64 / whole.max(1) as f64).min(1.0);
+        self.counts.proven.set(share(proven, best));
+        self.counts.best.set(Some(share(best, declared)));
+        self.count(0);
     }
 
     /// The largest difference of a whole plan with its view, and the largest distance of outlines; `None` if it is not within the limits.
