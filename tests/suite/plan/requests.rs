@@ -172,7 +172,7 @@ fn a_spent_budget_gives_the_best_plan_so_far() {
     let options = only(&[Axis::Shading, Axis::Interpolation, Axis::Reflection, Axis::Lights], 2.0);
     let whole = planned(SCENE, &options);
     assert!(whole.gap == 0.0 && whole.planned.work < whole.declared.work);
-    let budget = 80 * 60 * 12;
+    let budget = whole.drawn * 3 / 4;
     let plan = planned(SCENE, &PlanOptions { budget, ..options.clone() });
     assert_eq!(plan.end, End::Budget { pixels: budget });
     assert!(plan.planned.work < plan.declared.work, "{:?}", plan.decisions);
@@ -189,7 +189,7 @@ fn a_spent_budget_gives_the_best_plan_so_far() {
 #[test]
 fn progress_ends_with_the_plan() {
     let steps = std::cell::RefCell::new(Vec::new());
-    let options = only(&[Axis::Shading, Axis::Interpolation], 2.0);
+    let options = only(&[Axis::Interpolation, Axis::Lights], 9.0);
     let note = |step: Progress| steps.borrow_mut().push(step);
     let plan = plan(SCENE, Path::new(""), &LoadOptions::default(), &options, &note).unwrap();
     let steps = steps.into_inner();
