@@ -79,6 +79,24 @@ impl PlanOptions {
     }
 }
 
+/// Why a search ended.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[serde(tag = "reason", rename_all = "lowercase")]
+pub enum End {
+    /// All cheaper plans are refused.
+    Proven,
+    /// The budget is used up.
+    Budget {
+        /// Most pixels to draw.
+        pixels: u64,
+    },
+    /// The time is used up, so the plan depends on the machine.
+    Time {
+        /// Most seconds to search.
+        seconds: f64,
+    },
+}
+
 /// How far a search is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {

@@ -10,6 +10,7 @@ use super::compare::Difference;
 use super::cost::{Cost, Minimise, Sizes, light_class, object_cost};
 use super::light_tree::{LightTree, Next};
 use super::lights::LightChoice;
+use super::options::End;
 use super::stage::PlanError;
 use super::trials::Trials;
 use crate::raster::Projection;
@@ -33,24 +34,6 @@ pub struct Found {
     pub outline: f64,
     /// The number of changes.
     pub changes: u32,
-}
-
-/// Why a search ended.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
-#[serde(tag = "reason", rename_all = "lowercase")]
-pub enum End {
-    /// All cheaper plans are refused.
-    Proven,
-    /// The budget is used up.
-    Budget {
-        /// Most pixels to draw.
-        pixels: u64,
-    },
-    /// The time is used up, so the plan depends on the machine.
-    Time {
-        /// Most seconds to search.
-        seconds: f64,
-    },
 }
 
 /// What a search has found.

@@ -166,7 +166,7 @@ fn about(combinations: f64) -> String {
     match combinations {
         few if few < 1e7 => format!("{few:.0}"),
         f64::MAX => "more than 10^308".to_owned(),
-        many => format!("about 10^{:.0}", libm::log10(many)),
+        many => format!("about {}", three_digits(many)),
     }
 }
 
