@@ -30,16 +30,8 @@ mod spread;
 mod model_bounds;
 // Views of the reference: cameras around a scene, with lights that turn.
 mod views;
-// Pictures of models, compared with the reference.
-mod trials;
-// Pixels at which models were refused, and the light of each lamp there.
-mod witnesses;
-// Choices of lights in the order of their costs.
-mod light_tree;
 // The search.
 pub mod search;
-// A first plan, found step by step.
-mod descent;
 // The decisions of a plan, and the planned text.
 mod decisions;
 // Pictures of a plan and of refused steps.

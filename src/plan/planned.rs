@@ -10,9 +10,9 @@ use super::lights::replacements;
 use super::model_bounds::ModelBounds;
 use super::models::models_of;
 use super::options::{End, PlanOptions, Progress};
+use super::search::trials::{Counts, Limits, Trials};
 use super::search::{Outcome, Search};
 use super::stage::{PlanError, Stage};
-use super::trials::{Counts, Limits, Trials};
 use super::views::{Place, Turn, View, around};
 use crate::num::Degrees;
 use crate::raster::{Camera, LoadOptions, Samples, SceneFile, Shading, default_lights};
@@ -215,14 +215,17 @@ fn cheapest(searches: &[Search]) -> Result<(usize, Outcome), PlanError> {
     Ok((best, outcome))
 }
 
+/// The difference in a view that a plan was not found with, and the view.
+type Held = (Difference, Place);
+
 /// The largest difference of a plan in views that it was not found with, and the number of the worst view that is beyond the limits.
 fn verify(
     trials: &Trials,
     views: &[View],
     outcome: &Outcome,
-) -> Result<(Option<(Difference, Place)>, Option<usize>), PlanError> {
+) -> Result<(Option<Held>, Option<usize>), PlanError> {
     let metric = trials.limits.metric;
-    let mut largest: Option<(Difference, Place)> = None;
+    let mut largest: Option<Held> = None;
     let mut failing: Option<(f64, usize)> = None;
     for (number, view) in views.iter().enumerate() {
         let Some(found) = &outcome.found else { continue };

@@ -3,41 +3,15 @@
 //! Light is a sum over lights. So the colour of such a pixel under any choice of lights follows from its colours under each light
 //! alone, and a model fails under all choices at once if the smallest or the largest sum is beyond the tolerance.
 
-use super::axes::ObjectModel;
-use super::compare::Metric;
-use super::lights::LightChoice;
-use super::stage::PlanError;
 use super::trials::Trials;
+use super::witnesses::{Colours, Witness};
+use crate::plan::axes::ObjectModel;
+use crate::plan::compare::Metric;
+use crate::plan::lights::LightChoice;
+use crate::plan::stage::PlanError;
 use crate::shade::{Guards, ToneRule};
-use std::cell::{Cell, RefCell};
-use std::collections::HashMap;
+use std::cell::RefCell;
 use std::rc::Rc;
-
-/// A pixel of a view of which all samples show one face.
-#[derive(Clone, Copy, Debug)]
-struct Witness {
-    /// Its number among all of them.
-    number: usize,
-    view: usize,
-    pixel: [u32; 2],
-    face: (usize, u32),
-}
-
-/// Those of all units.
-#[derive(Default)]
-pub struct Witnesses {
-    /// Of a unit with these cells. The latest comes first.
-    lists: RefCell<HashMap<(usize, Option<[u32; 2]>), Vec<Witness>>>,
-    count: Cell<usize>,
-    /// Colours of models, by unit, number of the model and number of the witness.
-    colours: RefCell<HashMap<(usize, usize, usize), Rc<Colours>>>,
-}
-
-/// The linear colours of a pixel without light, and under each replacement of each light alone, as they are needed.
-struct Colours {
-    dark: [f32; 3],
-    lit: RefCell<Vec<Vec<Option<[f32; 3]>>>>,
-}
 
 /// Pixels of the tile that is drawn for a witness.
 const TILE: u64 = 64 * 64;
@@ -47,13 +21,6 @@ const MOST_WITNESSES: usize = 24;
 
 /// Most models and witnesses whose colours are kept.
 const MOST_COLOURS: usize = 1 << 17;
-
-impl Witnesses {
-    /// How many were found so far.
-    pub fn count(&self) -> usize {
-        self.count.get()
-    }
-}
 
 impl Trials<'_> {
     /// Whether colours are sums over lights up to the tone rule, and there are choices.
@@ -69,7 +36,7 @@ impl Trials<'_> {
     }
 
     /// The difference of a model at a pixel where others were beyond the tolerance; 0 if it is within the tolerance at all of them.
-    pub(super) fn error_at_witness(
+    pub(in crate::plan) fn error_at_witness(
         &self,
         (unit, number): (usize, usize),
         model: &ObjectModel,
@@ -202,7 +169,7 @@ impl Trials<'_> {
     }
 
     /// Remembers a pixel at which a model was refused.
-    pub(super) fn add_witness(
+    pub(in crate::plan) fn add_witness(
         &self,
         view: usize,
         unit: usize,

@@ -1,14 +1,14 @@
 //! Pictures of models, compared with the reference.
 
-use super::axes::{LightModel, ObjectModel};
-use super::compare::{Difference, Metric, outline_distance};
-use super::lights::LightChoice;
-use super::model_bounds::ModelBounds;
-use super::options::{End, Progress};
-use super::stage::{PlanError, Stage};
-use super::views::View;
 use super::witnesses::Witnesses;
 use crate::mesh::NONE;
+use crate::plan::axes::{LightModel, ObjectModel};
+use crate::plan::compare::{Difference, Metric, outline_distance};
+use crate::plan::lights::LightChoice;
+use crate::plan::model_bounds::ModelBounds;
+use crate::plan::options::{End, Progress};
+use crate::plan::stage::{PlanError, Stage};
+use crate::plan::views::View;
 use crate::raster::Image;
 use crate::shade::Light;
 use std::cell::{Cell, Ref, RefCell};
@@ -93,7 +93,7 @@ pub struct Trials<'a> {
     known: RefCell<HashMap<(usize, usize, LightChoice), bool>>,
     log: RefCell<Vec<Trial>>,
     /// Pixels at which models were refused.
-    pub(super) witnesses: Witnesses,
+    pub(in crate::plan) witnesses: Witnesses,
 }
 
 /// The largest difference of a plan with the number of its view, and the largest distance of outlines.
@@ -251,7 +251,7 @@ impl<'a> Trials<'a> {
     }
 
     /// Counts drawn pixels.
-    pub(super) fn count(&self, pixels: u64) {
+    pub(in crate::plan) fn count(&self, pixels: u64) {
         self.counts.drawn.set(self.counts.drawn.get() + pixels);
         let used = self.counts.drawn.get() as f64 / self.limits.budget.max(1) as f64;
         let (proven, best) = (self.counts.proven.get(), self.counts.best.get());
@@ -259,7 +259,7 @@ impl<'a> Trials<'a> {
     }
 
     /// Notes the costs that are proven and found, for the progress.
-    pub(super) fn note(&self, proven: u64, best: u64, declared: u64) {
+    pub(in crate::plan) fn note(&self, proven: u64, best: u64, declared: u64) {
         let share = |part: u64, whole: u64| (part as f64 / whole.max(1) as f64).min(1.0);
         self.counts.proven.set(share(proven, best));
         self.counts.best.set(Some(share(best, declared)));

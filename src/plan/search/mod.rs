@@ -5,19 +5,30 @@
 //! combination with a model that fails there can succeed. The picture of the whole plan is always drawn. Where it fails, because
 //! of pixels that several objects share, the next combinations follow in the order of their costs.
 
+// A first plan, found step by step.
+mod descent;
+// Choices of lights in the order of their costs.
+mod light_branches;
+mod light_tree;
+// Pictures of models, compared with the reference.
+pub mod trials;
+// The light of each lamp at pixels at which models were refused.
+mod colours_at_witnesses;
+mod witnesses;
+
 use super::axes::ObjectModel;
 use super::compare::Difference;
 use super::cost::{Cost, Minimise, Sizes, light_class, object_cost};
-use super::light_tree::{LightTree, Next};
 use super::lights::LightChoice;
 use super::options::End;
 use super::stage::PlanError;
-use super::trials::Trials;
 use crate::raster::Projection;
 use crate::shade::Light;
+use light_tree::Next;
 use std::cell::{Cell, RefCell};
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap, HashSet};
+use trials::Trials;
 
 /// A plan within the limits.
 #[derive(Clone, Debug, PartialEq)]
@@ -103,10 +114,10 @@ impl<'a> Search<'a> {
             most = most.min(key(best));
             found = found.filter(|found| key(found) < key(best));
         }
-        let mut tree = LightTree::new(self, self.has_fewer_samples().into())?;
+        let mut tree = self.light_tree(self.has_fewer_samples().into())?;
         let mut open = u64::MAX;
         loop {
-            let (changes, choice) = match tree.next(self, most)? {
+            let (changes, choice) = match self.next_choice(&mut tree, most)? {
                 Next::Choice(changes, choice) => (changes, choice),
                 Next::Nothing => break,
                 Next::Spent(least) => {
@@ -134,7 +145,7 @@ impl<'a> Search<'a> {
     }
 
     /// Notes the costs that are proven and found, for the progress.
-    pub(super) fn note(&self, proven: u64, best: u64) {
+    pub(in crate::plan) fn note(&self, proven: u64, best: u64) {
         self.trials.note(proven, best, self.declared.get());
     }
 
@@ -164,7 +175,7 @@ impl<'a> Search<'a> {
     }
 
     /// Whether pictures have fewer samples than those of the reference.
-    pub(super) fn has_fewer_samples(&self) -> bool {
+    pub(in crate::plan) fn has_fewer_samples(&self) -> bool {
         self.trials.stage.settings.samples != self.trials.views[0].truth.samples()
     }
 
@@ -184,7 +195,7 @@ impl<'a> Search<'a> {
         models.iter().enumerate().map(|(unit, model)| self.unit_cost(unit, model, &lights)).sum()
     }
 
-    pub(super) fn unit_cost(
+    pub(in crate::plan) fn unit_cost(
         &self,
         unit: usize,
         model: &ObjectModel,

@@ -1,8 +1,8 @@
 //! A first plan, found step by step: a search that ends early has it, and one that does not is shortened by its cost.
 
-use super::axes::{Axis, ObjectModel};
-use super::search::{Found, Search};
-use super::stage::PlanError;
+use super::{Found, Search};
+use crate::plan::axes::{Axis, ObjectModel};
+use crate::plan::stage::PlanError;
 use crate::raster::Shading;
 use std::collections::HashSet;
 
@@ -21,7 +21,7 @@ impl Search<'_> {
     ///
     /// # Errors
     /// What makes a picture impossible.
-    pub(super) fn descend(&self, mut found: Found) -> Result<Found, PlanError> {
+    pub(in crate::plan) fn descend(&self, mut found: Found) -> Result<Found, PlanError> {
         let start = self.trials.drawn();
         let limit = start + self.trials.limits.budget.saturating_sub(start) / 2;
         let mut refused = HashSet::new();
@@ -75,7 +75,7 @@ impl Search<'_> {
     ///
     /// # Errors
     /// What makes a picture impossible.
-    pub(super) fn verified(
+    pub(in crate::plan) fn verified(
         &self,
         models: Vec<ObjectModel>,
         lights: Vec<usize>,
