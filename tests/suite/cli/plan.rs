@@ -180,7 +180,14 @@ fn the_report_states_the_worst_views() {
     for member in ["worst_place", "held_out_place"] {
         let place = &json[member];
         let length = |key: &str| -> f64 {
-            place[key].as_array().unwrap().iter().map(|x| x.as_f64().unwrap().powi(2)).sum::<f64>().sqrt()
+            place[key]
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(|x| x.as_f64().unwrap())
+                .map(|x| x * x)
+                .sum::<f64>()
+                .sqrt()
         };
         // The distance of the scene's camera.
         assert!((length("eye") - 50.0_f64.sqrt()).abs() < 1e-9 && length("target") == 0.0, "{place}");
