@@ -150,6 +150,19 @@ impl Truth {
         codes.map(|(code, other)| (code - other).abs()).fold(0.0, f64::max)
     }
 
+    /// The least difference of a pixel from linear colours within these ends, in steps: 0 if one of them is its own. The
+    /// step of 10⁻⁷ where the pieces of the curve of sRGB meet is allowed for.
+    pub fn steps_between(&self, [x, y]: [u32; 2], low: [f64; 3], high: [f64; 3]) -> f64 {
+        let Some(pixel) = self.image.index(x, y) else { return 0.0 };
+        let code =
+            |colour: [f64; 3]| self.tone.apply(colour).map(|value| STEPS * self.transfer.encode(value));
+        let (low, high) = (code(low), code(high));
+        let channels = self.codes[pixel].iter().enumerate();
+        channels
+            .map(|(channel, code)| (low[channel] - code).max(code - high[channel]) - 1e-4)
+            .fold(0.0, f64::max)
+    }
+
     /// The difference of each pixel and channel in steps, and the largest one.
     pub fn code_differences(&self, picture: &Image) -> (Vec<[f64; 3]>, f64) {
         let linear = picture.linear.as_deref().unwrap_or_default();

@@ -171,22 +171,29 @@ fn lit_point(model: &ObjectModel, highlight: Highlight, lights: &[Light]) -> (u6
         Some(Reflection::Phong) => 40,
     };
     let (mut work, mut near) = (6, false);
-    for light in lights {
-        let attenuated = |attenuation: Attenuation| if attenuation == Attenuation::None { 0 } else { 8 };
-        let direction = match *light {
-            Light::Ambient { .. } => {
-                work += 6;
-                continue;
+    for class in lights.iter().map(light_class) {
+        match class {
+            (_, true) => work += 6,
+            _ if model.terms == Terms::Ambient => {}
+            (direction, false) => {
+                near |= direction > 0;
+                work += direction + 12 + highlight;
             }
-            _ if model.terms == Terms::Ambient => continue,
-            Light::Directional { .. } => 0,
-            Light::Point { attenuation, .. } => 15 + attenuated(attenuation),
-            Light::Spot { attenuation, .. } => 30 + attenuated(attenuation),
-            Light::Area { shape: AreaShape::Rectangle { .. }, .. } => 4 * 80,
-            Light::Area { shape: AreaShape::Disc { .. }, .. } => 64 * 80,
-        };
-        near |= !matches!(light, Light::Directional { .. });
-        work += direction + 12 + highlight;
+        }
     }
     (work, near)
+}
+
+/// Operations for direction and strength of a light, and whether it is ambient. Costs depend on nothing else of a light. Only directional
+/// lights take none: all others are near.
+pub fn light_class(light: &Light) -> (u64, bool) {
+    let attenuated = |attenuation: Attenuation| if attenuation == Attenuation::None { 0 } else { 8 };
+    let direction = match *light {
+        Light::Ambient { .. } | Light::Directional { .. } => 0,
+        Light::Point { attenuation, .. } => 15 + attenuated(attenuation),
+        Light::Spot { attenuation, .. } => 30 + attenuated(attenuation),
+        Light::Area { shape: AreaShape::Rectangle { .. }, .. } => 4 * 80,
+        Light::Area { shape: AreaShape::Disc { .. }, .. } => 64 * 80,
+    };
+    (direction, matches!(light, Light::Ambient { .. }))
 }

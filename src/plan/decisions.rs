@@ -5,10 +5,12 @@ use super::compare::Difference;
 use super::cost::{Cost, Minimise};
 use super::document::Document;
 use super::model_bounds::ModelBounds;
+use super::options::End;
+use super::search::trials::Limits;
 use super::search::{Found, Outcome, Search};
 use super::stage::{PlanError, Stage};
-use super::trials::Limits;
 use super::unit::Unit;
+use super::views::Place;
 use crate::num::three_digits;
 use crate::raster::SceneFile;
 
@@ -53,19 +55,27 @@ pub struct Plan {
     pub worst: Difference,
     /// The view of the largest difference.
     pub worst_view: usize,
+    /// Its camera and lights.
+    pub worst_place: Place,
     /// The largest distance of outlines, in pixels.
     pub outline: f64,
     /// The number of views that the plan was found with.
     pub views: usize,
     /// The largest difference over views that the plan was not found with; `None` for the scene's own camera.
     pub held_out: Option<Difference>,
+    /// The camera and the lights of that view.
+    pub held_out_place: Option<Place>,
     /// Views that were added because the plan was beyond the tolerance in them.
     pub repairs: usize,
-    /// No plan costs less than this; 0 if the scene has so many lights that not all of their replacements were tried.
+    /// Why the search ended.
+    pub end: End,
+    /// No plan costs less than this.
     pub proven: u64,
     /// Whether the plan is proven to be the cheapest.
     pub is_cheapest: bool,
-    /// Combinations of models.
+    /// The largest share of the planned cost that a cheaper plan may save; 0 if the plan is the cheapest.
+    pub gap: f64,
+    /// Combinations of models; the largest finite number if there are more.
     pub combinations: f64,
     /// Models that were drawn and refused.
     pub refused: u64,
@@ -158,7 +168,8 @@ impl Described<'_> {
                 radii: None,
             });
         }
-        let is_cheapest = outcome.proven >= found.cost.of(search.minimise);
+        let cost_found = found.cost.of(search.minimise);
+        let is_cheapest = outcome.proven >= cost_found;
         let (worst, worst_view) = found.worst;
         Ok(Plan {
             text: self.text(found, &decisions, worst, search),
@@ -167,11 +178,15 @@ impl Described<'_> {
             planned: after,
             worst,
             worst_view,
+            worst_place: search.trials.views[worst_view].place(),
             outline: found.outline,
             views: search.trials.views.len(),
             held_out: None,
+            held_out_place: None,
             repairs: 0,
+            end: outcome.end,
             proven: outcome.proven,
+            gap: 1.0 - outcome.proven.min(cost_found) as f64 / cost_found.max(1) as f64,
             is_cheapest,
             combinations: outcome.combinations,
             refused: outcome.refused,
@@ -255,7 +270,7 @@ impl Described<'_> {
             document.set_setting("samples", samples, &comment(decision));
         }
         let worst = metric.text(worst.by(metric)).replace("steps", "steps of 255");
-        let mut head = format!("Planned by crease: within {worst} (tolerance {tolerance}).");
+        let mut head = format!("Planned by crease: within {worst} (tolerance {}).", limit(tolerance));
         // An omitted light has no table that a comment could stand at.
         let is_omitted = |it: &&Decision| it.axis == Axis::Lights && self.is_omitted(found, it.number);
         for decision in decisions.iter().filter(is_omitted) {
@@ -264,6 +279,11 @@ impl Described<'_> {
         document.set_head(&head);
         document.to_string()
     }
+}
+
+/// A limit as it was given, but with an exponent where it would be long.
+pub fn limit(value: f64) -> String {
+    if value == 0.0 || (1e-4..1e7).contains(&value) { value.to_string() } else { format!("{value:e}") }
 }
 
 /// The axis that a key of an object belongs to.

@@ -48,6 +48,17 @@ impl Document {
         self.table(object)?.get("mesh")?.as_str()
     }
 
+    /// Names the mesh file of an object anew; comments on its line stay.
+    pub fn rename_mesh(&mut self, object: usize, name: &str) {
+        let tables = self.0.get_mut("object").and_then(Item::as_array_of_tables_mut);
+        let table = tables.and_then(|tables| tables.get_mut(object));
+        if let Some(old) = table.and_then(|table| table.get_mut("mesh")).and_then(Item::as_value_mut) {
+            let decor = old.decor().clone();
+            *old = Value::from(name);
+            *old.decor_mut() = decor;
+        }
+    }
+
     /// Removes a key of an object.
     pub fn remove(&mut self, object: usize, key: &str) {
         let tables = self.0.get_mut("object").and_then(Item::as_array_of_tables_mut);

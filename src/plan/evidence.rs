@@ -171,7 +171,7 @@ fn amplification(largest: f64) -> f64 {
 
 /// Everything that was tried, with its cost.
 fn tried(search: &Search, found: &Found) -> Result<Vec<Tried>, PlanError> {
-    let cost = |trial: &super::trials::Trial| {
+    let cost = |trial: &super::search::trials::Trial| {
         let mut models = found.models.clone();
         trial.models.iter().for_each(|(unit, model)| models[*unit] = *model);
         let cost = search.cost(&models, &trial.lights)?.of(search.minimise);

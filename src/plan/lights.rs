@@ -29,29 +29,6 @@ pub fn replacements(light: &Light, middle: DVec3) -> Vec<LightModel> {
     models
 }
 
-/// Most combinations of lights that a search tries.
-const MOST_COMBINATIONS: usize = 1 << 14;
-
-/// Bounds the number of combinations: of the lights with most replacements only declared and omitted stay, then the last lights stay as
-/// declared. Returns whether any replacement was removed.
-pub fn bound_combinations(lights: &mut [Vec<LightModel>]) -> bool {
-    let mut is_changed = false;
-    let count = |lights: &[Vec<LightModel>]| {
-        lights.iter().map(Vec::len).fold(1_usize, |product, count| product.saturating_mul(count))
-    };
-    while count(lights) > MOST_COMBINATIONS {
-        let most = lights.iter().map(Vec::len).max().unwrap_or(0);
-        let Some(models) = lights.iter_mut().rev().find(|models| models.len() == most) else { break };
-        if most > 2 {
-            models.drain(1..most - 1);
-        } else {
-            models.truncate(1);
-        }
-        is_changed = true;
-    }
-    is_changed
-}
-
 /// A light with the attenuation at the middle everywhere.
 fn constant(light: &Light, middle: DVec3) -> Option<Light> {
     let (position, colour, attenuation) = match *light {
@@ -101,27 +78,4 @@ fn emitter(shape: &AreaShape) -> Option<(DVec3, DVec3, f64)> {
         AreaShape::Disc { centre, normal, radius } => (centre, normal, PI * radius * radius),
     };
     Some((centre, normal.try_normalize()?, area))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::num::LinearRgb;
-
-    #[test]
-    fn many_lights_have_fewer_replacements() {
-        let light = Light::Point {
-            position: DVec3::Y,
-            colour: LinearRgb::WHITE,
-            attenuation: Attenuation::InverseSquare,
-        };
-        let all = || replacements(&light, DVec3::ZERO);
-        assert_eq!(all().len(), 4);
-        let mut few = vec![all(); 7];
-        assert!(!bound_combinations(&mut few) && few.iter().all(|models| models.len() == 4));
-        let mut many = vec![all(); 30];
-        assert!(bound_combinations(&mut many));
-        assert_eq!(many.iter().map(Vec::len).product::<usize>(), MOST_COMBINATIONS);
-        assert!(many.iter().all(|models| models[0].0 == Some(light)));
-    }
 }

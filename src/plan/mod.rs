@@ -30,8 +30,6 @@ mod spread;
 mod model_bounds;
 // Views of the reference: cameras around a scene, with lights that turn.
 mod views;
-// Pictures of models, compared with the reference.
-mod trials;
 // The search.
 pub mod search;
 // The decisions of a plan, and the planned text.
@@ -49,9 +47,10 @@ pub use apply::{AXES_OF_FILES, Applied, AppliedFile, FileSize, Home, Reference, 
 pub use axes::{Axis, LightModel, Normals, ObjectModel, Source, Terms};
 pub use compare::{Difference, Metric};
 pub use cost::{Cost, Minimise};
-pub use decisions::{Decision, Plan};
+pub use decisions::{Decision, Plan, limit};
 pub use evidence::{Comparison, Evidence, Refusal, Tried};
-pub use options::PlanOptions;
+pub use options::{End, PlanOptions, Progress};
 pub use planned::{plan, plan_with_evidence};
-pub use source::{most_accurate, scene_text, with_size};
+pub use source::{most_accurate, scene_text, with_mesh_names, with_size};
 pub use stage::PlanError;
+pub use views::{Place, TurnOfLights};

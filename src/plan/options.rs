@@ -79,5 +79,32 @@ impl PlanOptions {
     }
 }
 
+/// Why a search ended.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[serde(tag = "reason", rename_all = "lowercase")]
+pub enum End {
+    /// All cheaper plans are refused.
+    Proven,
+    /// The budget is used up.
+    Budget {
+        /// Most pixels to draw.
+        pixels: u64,
+    },
+    /// The time is used up, so the plan depends on the machine.
+    Time {
+        /// Most seconds to search.
+        seconds: f64,
+    },
+}
+
+/// How far a search is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    /// The share of the cost of the best plan that is proven, or of the budget that is used up, whichever is larger; 1 at the end.
+    pub share: f64,
+    /// The cost of the best plan, as a share of the declared cost.
+    pub best: f64,
+}
+
 /// Most seconds of a search: thirty years.
 const MOST_SECONDS: f64 = 1e9;

@@ -6,14 +6,14 @@ use super::compare::{Difference, Metric};
 use super::decisions::{Described, Plan};
 use super::document::Document;
 use super::evidence::Evidence;
-use super::lights::{bound_combinations, replacements};
+use super::lights::replacements;
 use super::model_bounds::ModelBounds;
 use super::models::models_of;
-use super::options::PlanOptions;
+use super::options::{End, PlanOptions, Progress};
+use super::search::trials::{Counts, Limits, Trials};
 use super::search::{Outcome, Search};
 use super::stage::{PlanError, Stage};
-use super::trials::{Counts, Limits, Trials};
-use super::views::{Turn, View, around};
+use super::views::{Place, Turn, View, around};
 use crate::num::Degrees;
 use crate::raster::{Camera, LoadOptions, Samples, SceneFile, Shading, default_lights};
 use glam::DVec3;
@@ -35,7 +35,7 @@ pub fn plan(
     base: &Path,
     load: &LoadOptions,
     options: &PlanOptions,
-    progress: &dyn Fn(f64),
+    progress: &dyn Fn(Progress),
 ) -> Result<Plan, PlanError> {
     Ok(find((text, base, load), options, progress, false)?.0)
 }
@@ -49,7 +49,7 @@ pub fn plan_with_evidence(
     base: &Path,
     load: &LoadOptions,
     options: &PlanOptions,
-    progress: &dyn Fn(f64),
+    progress: &dyn Fn(Progress),
 ) -> Result<(Plan, Evidence), PlanError> {
     let (plan, evidence) = find((text, base, load), options, progress, true)?;
     let missing = || PlanError::Invalid("no plan was found".to_owned());
@@ -60,7 +60,7 @@ pub fn plan_with_evidence(
 fn find(
     (text, base, load): (&str, &Path, &LoadOptions),
     options: &PlanOptions,
-    progress: &dyn Fn(f64),
+    progress: &dyn Fn(Progress),
     wants_evidence: bool,
 ) -> Result<(Plan, Option<Evidence>), PlanError> {
     options.check()?;
@@ -91,8 +91,7 @@ fn find(
         let found = format!("{} objects have too many models together; open fewer axes", models.len());
         return Err(PlanError::Invalid(found));
     }
-    let mut lights = light_models(&whole, middle, is_open(Axis::Lights));
-    let is_bounded = bound_combinations(&mut lights);
+    let lights = light_models(&whole, middle, is_open(Axis::Lights));
     let (mut views, mut waiting) = views_of(&stage, &whole, options, middle)?;
     let limits = Limits {
         metric: options.metric,
@@ -101,6 +100,7 @@ fn find(
         outline: options.outline,
         budget: options.budget,
         deadline: options.seconds.map(|seconds| Instant::now() + Duration::from_secs_f64(seconds)),
+        seconds: options.seconds.unwrap_or(f64::INFINITY),
     };
     let declared = stage.settings.samples;
     let fewer =
@@ -136,15 +136,15 @@ fn find(
             declared: &searches[0],
         };
         let mut plan = described.describe(&searches[best], &outcome)?;
-        plan.held_out = worst;
+        (plan.held_out, plan.held_out_place) = worst.unzip();
         plan.repairs = repairs;
         if files.is_some() {
             name_storage(&mut plan.decisions, &stage.units);
         }
-        if is_bounded {
-            (plan.proven, plan.is_cheapest) = (0, false);
-        }
         let found = outcome.found.as_ref().filter(|_| wants_evidence);
+        let share = |planned: u64, declared: u64| planned as f64 / declared.max(1) as f64;
+        let cost = share(plan.planned.of(options.minimise), plan.declared.of(options.minimise));
+        progress(Progress { share: 1.0, best: cost });
         let evidence = found.map(|found| described.evidence(&searches[best], found, &plan)).transpose()?;
         return Ok((plan, evidence));
     }
@@ -206,27 +206,33 @@ fn cheapest(searches: &[Search]) -> Result<(usize, Outcome), PlanError> {
             (best, outcome.found) = (number, next.found);
         }
         outcome.proven = outcome.proven.min(next.proven);
-        outcome.combinations += next.combinations;
+        outcome.combinations = (outcome.combinations + next.combinations).min(f64::MAX);
+        if outcome.end == End::Proven {
+            outcome.end = next.end;
+        }
         (outcome.refused, outcome.drawn) = (next.refused, next.drawn);
     }
     Ok((best, outcome))
 }
+
+/// The difference in a view that a plan was not found with, and the view.
+type Held = (Difference, Place);
 
 /// The largest difference of a plan in views that it was not found with, and the number of the worst view that is beyond the limits.
 fn verify(
     trials: &Trials,
     views: &[View],
     outcome: &Outcome,
-) -> Result<(Option<Difference>, Option<usize>), PlanError> {
+) -> Result<(Option<Held>, Option<usize>), PlanError> {
     let metric = trials.limits.metric;
-    let mut largest: Option<Difference> = None;
+    let mut largest: Option<Held> = None;
     let mut failing: Option<(f64, usize)> = None;
     for (number, view) in views.iter().enumerate() {
         let Some(found) = &outcome.found else { continue };
         let (difference, outline) = trials.measure(view, &found.models, &found.lights)?;
         let size = difference.by(metric);
-        if largest.is_none_or(|other| size > other.by(metric)) {
-            largest = Some(difference);
+        if largest.is_none_or(|(other, _)| size > other.by(metric)) {
+            largest = Some((difference, view.place()));
         }
         if !trials.limits.accept(view, &difference, outline) && failing.is_none_or(|(other, _)| size > other)
         {

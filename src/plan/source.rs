@@ -41,6 +41,26 @@ pub fn with_size(text: &str, size: [u32; 2]) -> Result<String, TomlError> {
     Ok(document.to_string())
 }
 
+/// The text of a scene file with other names of its mesh files. `rename` returns `None` for a file that the text cannot name, and the first
+/// such name is the second result.
+///
+/// # Errors
+/// What is no TOML.
+pub fn with_mesh_names(
+    text: &str,
+    rename: &dyn Fn(&str) -> Option<String>,
+) -> Result<Result<String, String>, TomlError> {
+    let mut document = Document::parse(text)?.with_tables();
+    for object in 0..document.objects() {
+        let Some(old) = document.mesh(object).map(str::to_owned) else { continue };
+        match rename(&old) {
+            Some(new) => document.rename_mesh(object, &new),
+            None => return Ok(Err(old)),
+        }
+    }
+    Ok(Ok(document.to_string()))
+}
+
 /// The text of a scene file with the most accurate value of each axis that has one: Phong shading in place of Gouraud and flat shading,
 /// perspective interpolation, the normals of analytic surfaces, the weight `best` for computed ones, and normals that are not rounded.
 ///

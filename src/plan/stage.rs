@@ -149,7 +149,8 @@ impl<'a> Stage<'a> {
         object
     }
 
-    /// The face of a unit that all samples of a pixel show, with the number of its object in the unit; `None` if there is none.
+    /// The face of a unit that all samples of a pixel show, with the number of its object in the unit; `None` if there is none. A surface
+    /// that rays are cast at is one face.
     ///
     /// # Errors
     /// What makes a picture impossible.
@@ -164,7 +165,8 @@ impl<'a> Stage<'a> {
         let mut found = None;
         for sample in 0..self.settings.samples.count() {
             let point = probe(&scene, &self.settings, pixel, sample)?;
-            let face = point.and_then(|point| Some((point.object, point.face?)));
+            let is_cast = self.units[unit].is_cast;
+            let face = point.and_then(|point| Some((point.object, point.face.or(is_cast.then_some(0))?)));
             if face.is_none() || sample > 0 && face != found {
                 return Ok(None);
             }
@@ -192,13 +194,16 @@ impl<'a> Stage<'a> {
             None => *model,
         };
         let file = self.geometry(unit, &unrounded)?;
-        let SceneShape::Mesh(number) = file.objects[object].shape else { return Ok([0.0; 3]) };
+        let whole = file.unframed().objects.swap_remove(object);
+        let SceneShape::Mesh(number) = file.objects[object].shape else {
+            let alone = self.changed(unit, model, whole);
+            return Ok(pixel_colour(&self.scene(vec![alone], lights, camera), &self.settings, pixel)?);
+        };
         let mut mesh = file.meshes[number].of_face(face);
         if let Some(format) = rounds {
             format.round(&mut mesh.normals);
         }
         let shape = Shape::Mesh { mesh: &mesh.mesh, normals: &mesh.normals };
-        let whole = file.unframed().objects.swap_remove(object);
         let paint = match &whole.paint {
             Paint::Given(_) => Paint::Given(Cow::Owned(mesh.colours.clone().unwrap_or_default())),
             Paint::Lit(material) => Paint::Lit(*material),

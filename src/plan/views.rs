@@ -75,6 +75,39 @@ pub fn around(camera: &Camera, count: u32, offset: f64) -> Vec<Camera> {
     (0..count).map(view).collect()
 }
 
+/// Where a view is, so that it can be found again.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Place {
+    /// The position of the camera.
+    pub eye: [f64; 3],
+    /// The point that it faces.
+    pub target: [f64; 3],
+    /// How all lights turn around the middle of the scene; `None` if they stay.
+    pub turn: Option<TurnOfLights>,
+}
+
+/// A rotation of all lights.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct TurnOfLights {
+    /// Its axis, a unit vector.
+    pub axis: [f64; 3],
+    /// Its angle.
+    pub degrees: f64,
+}
+
+impl View {
+    /// Where it is.
+    pub fn place(&self) -> Place {
+        let rotation = self.turn.rotation;
+        let sine = rotation.xyz().length();
+        let turn = (sine > 0.0).then(|| TurnOfLights {
+            axis: (rotation.xyz() / sine).to_array(),
+            degrees: 2.0 * libm::atan2(sine, rotation.w).to_degrees(),
+        });
+        Place { eye: self.camera.eye.to_array(), target: self.camera.target.to_array(), turn }
+    }
+}
+
 /// A rotation of all lights around a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn {

@@ -3,6 +3,7 @@
 use super::console::Console;
 use super::input::Source;
 use crease::io::{Format, Loaded, ReadError, ReadOptions};
+use crease::plan;
 use crease::trade;
 use indicatif::{HumanBytes, HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use std::fmt::Write;
@@ -62,9 +63,10 @@ impl Progress {
         progress
     }
 
-    /// The share done, from 0 to 1.
-    pub fn share(&self, share: f64) {
-        self.bar.set_position((1000.0 * share) as u64);
+    /// The share done of a search, from 0 to 1, and its best plan so far.
+    pub fn plan(&self, step: plan::Progress) {
+        self.bar.set_position((1000.0 * step.share) as u64);
+        self.bar.set_message(format!("planning, best {:.0} %", 100.0 * step.best));
     }
 
     /// For one item, whose progress is not known: a spinner and the elapsed time.

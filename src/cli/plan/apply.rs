@@ -92,7 +92,7 @@ fn is_scene(path: &Path) -> bool {
 }
 
 /// The name of a mesh file in a scene, which is in the same folder or above it.
-fn mesh_name(scene: &Path, file: &Path) -> Option<String> {
+pub fn mesh_name(scene: &Path, file: &Path) -> Option<String> {
     let folder = if scene.as_os_str() == "-" { PathBuf::from(".") } else { folder_of(scene) };
     let (folder, file) = (absolute(folder).ok()?, absolute(file).ok()?);
     let inner = file.strip_prefix(folder.components().collect::<PathBuf>()).ok()?;

@@ -6,7 +6,7 @@ use crate::cli::common::console::{Style, escaped};
 use crate::cli::common::numbers::{change, count, row, size};
 use crate::cli::common::report::Head;
 use crease::num::three_digits;
-use crease::plan::{Axis, Decision, Metric, Minimise, Plan};
+use crease::plan::{Axis, Decision, End, Metric, Minimise, Place, Plan, limit};
 use serde::Serialize;
 
 /// The choices, the formulas of bounds, and how costs are counted.
@@ -93,18 +93,21 @@ pub fn text(report: &Report, style: Style) -> String {
     row(&mut out, "vertices", &change(totals(|cost| cost.vertices), |count| count.to_string()));
     report.files.iter().for_each(|file| file.rows(&mut out));
     let [x, y] = plan.worst.pixel;
-    let view = if plan.views > 1 { format!(" of view {}", plan.worst_view) } else { String::new() };
+    let view = match plan.views {
+        1 => String::new(),
+        _ => format!(" of view {} ({})", plan.worst_view, place(&plan.worst_place)),
+    };
     let steps = format!("{} steps of 255 at pixel {x},{y}{view}", three_digits(plan.worst.steps));
     let mut worst = match report.metric {
         Metric::Steps => format!(
             "{steps} (tolerance {}); outlines within {} pixels",
-            report.tolerance,
+            limit(report.tolerance),
             three_digits(plan.outline)
         ),
         Metric::Flip => format!(
             "{} (tolerance {}); {steps}",
             report.metric.text(plan.worst.by(report.metric)),
-            report.tolerance
+            limit(report.tolerance)
         ),
     };
     if report.light_cone > 0.0 {
@@ -112,26 +115,18 @@ pub fn text(report: &Report, style: Style) -> String {
     }
     if let Some(held_out) = &plan.held_out {
         let most = three_digits(held_out.by(report.metric));
-        worst += &format!("; {most} in views that the plan was not found with");
+        let at = plan.held_out_place.as_ref().map_or(String::new(), |at| format!(" ({})", place(at)));
+        worst += &format!("; {most} in views that the plan was not found with{at}");
     }
     if plan.repairs > 0 {
         worst += &format!("; {} added after failing there", count(plan.repairs, "view"));
     }
     row(&mut out, "worst", &worst);
-    let proven = match plan.is_cheapest {
-        true => "the cheapest plan".to_owned(),
-        false if plan.proven == 0 => "many lights: not all of their replacements were tried".to_owned(),
-        false if report.most_seconds.is_some_and(|seconds| report.seconds > seconds) => format!(
-            "time used up, so the plan depends on the machine: no plan costs less than {} {}",
-            plan.proven,
-            name(report.minimise)
-        ),
-        false => format!("budget used up: no plan costs less than {} {}", plan.proven, name(report.minimise)),
-    };
     let search = format!(
-        "{proven}; {} refused, {:.0} combinations, {:.0} Mpixels",
+        "{}; {} refused, {} combinations, {:.0} Mpixels",
+        end(plan, report.minimise),
         count(plan.refused as usize, "model"),
-        plan.combinations,
+        about(plan.combinations),
         plan.drawn as f64 / 1e6
     );
     row(&mut out, "search", &search);
@@ -148,6 +143,42 @@ pub fn text(report: &Report, style: Style) -> String {
     out
 }
 
+/// Why the search ended, and how much cheaper the cheapest plan may be.
+fn end(plan: &Plan, minimise: Minimise) -> String {
+    let gap = || match plan.is_cheapest {
+        true => "no plan is cheaper".to_owned(),
+        false => {
+            let gap = three_digits(100.0 * plan.gap);
+            format!("a cheaper plan saves at most {gap} % more ({} {})", plan.proven, name(minimise))
+        }
+    };
+    match plan.end {
+        End::Time { seconds } => {
+            format!("{seconds} s used up, so the plan depends on the machine; {}", gap())
+        }
+        _ if plan.is_cheapest => "the cheapest plan".to_owned(),
+        _ => format!("budget used up; {}", gap()),
+    }
+}
+
+/// A number of combinations.
+fn about(combinations: f64) -> String {
+    match combinations {
+        few if few < 1e7 => format!("{few:.0}"),
+        f64::MAX => "more than 10^308".to_owned(),
+        many => format!("about {}", three_digits(many)),
+    }
+}
+
+/// The camera and the lights of a view.
+fn place(place: &Place) -> String {
+    let list = |vector: [f64; 3]| vector.map(|x| format!("{x:?}")).join(",");
+    let turn = place.turn.map_or(String::new(), |turn| {
+        format!(", lights turned by {}° around {}", three_digits(turn.degrees), list(turn.axis))
+    });
+    format!("eye {}, target {}{turn}", list(place.eye), list(place.target))
+}
+
 fn name(minimise: Minimise) -> &'static str {
     match minimise {
         Minimise::Work => "operations",
@@ -160,11 +191,19 @@ fn line(decision: &Decision, report: &Report) -> String {
     let Decision { what, axis, from, to, saved, bound, measured, .. } = decision;
     let (what, axis) = (escaped(what), if *axis == Axis::Lights { "" } else { axis.name() });
     let bound = bound.map_or("no bound".to_owned(), |bound| format!("bound {}", three_digits(bound)));
+    let quantity = name(report.minimise);
+    let saves = match saved {
+        ..0 => format!("takes {} {quantity} more", saved.unsigned_abs()),
+        0 => format!("saves no {quantity} alone"),
+        _ => format!("saves {saved} {quantity}"),
+    };
+    let margin = match report.tolerance - measured {
+        beyond if beyond < 0.0 => "within the tolerance only together with other changes".to_owned(),
+        margin => format!("margin {}", three_digits(margin)),
+    };
     format!(
-        "{what}: {axis}{}{from} to {to}; saves {saved} {}; {} alone ({bound}, margin {})",
+        "{what}: {axis}{}{from} to {to}; {saves}; {} alone ({bound}, {margin})",
         if axis.is_empty() { "" } else { " " },
-        name(report.minimise),
         report.metric.text(*measured),
-        three_digits(report.tolerance - measured)
     )
 }

@@ -1,18 +1,18 @@
 //! Runs `crease plan`.
 
-use super::apply::{self, Source};
+use super::apply::{self, Source, mesh_name};
 use super::args::{PlanArgs, Reference};
 use super::report::{DrawSeconds, EXPLANATION, Report, text};
 use crate::cli::common::command_line;
-use crate::cli::common::console::{Console, escaped};
+use crate::cli::common::console::{Console, HELP, escaped};
 use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
 use crate::cli::common::options::Color;
-use crate::cli::common::output::{Target, folder_of, is_same_file};
+use crate::cli::common::output::{Target, is_same_file, resolve_parent};
 use crate::cli::common::progress::Progress;
 use crate::cli::usage::usage_error;
-use crease::io::{Severity, shell_word};
+use crease::io::shell_word;
 use crease::num::Transfer;
-use crease::plan::{PlanError, most_accurate, plan, plan_with_evidence, scene_text};
+use crease::plan::{PlanError, most_accurate, plan, plan_with_evidence, scene_text, with_mesh_names};
 use crease::raster::{LoadOptions, SceneFile, render};
 use crease::report::{PlanPage, encode_png, plan_page, plan_sheet};
 use std::path::{Path, PathBuf, absolute};
@@ -70,8 +70,10 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
         Reference::Declared => text,
         Reference::Accurate => most_accurate(&text).map_err(Failure::input)?,
     };
+    // Refused before the search.
+    for_output(args, base, text.clone())?;
     let progress = Progress::of_share(console, "planning");
-    let advance = |share| progress.share(share);
+    let advance = |step| progress.plan(step);
     let planned = match args.html.as_ref().or(args.picture.as_ref()) {
         None => plan(&text, base, &loading, &options, &advance).map(|plan| (plan, None)),
         Some(_) => plan_with_evidence(&text, base, &loading, &options, &advance)
@@ -88,19 +90,10 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
     });
     report.files = apply::store(args, &source, &mut planned)?;
     if let Some(path) = apply::scene_output(args) {
+        planned.text = for_output(args, base, planned.text)?;
         let target = Target::of(&path);
         report.output = Some(target.name());
         target.store(planned.text.clone().into_bytes())?;
-        let has_meshes = planned.text.lines().any(|line| line.starts_with("mesh ="));
-        let is_elsewhere = absolute(folder_of(&path)).ok() != absolute(folder_of(&source.path)).ok();
-        if has_meshes && is_elsewhere && args.apply.is_none() && matches!(target, Target::File(_)) {
-            let advice = "move it into the folder of the input to draw it, or copy its meshes";
-            let name = escaped(&report.input);
-            console.about(
-                Severity::Warning,
-                &format!("{name}: the planned scene names meshes of this folder\nhelp: {advice}"),
-            );
-        }
     }
     if let Some(evidence) = evidence {
         let about = PlanPage {
@@ -124,6 +117,24 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
     }
     report.plan = Some(planned);
     Ok(Exit::Done)
+}
+
+/// The text of a scene whose mesh files are named from the folder that it is written to, not from `base`. A scene names files of its own
+/// folder and below.
+fn for_output(args: &PlanArgs, base: &Path, text: String) -> Result<String, Failure> {
+    let Some(output) = args.output.as_deref().filter(|_| args.apply.is_none()) else { return Ok(text) };
+    let is_elsewhere = resolve_parent(output).parent() != resolve_parent(&base.join("_")).parent();
+    if !is_elsewhere || Target::of(output) == Target::Standard {
+        return Ok(text);
+    }
+    let output = resolve_parent(output);
+    let renamed = with_mesh_names(&text, &|name| mesh_name(&output, &resolve_parent(&base.join(name))));
+    renamed.map_err(Failure::input)?.map_err(|name| {
+        let found = format!("the planned scene cannot refer to {} from its folder", escaped(&name));
+        let advice =
+            "write it into the folder of the input or above it, or write its meshes too with --apply";
+        Failure::usage(format!("{found}{HELP}{advice}"))
+    })
 }
 
 /// The command line, as a shell takes it.

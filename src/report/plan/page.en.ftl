@@ -7,10 +7,15 @@ lead =
     { $tolerance }).
 lead-none-found = No cheaper model was found before the search ended.
 lead-unchanged = No cheaper model is within the tolerance of { $tolerance }.
-unproven = The search ended before all cheaper models were tried. No plan costs less than { $proven }.
+unproven =
+    The search ended before all cheaper models were tried. No plan costs less than { $proven }: a cheaper plan saves at most { $gap }
+    more.
 contents = Contents
 pictures = Pictures
 pictures-caption = The view with the largest difference: { $worst } (tolerance { $tolerance }).
+worst-place = The largest difference is seen from the eye { $eye } towards { $target }.
+held-out-place = Of the views that the plan was not found with, the worst is seen from the eye { $eye } towards { $target }.
+turned = The lights are turned by { $angle } around the axis { $axis }.
 shot-reference = Reference
 shot-planned = Plan
 shot-step = With the cheaper step

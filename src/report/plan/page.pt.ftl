@@ -7,10 +7,15 @@ lead =
     { $tolerance }).
 lead-none-found = Nenhum modelo mais barato foi encontrado antes do fim da busca.
 lead-unchanged = Nenhum modelo mais barato fica dentro da tolerância de { $tolerance }.
-unproven = A busca terminou antes de testar todos os modelos mais baratos. Nenhum plano custa menos de { $proven }.
+unproven =
+    A busca terminou antes de testar todos os modelos mais baratos. Nenhum plano custa menos de { $proven }:
+    um plano mais barato economiza no máximo mais { $gap }.
 contents = Conteúdo
 pictures = Imagens
 pictures-caption = A vista com a maior diferença: { $worst } (tolerância { $tolerance }).
+worst-place = A maior diferença é vista do olho { $eye } na direção de { $target }.
+held-out-place = Entre as vistas que não serviram para achar o plano, a pior é a do olho { $eye } na direção de { $target }.
+turned = As luzes são giradas em { $angle } em torno do eixo { $axis }.
 shot-reference = Referência
 shot-planned = Plano
 shot-step = Com o passo mais barato

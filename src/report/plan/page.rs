@@ -2,7 +2,7 @@
 
 use super::decisions::{axis, cost, difference, name_of, sentence, text, value, what};
 use super::tried::tried_plot;
-use crate::plan::{Comparison, Evidence, Metric, Minimise, Plan, Refusal};
+use crate::plan::{Comparison, Evidence, Metric, Minimise, Place, Plan, Refusal};
 use crate::raster::{Image, Pixels};
 use crate::report::error::Result;
 use crate::report::html::{Page, image};
@@ -62,11 +62,16 @@ pub fn plan_page(plan: &Plan, evidence: &Evidence, about: &PlanPage) -> Result<S
     )
     .in_language(language.tag(), &say("contents"));
     if !plan.is_cheapest {
-        let proven = [("proven", cost(plan.proven, about.minimise).into())];
+        let gap = Value::quantity(100.0 * plan.gap, "%");
+        let proven = [("proven", cost(plan.proven, about.minimise).into()), ("gap", gap)];
         page.paragraph(&text("unproven", &proven, language));
     }
     page.heading(&say("pictures"));
     page.raw(&three(&evidence.planned, None, &sentence_of("pictures-caption"), about)?);
+    let held_out = plan.held_out_place.as_ref().map(|place| ("held-out-place", place));
+    for (key, place) in [("worst-place", &plan.worst_place)].into_iter().chain(held_out) {
+        page.paragraph(&view_of(key, place, language));
+    }
     page.heading(&say("decisions"));
     decisions(plan, about, &mut page);
     page.heading(&say("refused"));
@@ -108,12 +113,30 @@ fn decisions(plan: &Plan, about: &PlanPage, page: &mut Page) {
             what(&decision.what, language),
             axis(decision.axis, language),
             change,
-            cost(decision.saved.unsigned_abs(), about.minimise).get(language).to_owned(),
+            saved(decision.saved, about.minimise, language),
             language.short(decision.measured, ""),
             decision.bound.map_or_else(|| say("none"), |bound| language.short(bound, "")),
         ]);
     }
     page.table(&table);
+}
+
+/// What a decision saves: negative if it only makes others possible.
+fn saved(saved: i64, minimise: Minimise, language: Language) -> String {
+    let sign = if saved < 0 { "−" } else { "" };
+    format!("{sign}{}", cost(saved.unsigned_abs(), minimise).get(language))
+}
+
+/// The camera and the lights of a view.
+fn view_of(key: &str, place: &Place, language: Language) -> String {
+    let list = |vector: [f64; 3]| Value::from(vector.map(|x| format!("{x:?}")).join(", "));
+    let mut values = vec![("eye", list(place.eye)), ("target", list(place.target))];
+    let mut sentence = text(key, &values, language);
+    if let Some(turn) = place.turn {
+        values = vec![("angle", Value::quantity(turn.degrees, "°")), ("axis", list(turn.axis))];
+        sentence = format!("{sentence} {}", text("turned", &values, language));
+    }
+    sentence
 }
 
 fn refused(refusal: &Refusal, about: &PlanPage, page: &mut Page) -> Result<()> {

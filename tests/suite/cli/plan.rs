@@ -70,6 +70,9 @@ fn the_json_has_the_documented_members() {
     check(&report["decisions"][0]);
     check(&report["planned"]);
     check(&report["worst"]);
+    check(&report["worst_place"]);
+    check(&report["end"]);
+    assert_eq!(report["end"]["reason"], "proven");
     assert_eq!(report["decisions"].as_array().unwrap().len(), 2);
     assert_eq!(report["decisions"][0]["axis"], "shading");
     assert_eq!(report["planned"]["vertices"], 8);
@@ -81,6 +84,116 @@ fn the_json_has_the_documented_members() {
         again[time] = report[time].clone();
     }
     assert_eq!(again, report);
+}
+
+/// A scene of a mesh file, named in a line that is indented.
+fn mesh_scene(name: &str) -> String {
+    format!(
+        "[settings]\nsize = [24, 18]\n[[light.directional]]\ntowards = [1, 2, 3]\n[[object]]\n  mesh = '{name}' # a tetrahedron\n\
+         weight = \"angle\"\n"
+    )
+}
+
+const TETRAHEDRON: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+/// A planned scene in a folder above names its meshes from there, and draws the same.
+#[test]
+fn scenes_planned_into_a_folder_above_can_be_drawn() {
+    let folder = folder(&[("inner/scene.toml", &mesh_scene("part.obj")), ("inner/part.obj", TETRAHEDRON)]);
+    let at = |name: &str| path(folder.path().join(name));
+    let drawn = |scene: &str| {
+        let picture = at("picture.png");
+        let done = crease().args(["render", scene, "-o", &picture, "-q"]).output().unwrap();
+        assert_eq!(code(&done), 0, "{}", text(&done.stderr));
+        fs::read(picture).unwrap()
+    };
+    for options in [&["--tolerance", "0"][..], &[]] {
+        let mut pictures = Vec::new();
+        for output in ["inner/planned.toml", "planned.toml"] {
+            let done = plan(&[&[&at("inner/scene.toml"), "-q", "-o", &at(output)], options].concat());
+            assert_eq!(code(&done), 0, "{}", text(&done.stderr));
+            pictures.push(drawn(&at(output)));
+        }
+        assert_eq!(pictures[0], pictures[1]);
+        let planned = fs::read_to_string(at("planned.toml")).unwrap();
+        assert!(planned.contains("mesh = \"inner/part.obj\" # a tetrahedron"), "{planned}");
+    }
+}
+
+/// A scene names no files outside its folder, also if its objects are inline tables.
+#[test]
+fn a_folder_from_which_no_mesh_can_be_named_is_refused() {
+    let inline = "settings = { size = [24, 18] }\nobject = [{ mesh = 'part.obj' }]\n";
+    let folder = folder(&[
+        ("scene.toml", &mesh_scene("part.obj")),
+        ("inline.toml", inline),
+        ("part.obj", TETRAHEDRON),
+    ]);
+    fs::create_dir(folder.path().join("out")).unwrap();
+    for name in ["scene.toml", "inline.toml"] {
+        let output = folder.path().join("out/planned.toml");
+        let refused = plan(&[&path(folder.path().join(name)), "-o", &path(&output)]);
+        assert_eq!(code(&refused), 2, "{}", text(&refused.stderr));
+        let message = text(&refused.stderr);
+        assert!(
+            message.contains("part.obj from its folder") && message.contains("help: write it into"),
+            "{message}"
+        );
+        assert!(!output.exists());
+    }
+    // A scene without meshes goes anywhere.
+    fs::write(folder.path().join("plain.toml"), SCENE).unwrap();
+    let done =
+        plan(&[&path(folder.path().join("plain.toml")), "-q", "-o", &path(folder.path().join("out/a.toml"))]);
+    assert_eq!(code(&done), 0, "{}", text(&done.stderr));
+}
+
+#[test]
+fn the_report_states_why_the_search_ended() {
+    let folder = folder(&[("scene.toml", SCENE)]);
+    let input = path(folder.path().join("scene.toml"));
+    let of = |args: &[&str]| text(&plan(&[&[input.as_str()], args].concat()).stdout).to_owned();
+    let timed = of(&["--seconds", "0"]);
+    assert!(
+        timed.contains("0 s used up, so the plan depends on the machine; a cheaper plan saves at most"),
+        "{timed}"
+    );
+    let spent = of(&["--budget", "0"]);
+    assert!(
+        spent.contains("budget used up; a cheaper plan saves at most") && spent.contains(" % more ("),
+        "{spent}"
+    );
+    let tiny = of(&["--tolerance", "1e-300"]);
+    assert!(tiny.contains("(tolerance 1e-300)") && !tiny.contains("00000000"), "{tiny}");
+}
+
+/// Enough to find each stated view again.
+#[test]
+fn the_report_states_the_worst_views() {
+    let folder = folder(&[("scene.toml", SCENE)]);
+    let input = path(folder.path().join("scene.toml"));
+    let args = ["--views", "2", "--light-cone", "10"];
+    let report = text(&plan(&[&[input.as_str()], &args[..]].concat()).stdout).to_owned();
+    assert!(report.contains(" of view ") && report.matches("eye ").count() == 2, "{report}");
+    let json = plan(&[&[input.as_str(), "--json", "-q"], &args[..]].concat());
+    let json: serde_json::Value = serde_json::from_slice(&json.stdout).unwrap();
+    for member in ["worst_place", "held_out_place"] {
+        let place = &json[member];
+        let length = |key: &str| -> f64 {
+            place[key]
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(|x| x.as_f64().unwrap())
+                .map(|x| x * x)
+                .sum::<f64>()
+                .sqrt()
+        };
+        // The distance of the scene's camera.
+        assert!((length("eye") - 50.0_f64.sqrt()).abs() < 1e-9 && length("target") == 0.0, "{place}");
+    }
+    let degrees = json["held_out_place"]["turn"]["degrees"].as_f64().unwrap();
+    assert!([5.0, 10.0].iter().any(|angle| (degrees - angle).abs() < 1e-9), "{degrees}");
 }
 
 #[test]
@@ -186,6 +299,7 @@ fn the_page_shows_the_plan_and_what_was_refused() {
         assert!(html.contains(&format!("<html lang=\"{language}\">")));
         assert!(html.contains(&format!("<h1>scene &lt;1&gt;.toml {title} ")), "{html}");
         assert!(html.contains(reason), "{language}");
+        assert!(html.contains(" 4.0, 3.0, 5.0 "), "the eye of the worst view: {html}");
         let refused = html.matches("<h3").count();
         assert!(refused >= 2, "{refused} refused steps");
         assert_eq!(html.matches("<img ").count(), 3 + 3 * refused);

@@ -126,3 +126,40 @@ fn a_scene_without_light_stays_dark() {
     assert_eq!(change(&plan, Axis::Lights), Some("omitted"));
     assert_eq!(steps(&scene(&text), &scene(&plan.text)), 0.0);
 }
+
+/// Lights from behind a ball light nothing that is seen, however many there are.
+#[test]
+fn many_lights_that_light_nothing_are_omitted() {
+    let mut text = "[settings]\nsize = [24, 18]\n[camera]\neye = [0, 0, 9]\ntarget = [0, 0, 0]\nheight = 3\n[[light.directional]]\n\
+         towards = [0, 0, 1]\n"
+        .to_owned();
+    for number in 0..20 {
+        text += &format!("[[light.point]]\nposition = [0, {number}, -90]\n");
+    }
+    text += "[[object]]\nsurface = { sphere = { radius = 1 } }\ntessellation = { segments = [12, 8] }\n";
+    let plan = planned(&text, &only(&[Axis::Lights], 2.0));
+    assert!(plan.is_cheapest, "{:?}", plan.end);
+    assert_eq!(plan.decisions.len(), 20);
+    assert!(plan.decisions.iter().all(|decision| decision.to == "omitted" && decision.number > 0));
+}
+
+/// Each of these lamps is needed, and there are more combinations than could be listed.
+#[test]
+fn many_lights_that_are_needed_are_planned() {
+    let mut text =
+        "[settings]\nsize = [24, 18]\n[camera]\neye = [0, 0, 9]\ntarget = [0, 0, 0]\nheight = 3\n".to_owned();
+    for number in 0..12 {
+        let angle = f64::from(number) * std::f64::consts::TAU / 12.0;
+        text += &format!(
+            "[[light.point]]\nposition = [{}, {}, 200]\ncolour = 0.07\n",
+            300.0 * libm::cos(angle),
+            300.0 * libm::sin(angle)
+        );
+    }
+    text += "[[object]]\nsurface = { sphere = { radius = 1 } }\ntessellation = { segments = [12, 8] }\n";
+    let plan = planned(&text, &only(&[Axis::Lights], 2.0));
+    assert!(plan.is_cheapest, "{:?}", plan.end);
+    assert_eq!(plan.combinations, 531_441.0, "3 to the power of 12");
+    assert_eq!(plan.decisions.len(), 12);
+    assert!(plan.decisions.iter().all(|decision| decision.to == "directional"), "{:?}", plan.decisions);
+}

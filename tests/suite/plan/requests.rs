@@ -2,7 +2,7 @@
 
 use super::random_scenes::RandomScene;
 use super::{change, only, planned, scene};
-use crease::plan::{Axis, Minimise, PlanOptions, plan};
+use crease::plan::{Axis, End, Minimise, PlanOptions, Progress, plan};
 use crease::raster::LoadOptions;
 use std::path::Path;
 
@@ -164,6 +164,39 @@ fn a_spent_budget_gives_a_plan_that_is_not_proven() {
         unproven += usize::from(!plan.is_cheapest);
     }
     assert!(unproven > 0);
+}
+
+/// A search that ends early has a verified plan that is cheaper than the scene, and states how far it may be from the cheapest.
+#[test]
+fn a_spent_budget_gives_the_best_plan_so_far() {
+    let options = only(&[Axis::Shading, Axis::Interpolation, Axis::Reflection, Axis::Lights], 2.0);
+    let whole = planned(SCENE, &options);
+    assert!(whole.gap == 0.0 && whole.planned.work < whole.declared.work);
+    let budget = whole.drawn * 3 / 4;
+    let plan = planned(SCENE, &PlanOptions { budget, ..options.clone() });
+    assert_eq!(plan.end, End::Budget { pixels: budget });
+    assert!(plan.planned.work < plan.declared.work, "{:?}", plan.decisions);
+    assert_eq!(super::steps(&scene(SCENE), &scene(&plan.text)), plan.worst.steps);
+    assert!(plan.worst.steps <= 2.0);
+    let gap = 1.0 - plan.proven as f64 / plan.planned.work as f64;
+    assert_eq!(plan.gap, gap);
+    assert!(whole.planned.work as f64 >= (1.0 - gap) * plan.planned.work as f64 - 1.0);
+    // The same again.
+    assert_eq!(planned(SCENE, &PlanOptions { budget, ..options }), plan);
+}
+
+/// The progress ends at 1, with the cost of the plan.
+#[test]
+fn progress_ends_with_the_plan() {
+    let steps = std::cell::RefCell::new(Vec::new());
+    let options = only(&[Axis::Interpolation, Axis::Lights], 9.0);
+    let note = |step: Progress| steps.borrow_mut().push(step);
+    let plan = plan(SCENE, Path::new(""), &LoadOptions::default(), &options, &note).unwrap();
+    let steps = steps.into_inner();
+    let best = plan.planned.work as f64 / plan.declared.work as f64;
+    assert_eq!(steps.last(), Some(&Progress { share: 1.0, best }));
+    assert!(steps.iter().all(|step| (0.0..=1.0).contains(&step.share) && step.best >= best));
+    assert!(best < 1.0 && steps.iter().any(|step| step.best == 1.0));
 }
 
 /// Views around the scene: the worst of others is reported, and they are within the tolerance.

@@ -1,12 +1,14 @@
 //! Pictures of models, compared with the reference.
 
-use super::axes::{LightModel, ObjectModel};
-use super::compare::{Difference, Metric, outline_distance};
-use super::lights::LightChoice;
-use super::model_bounds::ModelBounds;
-use super::stage::{PlanError, Stage};
-use super::views::View;
+use super::witnesses::Witnesses;
 use crate::mesh::NONE;
+use crate::plan::axes::{LightModel, ObjectModel};
+use crate::plan::compare::{Difference, Metric, outline_distance};
+use crate::plan::lights::LightChoice;
+use crate::plan::model_bounds::ModelBounds;
+use crate::plan::options::{End, Progress};
+use crate::plan::stage::{PlanError, Stage};
+use crate::plan::views::View;
 use crate::raster::Image;
 use crate::shade::Light;
 use std::cell::{Cell, Ref, RefCell};
@@ -28,6 +30,8 @@ pub struct Limits {
     pub budget: u64,
     /// When the search ends.
     pub deadline: Option<Instant>,
+    /// Most seconds until then.
+    pub seconds: f64,
 }
 
 impl Limits {
@@ -52,6 +56,10 @@ pub struct Counts {
     drawn: Cell<u64>,
     /// Models that were refused.
     refused: Cell<u64>,
+    /// The share of the cost of the best plan that is proven.
+    proven: Cell<f64>,
+    /// The cost of the best plan as a share of the declared one.
+    best: Cell<Option<f64>>,
 }
 
 /// Models that were drawn and compared.
@@ -79,34 +87,17 @@ pub struct Trials<'a> {
     pub limits: Limits,
     /// Bounds on the difference of models, where they hold.
     pub bounds: Option<ModelBounds<'a>>,
-    /// Called with the share of the budget that is used up.
-    progress: &'a dyn Fn(f64),
+    /// Called after each picture.
+    progress: &'a dyn Fn(Progress),
     counts: &'a Counts,
     known: RefCell<HashMap<(usize, usize, LightChoice), bool>>,
     log: RefCell<Vec<Trial>>,
-    /// Pixels at which models of a unit with these cells were refused: most others fail there too. The latest comes first.
-    witnesses: RefCell<Witnesses>,
+    /// Pixels at which models were refused.
+    pub(in crate::plan) witnesses: Witnesses,
 }
-
-/// A pixel of a view of which all samples show one face.
-#[derive(Clone, Copy, Debug)]
-struct Witness {
-    view: usize,
-    pixel: [u32; 2],
-    face: (usize, u32),
-}
-
-/// The witnesses of each unit, by its cells.
-type Witnesses = HashMap<(usize, Option<[u32; 2]>), Vec<Witness>>;
 
 /// The largest difference of a plan with the number of its view, and the largest distance of outlines.
 pub type Worst = ((Difference, usize), f64);
-
-/// Pixels of the tile that is drawn for a witness.
-const TILE: u64 = 64 * 64;
-
-/// Most witnesses of a unit.
-const WITNESSES: usize = 12;
 
 impl<'a> Trials<'a> {
     /// Of the models of a scene.
@@ -117,7 +108,7 @@ impl<'a> Trials<'a> {
         limits: Limits,
         bounds: Option<ModelBounds<'a>>,
         counts: &'a Counts,
-        progress: &'a dyn Fn(f64),
+        progress: &'a dyn Fn(Progress),
     ) -> Self {
         let (known, log, witnesses) = Default::default();
         Self { stage, views, lights, limits, bounds, progress, counts, known, log, witnesses }
@@ -140,8 +131,16 @@ impl<'a> Trials<'a> {
 
     /// Whether the budget or the time is used up.
     pub fn is_spent(&self) -> bool {
-        self.counts.drawn.get() > self.limits.budget
-            || self.limits.deadline.is_some_and(|deadline| Instant::now() > deadline)
+        self.spent().is_some()
+    }
+
+    /// What is used up. If it is the time, the plan depends on the machine, with or without the budget.
+    pub fn spent(&self) -> Option<End> {
+        let Limits { budget, deadline, seconds, .. } = self.limits;
+        if deadline.is_some_and(|deadline| Instant::now() > deadline) {
+            return Some(End::Time { seconds });
+        }
+        (self.counts.drawn.get() > budget).then_some(End::Budget { pixels: budget })
     }
 
     /// The lights of a view with a choice: all declared ones where no light has replacements.
@@ -175,7 +174,7 @@ impl<'a> Trials<'a> {
         let is_bounded = bound.is_some_and(|bound| bound <= self.limits.tolerance);
         let mut is_within = true;
         if !is_bounded {
-            let mut error = self.error_at_witness(unit, model, choice)?;
+            let mut error = self.error_at_witness((unit, number), model, choice)?;
             is_within = error <= self.limits.tolerance;
             for view in 0..self.views.len() {
                 if is_within {
@@ -189,57 +188,6 @@ impl<'a> Trials<'a> {
         self.counts.refused.set(self.counts.refused.get() + u64::from(!is_within));
         self.known.borrow_mut().insert(key, is_within);
         Ok(is_within)
-    }
-
-    /// The difference of a model at a pixel where others were beyond the tolerance: that takes a face, not a picture. 0 if it is within the
-    /// tolerance at all of them.
-    fn error_at_witness(
-        &self,
-        unit: usize,
-        model: &ObjectModel,
-        choice: &LightChoice,
-    ) -> Result<f64, PlanError> {
-        // With a share, one pixel refuses nothing.
-        if self.limits.share > 0.0 {
-            return Ok(0.0);
-        }
-        let key = (unit, model.segments);
-        let list = self.witnesses.borrow().get(&key).cloned().unwrap_or_default();
-        for (number, witness) in list.iter().enumerate() {
-            let view = &self.views[witness.view];
-            let lights = self.lights_of(view, choice);
-            let at = (witness.face, witness.pixel);
-            let colour = self.stage.colour_of_face((unit, model), &lights, &view.camera, at)?;
-            let [width, height] = self.stage.settings.size.map(u64::from);
-            self.count((width * height).min(TILE));
-            let steps = view.truth.steps_at(witness.pixel, colour);
-            if steps > self.limits.tolerance {
-                if let Some(list) = self.witnesses.borrow_mut().get_mut(&key) {
-                    list[..=number].rotate_right(1);
-                }
-                return Ok(steps);
-            }
-        }
-        Ok(0.0)
-    }
-
-    /// Remembers a pixel at which a model was refused.
-    fn add_witness(
-        &self,
-        view: usize,
-        unit: usize,
-        model: &ObjectModel,
-        pixel: [u32; 2],
-    ) -> Result<(), PlanError> {
-        let camera = &self.views[view].camera;
-        let face = self.stage.face_at((unit, model), camera, pixel)?;
-        if let Some(face) = face {
-            let mut witnesses = self.witnesses.borrow_mut();
-            let list = witnesses.entry((unit, model.segments)).or_default();
-            list.insert(0, Witness { view, pixel, face });
-            list.truncate(WITNESSES);
-        }
-        Ok(())
     }
 
     /// The largest difference of a model in a view, and whether it is within the limits.
@@ -303,9 +251,19 @@ impl<'a> Trials<'a> {
     }
 
     /// Counts drawn pixels.
-    fn count(&self, pixels: u64) {
+    pub(in crate::plan) fn count(&self, pixels: u64) {
         self.counts.drawn.set(self.counts.drawn.get() + pixels);
-        (self.progress)((self.counts.drawn.get() as f64 / self.limits.budget.max(1) as f64).min(1.0));
+        let used = self.counts.drawn.get() as f64 / self.limits.budget.max(1) as f64;
+        let (proven, best) = (self.counts.proven.get(), self.counts.best.get());
+        (self.progress)(Progress { share: used.max(proven).min(1.0), best: best.unwrap_or(1.0) });
+    }
+
+    /// Notes the costs that are proven and found, for the progress.
+    pub(in crate::plan) fn note(&self, proven: u64, best: u64, declared: u64) {
+        let share = |part: u64, whole: u64| (part as f64 / whole.max(1) as f64).min(1.0);
+        self.counts.proven.set(share(proven, best));
+        self.counts.best.set(Some(share(best, declared)));
+        self.count(0);
     }
 
     /// The largest difference of a whole plan with its view, and the largest distance of outlines; `None` if it is not within the limits.
@@ -320,6 +278,12 @@ impl<'a> Trials<'a> {
             let (difference, distance) = self.measure(view, models, choice)?;
             if !self.limits.accept(view, &difference, distance) {
                 log(difference.by(metric), false);
+                let [x, y] = difference.pixel;
+                let object = view.truth.image.index(x, y).map_or(NONE, |pixel| view.object_of[pixel]);
+                if difference.beyond > 0 && object != NONE {
+                    let unit = self.stage.unit_of(object);
+                    self.add_witness(number, unit, &models[unit], difference.pixel)?;
+                }
                 return Ok(None);
             }
             if difference.by(metric) > worst.0.by(metric) {

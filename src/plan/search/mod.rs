@@ -5,17 +5,30 @@
 //! combination with a model that fails there can succeed. The picture of the whole plan is always drawn. Where it fails, because
 //! of pixels that several objects share, the next combinations follow in the order of their costs.
 
+// A first plan, found step by step.
+mod descent;
+// Choices of lights in the order of their costs.
+mod light_branches;
+mod light_tree;
+// Pictures of models, compared with the reference.
+pub mod trials;
+// The light of each lamp at pixels at which models were refused.
+mod colours_at_witnesses;
+mod witnesses;
+
 use super::axes::ObjectModel;
 use super::compare::Difference;
-use super::cost::{Cost, Minimise, Sizes, object_cost};
+use super::cost::{Cost, Minimise, Sizes, light_class, object_cost};
 use super::lights::LightChoice;
+use super::options::End;
 use super::stage::PlanError;
-use super::trials::Trials;
 use crate::raster::Projection;
 use crate::shade::Light;
-use std::cell::RefCell;
+use light_tree::Next;
+use std::cell::{Cell, RefCell};
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap, HashSet};
+use trials::Trials;
 
 /// A plan within the limits.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,16 +47,18 @@ pub struct Found {
     pub changes: u32,
 }
 
-/// How a search ended.
+/// What a search has found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
+    /// Why it ended.
+    pub end: End,
     /// The cheapest plan; `None` if none is cheaper than the best one before.
     pub found: Option<Found>,
     /// No plan costs less than this; the cost of the best plan if it is proven cheapest.
     pub proven: u64,
     /// Pixels drawn.
     pub drawn: u64,
-    /// Combinations of models in all.
+    /// Combinations of models in all; the largest finite number if there are more.
     pub combinations: f64,
     /// Models that were drawn and refused.
     pub refused: u64,
@@ -59,6 +74,12 @@ pub struct Search<'a> {
     pub minimise: Minimise,
     /// The sizes of each unit, by what of a model they depend on.
     sizes: RefCell<HashMap<Shape, Sizes>>,
+    /// The least cost under lights of these classes.
+    least: RefCell<HashMap<Vec<(u64, bool)>, u64>>,
+    /// The model of each unit that passed all witnesses last.
+    survivors: RefCell<Vec<usize>>,
+    /// The declared cost.
+    declared: Cell<u64>,
 }
 
 /// A unit, its cells, and whether its normals are split: what its sizes depend on.
@@ -70,7 +91,9 @@ type Ranked = (u64, u32, usize, Cost);
 impl<'a> Search<'a> {
     /// A search over everything that is listed.
     pub fn new(trials: Trials<'a>, models: &'a [Vec<ObjectModel>], minimise: Minimise) -> Self {
-        Self { trials, models, minimise, sizes: RefCell::default() }
+        let survivors = RefCell::new(vec![0; models.len()]);
+        let (sizes, least, declared) = Default::default();
+        Self { trials, models, minimise, sizes, least, survivors, declared }
     }
 
     /// Searches for a plan that is cheaper than the `best` one so far. Without one, that is the reference itself.
@@ -78,29 +101,33 @@ impl<'a> Search<'a> {
     /// # Errors
     /// What makes a picture impossible.
     pub fn run(&self, best: Option<&Found>) -> Result<Outcome, PlanError> {
-        let mut ranked: Vec<(u64, u32, LightChoice)> = Vec::new();
-        for choice in self.light_choices() {
-            let changes = choice.iter().filter(|&&number| number > 0).count() as u32;
-            ranked.push((self.least(&choice)?, changes + u32::from(self.has_fewer_samples()), choice));
+        self.declared.set(self.reference()?.cost.of(self.minimise));
+        let key = |found: &Found| (found.cost.of(self.minimise), found.changes);
+        let start = match best {
+            None => Some(self.reference()?),
+            Some(best) => self.verified(best.models.clone(), best.lights.clone())?,
+        };
+        let mut found = start.map(|start| self.descend(start)).transpose()?;
+        // Of plans with the same cost and as many changes the search decides, so that they do not depend on the descent.
+        let mut most = found.as_ref().map_or((u64::MAX, u32::MAX), |found| (key(found).0, key(found).1 + 1));
+        if let Some(best) = best {
+            most = most.min(key(best));
+            found = found.filter(|found| key(found) < key(best));
         }
-        ranked.sort_unstable();
-        let models = self.models.iter().map(|list| list.len() as f64);
-        let combinations = ranked.len() as f64 * models.product::<f64>();
-        let mut found = if best.is_none() { Some(self.reference()?) } else { None };
-        let cost = |found: &Found| (found.cost.of(self.minimise), found.changes);
-        let mut most = best.or(found.as_ref()).map_or((u64::MAX, u32::MAX), cost);
+        let mut tree = self.light_tree(self.has_fewer_samples().into())?;
         let mut open = u64::MAX;
-        for (least, changes, choice) in &ranked {
-            if *least > most.0 {
-                break;
-            }
-            if self.trials.is_spent() {
-                open = *least;
-                break;
-            }
-            match self.cheapest(choice, &self.ranked(choice)?, *changes, most)? {
+        loop {
+            let (changes, choice) = match self.next_choice(&mut tree, most)? {
+                Next::Choice(changes, choice) => (changes, choice),
+                Next::Nothing => break,
+                Next::Spent(least) => {
+                    open = least;
+                    break;
+                }
+            };
+            match self.cheapest(&choice, &self.ranked(&choice)?, changes, most)? {
                 Step::Found(better) => {
-                    most = cost(&better);
+                    most = key(&better);
                     found = Some(*better);
                 }
                 Step::Nothing => {}
@@ -110,12 +137,45 @@ impl<'a> Search<'a> {
                 }
             }
         }
+        let numbers = self.models.iter().map(Vec::len).chain(self.trials.lights.iter().map(Vec::len));
+        let combinations = numbers.map(|count| count as f64).product::<f64>().min(f64::MAX);
         let (drawn, refused) = (self.trials.drawn(), self.trials.refused());
-        Ok(Outcome { proven: open.min(most.0), found, drawn, combinations, refused })
+        let end = if open == u64::MAX { End::Proven } else { self.trials.spent().unwrap_or(End::Proven) };
+        Ok(Outcome { end, proven: open.min(most.0), found, drawn, combinations, refused })
+    }
+
+    /// Notes the costs that are proven and found, for the progress.
+    pub(in crate::plan) fn note(&self, proven: u64, best: u64) {
+        self.trials.note(proven, best, self.declared.get());
+    }
+
+    /// Whether each model of some unit is refused at a pixel, with all choices of the `allowed` replacements of lights.
+    ///
+    /// # Errors
+    /// What makes a picture impossible.
+    pub fn is_refuted(&self, allowed: &[Vec<usize>]) -> Result<bool, PlanError> {
+        if !self.trials.adds_lights() {
+            return Ok(false);
+        }
+        for (unit, models) in self.models.iter().enumerate() {
+            // The last one that was not refused comes first, since a small change of lights refuses few others.
+            let last = self.survivors.borrow()[unit];
+            let others = (0..models.len()).filter(|&number| number != last);
+            let mut survivor = None;
+            for number in std::iter::once(last).chain(others) {
+                if self.trials.least_error((unit, number), &models[number], allowed)? == 0.0 {
+                    survivor = Some(number);
+                    break;
+                }
+            }
+            let Some(survivor) = survivor else { return Ok(true) };
+            self.survivors.borrow_mut()[unit] = survivor;
+        }
+        Ok(false)
     }
 
     /// Whether pictures have fewer samples than those of the reference.
-    fn has_fewer_samples(&self) -> bool {
+    pub(in crate::plan) fn has_fewer_samples(&self) -> bool {
         self.trials.stage.settings.samples != self.trials.views[0].truth.samples()
     }
 
@@ -135,7 +195,12 @@ impl<'a> Search<'a> {
         models.iter().enumerate().map(|(unit, model)| self.unit_cost(unit, model, &lights)).sum()
     }
 
-    fn unit_cost(&self, unit: usize, model: &ObjectModel, lights: &[Light]) -> Result<Cost, PlanError> {
+    pub(in crate::plan) fn unit_cost(
+        &self,
+        unit: usize,
+        model: &ObjectModel,
+        lights: &[Light],
+    ) -> Result<Cost, PlanError> {
         let Trials { stage, views, .. } = self.trials;
         let key = (unit, model.segments, model.normals.is_none_or(|normals| normals.creases));
         let known = self.sizes.borrow().get(&key).copied();
@@ -156,23 +221,17 @@ impl<'a> Search<'a> {
             || matches!(self.trials.views[0].camera.projection, Projection::Orthographic(_))
     }
 
-    /// All combinations of replacements of lights.
-    fn light_choices(&self) -> Vec<LightChoice> {
-        let mut choices = vec![Vec::new()];
-        for models in self.trials.lights {
-            choices = choices
-                .into_iter()
-                .flat_map(|choice| {
-                    (0..models.len()).map(move |number| choice.iter().copied().chain([number]).collect())
-                })
-                .collect();
-        }
-        choices
-    }
-
     /// No plan with these lights costs less than this.
-    fn least(&self, choice: &LightChoice) -> Result<u64, PlanError> {
+    ///
+    /// # Errors
+    /// What makes the changed scene unreadable.
+    pub fn least(&self, choice: &LightChoice) -> Result<u64, PlanError> {
         let lights = self.trials.lights_of(&self.trials.views[0], choice);
+        let mut classes: Vec<(u64, bool)> = lights.iter().map(light_class).collect();
+        classes.sort_unstable();
+        if let Some(&known) = self.least.borrow().get(&classes) {
+            return Ok(known);
+        }
         let mut sum = 0;
         for (unit, models) in self.models.iter().enumerate() {
             let mut least = u64::MAX;
@@ -181,6 +240,7 @@ impl<'a> Search<'a> {
             }
             sum += least;
         }
+        self.least.borrow_mut().insert(classes, sum);
         Ok(sum)
     }
 
