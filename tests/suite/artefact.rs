@@ -158,7 +158,11 @@ fn a_polygon_of_ones_own_is_turned_and_what_does_not_suit_is_refused() {
         (&["mach-bands", "--size", "5"], 2, "--size"),
         (&["mach-band"], 2, "mach-bands"),
         (&["mach-bands", "--exponent", "1e308"], 2, "no exponent"),
-        (&["lost-highlight", "--exponent", "1e308"], 2, "--exponent is 1e308\nhelp: give a number"),
+        (
+            &["lost-highlight", "--exponent", "1e308"],
+            2,
+            "--exponent is 1e308, out of range\nhelp: give a number",
+        ),
         (&["silhouette", "--animate", "x.gif"], 2, "these have one: orientation"),
         (&["orientation", "--animate", "turn.png"], 2, "use turn.gif"),
         (&["orientation", "--animate", "-"], 2, "turn.gif"),

@@ -455,7 +455,8 @@ fn files_are_inspected_from_a_list_and_findings_are_counted() {
     let args =
         ["inspect", "--manifest", "list", "--journal", "journal", "--jobs", "2", "--fail-on", "warning"];
     let (status, report, errors) = run_verb(work.path(), &args);
-    assert!(status == 1 && report.lines().count() == 5, "{status}: {report}{errors}");
+    assert!(status == 1 && report.lines().count() == 6, "{status}: {report}{errors}");
+    assert_eq!(report.lines().last(), Some("-v lists the findings of each file"));
     let (status, report, _) = run_verb(work.path(), &args);
     assert!(status == 1 && report.contains("4 files done (4 of them before)"), "{status}: {report}");
     let (_, summary, _) = run_verb(work.path(), &["journal", "summary", "journal"]);
