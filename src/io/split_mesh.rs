@@ -73,11 +73,6 @@ impl<'a> SplitMesh<'a> {
         self.split.as_ref().map_or(vertex, |split| split.source[vertex] as usize)
     }
 
-    /// A corner that uses a written vertex of a mesh of which vertices are split; [`NONE`] if there is none.
-    pub fn sample(&self, vertex: usize) -> u32 {
-        self.split.as_ref().map_or(NONE, |split| split.sample[vertex])
-    }
-
     /// Whether faces use a written vertex, in a mesh without normals per vertex.
     pub fn is_used(&self, vertex: usize) -> bool {
         self.split.as_ref().map_or_else(|| self.is_used[vertex], |split| split.sample[vertex] != NONE)

@@ -45,7 +45,6 @@ mod geometry;
 mod read;
 // New binary data, and the JSON that describes them.
 mod data;
-// The meshes and primitives of a new file.
 // A new file from meshes.
 mod new_file;
 // Changes to a document.

@@ -1,7 +1,10 @@
 //! A new glTF file from meshes.
 
+// Its materials.
 mod materials;
+// Its meshes and primitives.
 mod pieces;
+// Tangents for normal textures.
 mod tangents;
 
 use super::buffers::address;
@@ -147,8 +150,7 @@ impl<'a> File<'a> {
         }
         let mut attributes = self.attributes(&split)?;
         if let Some(tangents) = &tangents {
-            let values =
-                (0..split.vertex_count()).map(|vertex| tangents.at(split.sample(vertex))).collect::<Vec<_>>();
+            let values = tangents.of_vertices(&split.vertex_of, split.vertex_count());
             let accessor = self.vertices(values, ElementFormat::vector(Component::F32, false, 4), None);
             attributes.textured = format!("{},\"TANGENT\":{accessor}", attributes.full);
         }

@@ -15,10 +15,15 @@ pub struct NewTangents {
 }
 
 impl NewTangents {
-    /// The tangent of a corner; +x where there is none, as accessors have a value for each vertex.
-    pub fn at(&self, corner: u32) -> [f32; 4] {
-        let number = self.of_corner.get(corner as usize);
-        *number.and_then(|&number| self.values.get(number as usize)).unwrap_or(&[1.0, 0.0, 0.0, 1.0])
+    /// The tangent of every written vertex; +x where there is none, as accessors have a value for each vertex.
+    pub fn of_vertices(&self, vertex_of: &[u32], count: usize) -> Vec<[f32; 4]> {
+        let mut values = vec![[1.0, 0.0, 0.0, 1.0]; count];
+        for (&vertex, &number) in vertex_of.iter().zip(&self.of_corner) {
+            if let Some(tangent) = self.values.get(number as usize) {
+                values[vertex as usize] = *tangent;
+            }
+        }
+        values
     }
 }
 
