@@ -255,6 +255,19 @@ fn mirrored_coordinates_have_the_other_handedness_and_vertices_of_their_own() {
     }
 }
 
+/// Normals that stay keep the file as it is, unless all tangents are to be computed.
+#[test]
+fn regenerated_tangents_do_not_need_new_normals() {
+    let made = mirrored();
+    let loaded = made.with("NORMAL", (0..6).map(|_| vec![0.0, 0.0, 1.0])).open();
+    let kept = write(&loaded, towards(&loaded, DVec3::Z), &with(TangentPolicy::Auto));
+    assert_eq!((kept.vertices, tangents(&kept.bytes).unwrap()), (6, vec![Vec4::new(1.0, 0.0, 0.0, 1.0); 6]));
+    let written = write(&loaded, towards(&loaded, DVec3::Z), &with(TangentPolicy::Regenerate));
+    let again = write(&mirrored().open(), towards(&loaded, DVec3::Z), &with(TangentPolicy::Auto));
+    assert_eq!((written.vertices, written.added_vertices), (8, 2));
+    assert_eq!(tangents(&written.bytes), tangents(&again.bytes));
+}
+
 #[test]
 fn vertices_that_an_extension_numbers_are_not_split_for_tangents() {
     let extensions = json!({"CESIUM_primitive_outline": {"indices": 4}});

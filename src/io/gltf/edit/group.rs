@@ -9,7 +9,7 @@ use crate::io::gltf::data::Target;
 use crate::io::gltf::json::Value;
 use crate::io::gltf::records::{Component, Format, VertexAccessors};
 use crate::io::gltf::tangent_space::MaterialUses;
-use crate::io::{ReadError, WriteError, WriteOptions};
+use crate::io::{ReadError, TangentPolicy, WriteError, WriteOptions};
 use crate::mesh::{VertexSplit, split_vertices};
 use std::borrow::Cow;
 
@@ -56,15 +56,21 @@ impl Group<'_, '_> {
         let locals: Vec<u32> = self.corners().map(|(member, corner)| member.vertex(corner)).collect();
         let mut split = split_vertices(count, &locals, &[&rows.of_corner]);
         let mut new_rows = rows.gather(&split);
-        if split.added(count) == 0 && stored.is_stored(&new_rows) {
+        let is_unchanged = split.added(count) == 0 && stored.is_stored(&new_rows);
+        let are_new = self.members.iter().any(Member::has_new_normals);
+        // Computed normals may be equal to the stored ones.
+        let regenerates = self.options.tangents == TangentPolicy::Regenerate && are_new;
+        let tangents = match is_unchanged && !regenerates {
+            true => Tangents::Stay,
+            false => self.tangents(store, &rows, &locals)?,
+        };
+        if is_unchanged && matches!(tangents, Tangents::Stay) {
             return self.write_merged(store, &self.others(Replaced::Nothing, true));
         }
         let has_normals = |set| self.vertices.of_set(set, "NORMAL").is_some();
-        let are_new = self.members.iter().any(Member::has_new_normals);
-        if are_new && !morph && target_sets.clone().any(has_normals) {
+        if are_new && !is_unchanged && !morph && target_sets.clone().any(has_normals) {
             store.remark(Remark::STALE_DELTAS, self.members.len());
         }
-        let tangents = self.tangents(store, &rows, &locals)?;
         let replaced = if morph { Replaced::NormalsAndDeltas } else { Replaced::Normals };
         let others = self.others(replaced, matches!(tangents, Tangents::Stay));
         let mut tangent_rows = None;
