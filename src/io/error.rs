@@ -118,7 +118,8 @@ pub struct Note {
     /// Where.
     #[serde(skip_serializing_if = "Place::is_file")]
     pub place: Place,
-    /// What.
+    /// What. The next step may follow on a line that starts with `help: `; JSON has both on one line.
+    #[serde(serialize_with = "in_one_line")]
     pub text: String,
     /// How many more like it there are.
     #[serde(skip_serializing_if = "is_zero")]
@@ -126,6 +127,10 @@ pub struct Note {
     /// Where the first of these are, at most [`Note::MOST_PLACES`].
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub also: Vec<Place>,
+}
+
+fn in_one_line<S: serde::Serializer>(text: &str, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(&text.replace("\nhelp: ", "; "))
 }
 
 impl Note {

@@ -135,8 +135,6 @@ impl Console {
             notes.iter().filter(|note| !brief || note.severity == Severity::Warning).collect();
         for note in wanted.iter().take(most) {
             let text = if all { with_places(note) } else { note.to_string() };
-            // A camera is the next step, on a line of its own.
-            let text = text.replacen("; --camera ", &format!("{HELP}--camera "), 1);
             self.about(note.severity, &format!("{path}: {text}"));
         }
         if wanted.len() > most {

@@ -203,7 +203,10 @@ fn small(file: &SceneFile, drawings: &[Drawing]) -> Option<String> {
         return None;
     }
     let percent = three_digits(100.0 * share);
-    Some(format!("the objects cover only {percent} % of the picture; {} frames them", framing_camera(file)?))
+    Some(format!(
+        "the objects cover only {percent} % of the picture{HELP}{} frames them",
+        framing_camera(file)?
+    ))
 }
 
 /// The option with a camera that frames all objects of a scene; `None` for a scene without extent.
@@ -238,11 +241,11 @@ fn advice(cause: Unseen, file: &SceneFile) -> String {
     match cause {
         Unseen::NoEdges => String::new(),
         Unseen::Behind | Unseen::OutsidePicture | Unseen::Small => match framing_camera(file) {
-            Some(camera) => format!("; {camera} frames the objects"),
-            None => "; move it with --camera".to_owned(),
+            Some(camera) => format!("{HELP}{camera} frames the objects"),
+            None => format!("{HELP}move it with --camera"),
         },
-        Unseen::Culled => "; --cull none draws all faces".to_owned(),
-        Unseen::NoArea => "; `crease inspect` reports what is wrong with them".to_owned(),
+        Unseen::Culled => format!("{HELP}--cull none draws all faces"),
+        Unseen::NoArea => format!("{HELP}`crease inspect` reports what is wrong with them"),
     }
 }
 
@@ -288,5 +291,26 @@ pub fn print(report: &Report, request: &Request, console: &Console) {
     // A probe is printed even under --quiet.
     if let Some(probe) = report.probe.as_ref().filter(|_| !console.json) {
         console.report(&probe.to_string());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coordinates_have_the_digits_that_matter_at_their_distance() {
+        for (x, distance, expected) in [
+            (1.07e-4, 5.0, "0"),
+            (-9.3e-5, 10.3, "0"),
+            (1.25, 4.0, "1.25"),
+            // Far from the origin.
+            (-123456.789, 4.0, "-123456.789"),
+            (2.5e7, 3e6, "25000000"),
+            (1.5e-20, 4e-20, "1.50e-20"),
+            (1e-24, 4e-20, "0"),
+        ] {
+            assert_eq!(rounded_to(x, distance), expected, "{x} at {distance}");
+        }
     }
 }
