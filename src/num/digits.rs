@@ -29,6 +29,17 @@ pub fn significant_digits(x: f64, digits: usize) -> String {
     }
 }
 
+/// A number rounded to six significant digits, without the zeros that follow them: a coordinate to be typed again.
+///
+/// ```
+/// use crease::num::six_digits;
+///
+/// assert_eq!([0.6139867940184421, -4.0, 1234567.0].map(six_digits), ["0.613987", "-4", "1234570"]);
+/// ```
+pub fn six_digits(x: f64) -> String {
+    format!("{x:.5e}").parse::<f64>().unwrap_or(x).to_string()
+}
+
 /// A number as [`three_digits`] writes it, for pages: with a power of ten in place of an exponent, and a true minus sign.
 ///
 /// ```

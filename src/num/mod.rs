@@ -43,7 +43,7 @@ mod viridis;
 pub use angle::{Degrees, Radians, angle_between};
 pub use angle_statistics::AngleErrors;
 pub use colour::{LinearRgb, Srgb8, Transfer};
-pub use digits::{powers_of_ten, significant_digits, three_digits};
+pub use digits::{powers_of_ten, significant_digits, six_digits, three_digits};
 pub use power::{Power, Underflow, exp2, log2};
 pub use real::Real;
 pub use scale::unit_scale;

@@ -5,7 +5,7 @@ use super::file_report::FileReport;
 use crate::cli::common::console::{Style, escaped};
 use crate::cli::common::numbers::{change, count, row, size};
 use crate::cli::common::report::Head;
-use crease::num::three_digits;
+use crease::num::{six_digits, three_digits};
 use crease::plan::{Axis, Decision, End, Metric, Minimise, Place, Plan, limit};
 use serde::Serialize;
 
@@ -93,10 +93,7 @@ pub fn text(report: &Report, style: Style) -> String {
     row(&mut out, "vertices", &change(totals(|cost| cost.vertices), |count| count.to_string()));
     report.files.iter().for_each(|file| file.rows(&mut out));
     let [x, y] = plan.worst.pixel;
-    let view = match plan.views {
-        1 => String::new(),
-        _ => format!(" of view {} ({})", plan.worst_view, place(&plan.worst_place)),
-    };
+    let view = if plan.views > 1 { format!(" of view {}", plan.worst_view) } else { String::new() };
     let steps = format!("{} steps of 255 at pixel {x},{y}{view}", three_digits(plan.worst.steps));
     let mut worst = match report.metric {
         Metric::Steps => format!(
@@ -113,15 +110,19 @@ pub fn text(report: &Report, style: Style) -> String {
     if report.light_cone > 0.0 {
         worst += &format!("; lights turned by {}° and {}°", 0.5 * report.light_cone, report.light_cone);
     }
-    if let Some(held_out) = &plan.held_out {
-        let most = three_digits(held_out.by(report.metric));
-        let at = plan.held_out_place.as_ref().map_or(String::new(), |at| format!(" ({})", place(at)));
-        worst += &format!("; {most} in views that the plan was not found with{at}");
-    }
-    if plan.repairs > 0 {
-        worst += &format!("; {} added after failing there", count(plan.repairs, "view"));
-    }
     row(&mut out, "worst", &worst);
+    if plan.views > 1 {
+        row(&mut out, "view", &place(&plan.worst_place));
+    }
+    if let Some((held_out, at)) = plan.held_out.as_ref().zip(plan.held_out_place.as_ref()) {
+        let most = three_digits(held_out.by(report.metric));
+        let added = match plan.repairs {
+            0 => String::new(),
+            repairs => format!("; {} added after failing there", count(repairs, "view")),
+        };
+        row(&mut out, "held out", &format!("{most} in views that the plan was not found with{added}"));
+        row(&mut out, "view", &place(at));
+    }
     let search = format!(
         "{}; {} refused, {} combinations, {:.0} Mpixels",
         end(plan, report.minimise),
@@ -172,11 +173,11 @@ fn about(combinations: f64) -> String {
 
 /// The camera and the lights of a view.
 fn place(place: &Place) -> String {
-    let list = |vector: [f64; 3]| vector.map(|x| format!("{x:?}")).join(",");
+    let list = |vector: [f64; 3]| vector.map(six_digits).join(",");
     let turn = place.turn.map_or(String::new(), |turn| {
         format!(", lights turned by {}° around {}", three_digits(turn.degrees), list(turn.axis))
     });
-    format!("eye {}, target {}{turn}", list(place.eye), list(place.target))
+    format!("--camera 'eye={} target={}'{turn}", list(place.eye), list(place.target))
 }
 
 fn name(minimise: Minimise) -> &'static str {

@@ -2,6 +2,7 @@
 
 use super::decisions::{axis, cost, difference, name_of, sentence, text, value, what};
 use super::tried::tried_plot;
+use crate::num::six_digits;
 use crate::plan::{Comparison, Evidence, Metric, Minimise, Place, Plan, Refusal};
 use crate::raster::{Image, Pixels};
 use crate::report::error::Result;
@@ -129,7 +130,7 @@ fn saved(saved: i64, minimise: Minimise, language: Language) -> String {
 
 /// The camera and the lights of a view.
 fn view_of(key: &str, place: &Place, language: Language) -> String {
-    let list = |vector: [f64; 3]| Value::from(vector.map(|x| format!("{x:?}")).join(", "));
+    let list = |vector: [f64; 3]| Value::from(vector.map(six_digits).join(", "));
     let mut values = vec![("eye", list(place.eye)), ("target", list(place.target))];
     let mut sentence = text(key, &values, language);
     if let Some(turn) = place.turn {

@@ -174,7 +174,7 @@ fn the_report_states_the_worst_views() {
     let input = path(folder.path().join("scene.toml"));
     let args = ["--views", "2", "--light-cone", "10"];
     let report = text(&plan(&[&[input.as_str()], &args[..]].concat()).stdout).to_owned();
-    assert!(report.contains(" of view ") && report.matches("eye ").count() == 2, "{report}");
+    assert!(report.contains(" of view ") && report.matches("--camera 'eye=").count() == 2, "{report}");
     let json = plan(&[&[input.as_str(), "--json", "-q"], &args[..]].concat());
     let json: serde_json::Value = serde_json::from_slice(&json.stdout).unwrap();
     for member in ["worst_place", "held_out_place"] {
@@ -299,7 +299,7 @@ fn the_page_shows_the_plan_and_what_was_refused() {
         assert!(html.contains(&format!("<html lang=\"{language}\">")));
         assert!(html.contains(&format!("<h1>scene &lt;1&gt;.toml {title} ")), "{html}");
         assert!(html.contains(reason), "{language}");
-        assert!(html.contains(" 4.0, 3.0, 5.0 "), "the eye of the worst view: {html}");
+        assert!(html.contains(" 4, 3, 5 "), "the eye of the worst view: {html}");
         let refused = html.matches("<h3").count();
         assert!(refused >= 2, "{refused} refused steps");
         assert_eq!(html.matches("<img ").count(), 3 + 3 * refused);

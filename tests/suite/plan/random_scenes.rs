@@ -264,6 +264,12 @@ impl RandomScene {
         Self { head, things, lamps }
     }
 
+    /// The scene of a seed with four lamps of any kind.
+    pub fn with_four_lamps(seed: u64) -> Self {
+        let mut random = Random(seed.wrapping_mul(0x9876_5431));
+        Self { lamps: (0..4).map(|_| Lamp::new(&mut random)).collect(), ..Self::new(seed) }
+    }
+
     pub fn text(&self) -> String {
         self.text_of(&self.things, &self.lamps.iter().copied().map(Some).collect::<Vec<_>>())
     }
