@@ -204,13 +204,13 @@ fn plans_cost_as_little_as_the_cheapest_of_all_combinations() {
     compare(0..60, 300);
 }
 
-/// With four lamps, branches of the search decide some of them and bound the others.
+/// With five lamps, branches of the search decide some of them and bound the others. Taking the step that saves most is not enough.
 #[test]
 fn choices_of_several_lamps_cost_as_little_as_the_cheapest_of_all() {
     let mut changed = 0;
-    for seed in 0..24 {
-        let it = RandomScene::with_four_lamps(seed);
-        let options = only(&[Axis::Lights], [1.0, 4.0, 12.0, 40.0][seed as usize % 4]);
+    for seed in 0..40 {
+        let it = RandomScene::with_weak_lamps(seed);
+        let options = only(&[Axis::Lights], [1.5, 2.5, 4.0, 6.0][seed as usize % 4]);
         let (plan, _) = compare_one(&it, &options, &[Axis::Lights]);
         changed += usize::from(plan.planned.work < plan.declared.work);
     }

@@ -264,10 +264,25 @@ impl RandomScene {
         Self { head, things, lamps }
     }
 
-    /// The scene of a seed with four lamps of any kind.
-    pub fn with_four_lamps(seed: u64) -> Self {
+    /// The scene of a seed with a strong lamp and four that add a few steps each. Some of these can be omitted together, and those that
+    /// save most are not always among them.
+    pub fn with_weak_lamps(seed: u64) -> Self {
         let mut random = Random(seed.wrapping_mul(0x9876_5431));
-        Self { lamps: (0..4).map(|_| Lamp::new(&mut random)).collect(), ..Self::new(seed) }
+        let mut weak = || {
+            let lamp = Lamp::new(&mut random);
+            let share = 0.005 + 0.015 * random.unit();
+            match lamp {
+                Lamp::Ambient(_) => Lamp::Ambient(share),
+                Lamp::Sun(towards, _) => Lamp::Sun(towards, share),
+                Lamp::Point(position, _, is_attenuated) => {
+                    let square: f64 = position.iter().map(|x| x * x).sum();
+                    Lamp::Point(position, if is_attenuated { share * square } else { share }, is_attenuated)
+                }
+            }
+        };
+        let mut lamps = vec![Lamp::Sun([1.0, 2.0, 3.0], 0.7)];
+        lamps.extend((0..4).map(|_| weak()));
+        Self { lamps, ..Self::new(seed) }
     }
 
     pub fn text(&self) -> String {
