@@ -143,6 +143,31 @@ fn many_lights_that_light_nothing_are_omitted() {
     assert!(plan.decisions.iter().all(|decision| decision.to == "omitted" && decision.number > 0));
 }
 
+/// Omitting the far lamp alone saves most of all single steps, and leaves no room for the three suns. As a sun it leaves room for omitting
+/// all of them, which saves more. Every change of the lamp near the middle makes the part in view too bright, or leaves it dark.
+#[test]
+fn the_step_that_saves_most_is_not_always_in_the_cheapest_plan() {
+    let step = 1.0 / 255.0;
+    let mut text = "[settings]\nsize = [16, 16]\ntransfer = \"direct\"\n[camera]\neye = [-0.75, 0, 10]\ntarget = [-0.75, 0, 0]\n\
+         height = 0.4\n"
+        .to_owned();
+    text += &format!(
+        "[[light.point]]\nposition = [0, 0, 1e6]\ncolour = {:?}\nattenuation = \"none\"\n",
+        1.8 * step
+    );
+    text += "[[light.point]]\nposition = [3, 0, 1]\ncolour = 10\nattenuation = \"inverse-square\"\n";
+    for _ in 0..3 {
+        text += &format!("[[light.directional]]\ntowards = [0, 0, 1]\ncolour = {:?}\n", 0.6 * step);
+    }
+    text += "[[object]]\npolygons = { vertices = [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], faces = [[0, 1, 2, 3]] }\n\
+         material = { colour = 1, ambient = 0, diffuse = 1, specular = 0 }\n";
+    let plan = planned(&text, &only(&[Axis::Lights], 2.0));
+    assert!(plan.is_cheapest, "{:?}", plan.end);
+    let changes: Vec<&str> = plan.decisions.iter().map(|decision| decision.to.as_str()).collect();
+    assert_eq!(changes, ["directional", "omitted", "omitted", "omitted"], "{}", plan.text);
+    assert!((plan.worst.steps - 1.8).abs() < 1e-3, "{:?}", plan.worst);
+}
+
 /// Each of these lamps is needed, and there are more combinations than could be listed.
 #[test]
 fn many_lights_that_are_needed_are_planned() {
