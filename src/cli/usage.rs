@@ -192,7 +192,11 @@ mod tests {
             ("crease surface sphere --jitter x", "wrong value \"x\" of --jitter: expected a number / "),
             ("crease inspect a --only flat", "wrong value \"flat\" of --only: no finding has this id / "),
             ("crease stress x", "unexpected argument \"x\" / `crease stress --help` lists the arguments"),
-            ("crease inspect a --explain b", "--explain cannot be used with other arguments / omit the file"),
+            ("crease inspect a --explain b", "[INPUT]... cannot be used with --explain / omit one of them"),
+            (
+                "crease render a --scene-help",
+                "--scene-help cannot be used with other arguments / omit the file",
+            ),
             ("crease surface", "--output <FILE> and <SURFACE> are required / "),
             (
                 "crease inspect a --shard 4/4",

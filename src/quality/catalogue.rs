@@ -4,9 +4,9 @@
 
 use crate::num::three_digits;
 use crate::quality::element::{Element, Severity};
-use crate::text::{Catalogue, Language, catalogue};
+use crate::text::{Catalogue, Text, catalogue};
 
-static TEXTS: Catalogue = catalogue!("catalogue", en);
+static TEXTS: Catalogue = catalogue!("catalogue");
 
 /// The groups of findings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -140,22 +140,22 @@ pub fn entries() -> impl Iterator<Item = &'static Entry> {
 
 impl Entry {
     /// The cause in a few words.
-    pub fn title(&self) -> String {
+    pub fn title(&self) -> Text {
         self.text("title")
     }
 
     /// What the finding means, how it is distinguished from other causes, and what a picture shows.
-    pub fn meaning(&self) -> String {
+    pub fn meaning(&self) -> Text {
         self.text("meaning")
     }
 
     /// What to do.
-    pub fn advice(&self) -> String {
+    pub fn advice(&self) -> Text {
         self.text("advice")
     }
 
-    fn text(&self, part: &str) -> String {
-        TEXTS.get(&format!("{}-{part}", self.id)).get(Language::English).to_owned()
+    fn text(&self, part: &str) -> Text {
+        TEXTS.get(&format!("{}-{part}", self.id))
     }
 }
 
@@ -199,6 +199,7 @@ impl Kind {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::text::Language;
     use std::collections::BTreeSet;
 
     #[test]
@@ -209,7 +210,8 @@ mod tests {
             assert!(ids.insert(entry.id), "{} stands twice", entry.id);
             assert_eq!(Kind::of_id(entry.id), Some(entry.kind));
             assert!(entry.id.chars().all(|c| c.is_ascii_lowercase() || c == '-'), "{}", entry.id);
-            for text in [entry.meaning(), entry.advice()] {
+            let texts = [entry.meaning(), entry.advice()];
+            for text in texts.iter().flat_map(|text| Language::ALL.map(|language| text.get(language))) {
                 assert!(text.len() > 10 && text.ends_with('.'), "{}: {text}", entry.id);
             }
         }

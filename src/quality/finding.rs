@@ -6,6 +6,7 @@ use crate::quality::counts::{Milder, Tally};
 use crate::quality::effect::key_light_steps;
 use crate::quality::element::Severity;
 use crate::quality::spot::Measure;
+use crate::text::Language;
 use glam::DVec3;
 use serde::Serialize;
 
@@ -157,7 +158,8 @@ fn cause(entry: &Entry, tally: &Tally) -> String {
     };
     let details: Vec<String> = remark.into_iter().chain(others).collect();
     let title = entry.title();
-    if details.is_empty() { title } else { format!("{title}: {}", details.join("; ")) }
+    let title = title.get(Language::English);
+    if details.is_empty() { title.to_owned() } else { format!("{title}: {}", details.join("; ")) }
 }
 
 fn sum_in_words(kind: Kind, sum: u64) -> String {

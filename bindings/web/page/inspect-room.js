@@ -1,7 +1,7 @@
 // The room Inspect: the findings of a mesh, each turning the view to its place.
 
 import { button, commandBlock, drawing, element, slider, group } from './dom.js';
-import { number, text } from './texts.js';
+import { currentLanguage, number, text } from './texts.js';
 import { draggable, figure, put, stageWidth } from './canvas.js';
 import { meshGroup, viewOf } from './mesh-controls.js';
 
@@ -62,9 +62,9 @@ export function inspectRoom(lab) {
       const amount = `${number(finding.count, 8)} / ${number(finding.of, 8)}`;
       return element('details', { class: `finding ${finding.severity}` },
         element('summary', {}, element('span', { class: `role ${finding.severity}` }, text(`severity-${finding.severity}`)),
-          ' ', element('strong', { lang: 'en' }, finding.title), ` ${amount}`),
-        element('div', { lang: 'en' },
-          element('p', {}, finding.cause), element('p', {}, finding.meaning), element('p', {}, finding.advice)),
+          ' ', element('strong', {}, finding.title[currentLanguage()]), ` ${amount}`),
+        element('p', { lang: 'en' }, finding.cause),
+        element('p', {}, finding.meaning[currentLanguage()]), element('p', {}, finding.advice[currentLanguage()]),
         places.length ? element('div', { class: 'buttons' }, ...places) : null,
         finding.command ? commandBlock([finding.command]) : null);
     }));
@@ -76,7 +76,7 @@ export function inspectRoom(lab) {
     const side = dragging ? Math.round(most / 2) : most;
     const size = /** @type {[number, number]} */ ([side, side]);
     const { subject, segments } = lab.state;
-    const key = `${subject} ${segments} ${lab.file?.name}`;
+    const key = `${subject} ${segments} ${lab.file?.name} ${currentLanguage()}`;
     const request = { ...viewOf(lab.state, size), hairs: false };
     try {
       if (key !== inspected) mark = null;

@@ -13,6 +13,7 @@ use crease::num::Degrees;
 use crease::quality::catalogue::{Kind, entries};
 use crease::quality::{Finding, Severity, Thresholds};
 use crease::report::Sight;
+use crease::text::Language;
 use glam::DVec3;
 use std::path::PathBuf;
 
@@ -63,6 +64,22 @@ impl PictureArgs {
     }
 }
 
+/// The options that need an input file.
+const NOT_TO_EXPLAIN: [&str; 12] = [
+    "inputs",
+    "manifest",
+    "recursive",
+    "against",
+    "html",
+    "heatmap",
+    "fail_on",
+    "severity",
+    "ignore",
+    "only",
+    "places",
+    "json",
+];
+
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Findings")]
 pub struct FindingArgs {
@@ -76,8 +93,11 @@ pub struct FindingArgs {
     pub only: Vec<Kind>,
     #[arg(long, value_name = "N")]
     pub places: Option<usize>,
-    #[arg(long, value_name = "WORD", num_args = 1.., exclusive = true)]
+    #[arg(long, value_name = "WORD", num_args = 1.., conflicts_with_all = NOT_TO_EXPLAIN)]
     pub explain: Vec<String>,
+    #[arg(long, value_name = "LANG", default_value = "en", value_parser = one_of::<Language>(),
+          requires = "explain", conflicts_with_all = NOT_TO_EXPLAIN)]
+    pub lang: Language,
 }
 
 impl FindingArgs {

@@ -28,6 +28,7 @@ ignore = Omit these findings; repeatable
 only = Report only these findings; repeatable
 places = Positions to report for each finding, worst first [default: 10 in JSON, 1 as text, 10 with -v]
 explain = Explain findings by id or symptom (faceted, dark, seam, inside out), or all, and exit
+lang = Language of --explain
 deviation = Maximum angle between a stored normal and the one computed with the estimated recipe, in degrees [default: 15]
 past-face = Maximum angle of a stored normal beyond 90° from its face, in degrees [default: 5]
 rotation = Maximum common rotation of all stored normals, in degrees [default: 5]

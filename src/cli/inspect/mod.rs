@@ -2,6 +2,8 @@
 
 /// Options.
 pub mod args;
+/// The texts of `--explain`.
+mod explanation;
 /// The report as JSON.
 pub mod json;
 /// Reading, diagnosing and drawing.

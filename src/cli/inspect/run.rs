@@ -3,7 +3,7 @@
 use super::args::{FindingArgs, HeatMapOf, InspectArgs, PictureArgs};
 use super::json::{Against, Counts, FindingReport, InspectReport, SkippedReport};
 use super::symptoms;
-use super::text::{self, Layout};
+use super::text::Layout;
 use crate::cli::common::console::{Console, HELP, Style, Verbosity, escaped};
 use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
 use crate::cli::common::input::{Input, Source, check_root, expand};
@@ -13,6 +13,7 @@ use crate::cli::common::output::{Target, is_same_file, resolve_parent, stem};
 use crate::cli::common::progress::{FileProgress, Stage};
 use crate::cli::common::report::SKIPPED;
 use crate::cli::common::run_batch::{Recorded, Shared, run_batch};
+use crate::cli::inspect::explanation;
 use crate::cli::line_options::with_line;
 use crate::cli::usage::{refused, usage_error};
 use crease::io::{Format, Loaded, ReadLog, ReadOptions};
@@ -20,6 +21,7 @@ use crease::num::Transfer;
 use crease::quality::catalogue::{Kind, entries};
 use crease::quality::{Diagnosis, Severity, Thresholds, compare, diagnose};
 use crease::report::{After, DiagnosisPage, HeatMap, encode_png, heat_map};
+use crease::text::Language;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -36,7 +38,8 @@ pub fn main(args: &InspectArgs, color: Color) -> Exit {
     let to_stdout = args.pictures.paths().find(|path| Target::of(path) == Target::Standard);
     let console = Console::new(&args.run, color, to_stdout.map(|path| path.as_path()));
     if !args.findings.explain.is_empty() {
-        console.report(&explained(&args.findings.explain.join(" "), console.report_style));
+        let findings = &args.findings;
+        console.report(&explained(&findings.explain.join(" "), findings.lang, console.report_style));
         return exit_code(Ok(Exit::Done), &console);
     }
     let jobs = match jobs(args) {
@@ -48,7 +51,7 @@ pub fn main(args: &InspectArgs, color: Color) -> Exit {
 }
 
 /// What the catalogue has on a finding, on all, or on those that a symptom fits.
-fn explained(words: &str, style: Style) -> String {
+fn explained(words: &str, language: Language, style: Style) -> String {
     let found = match Kind::of_id(words) {
         Some(kind) => vec![kind.entry()],
         None if words == "all" => entries().collect(),
@@ -63,9 +66,9 @@ fn explained(words: &str, style: Style) -> String {
                 symptoms::examples()
             ),
         ),
-        [entry] => text::explanation(entry, style),
-        found if words == "all" => text::explanations(found, style),
-        found => text::list(found, style),
+        [entry] => explanation::one(entry, language, style),
+        found if words == "all" => explanation::all(found, language, style),
+        found => explanation::list(found, language, style),
     }
 }
 

@@ -4,7 +4,7 @@ use super::json::{Against, Counts, InspectReport};
 use crate::cli::common::console::{Style, escaped};
 use crate::cli::common::numbers::{count, count_of};
 use crease::num::{Degrees, three_digits};
-use crease::quality::catalogue::{Entry, Kind};
+use crease::quality::catalogue::Kind;
 use crease::quality::{Element, Finding, Fix, PartDiagnosis, Severity, Site};
 use std::fmt::Write;
 
@@ -259,36 +259,4 @@ fn place(site: &Site, report: &InspectReport) -> String {
     let degrees = site.degrees.filter(|&degrees| degrees > 0.0);
     said.extend(degrees.map(|degrees| format!("{}°", three_digits(degrees))));
     said.join(", ")
-}
-
-pub fn explanation(entry: &Entry, style: Style) -> String {
-    let fix = match entry.remedy {
-        Some(options) => format!("crease normals INPUT -o OUTPUT {options}").trim_end().to_owned(),
-        None => "no command; see above".to_owned(),
-    };
-    format!(
-        "{} (severity: at most {}; group: {}; counts {})\n  {}.\n  {}\n  What to do: {}\n  Fix: {fix}\n",
-        style.paint(Style::BOLD, entry.id),
-        entry.severity.name(),
-        entry.family.name(),
-        plural(entry.element),
-        capital(&entry.title()),
-        entry.meaning(),
-        entry.advice()
-    )
-}
-
-pub fn explanations(entries: &[&Entry], style: Style) -> String {
-    entries.iter().map(|entry| explanation(entry, style)).collect::<Vec<_>>().join("\n")
-}
-
-pub fn list(entries: &[&Entry], style: Style) -> String {
-    let line = |entry: &&Entry| format!("{}: {}\n", style.paint(Style::BOLD, entry.id), entry.title());
-    let lines: String = entries.iter().map(line).collect();
-    format!("{lines}`crease inspect --explain ID` explains one of them.\n")
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

@@ -215,7 +215,8 @@ fn describe(page: &mut Page, finding: &Finding) {
         text += &format!("; confidence {confidence:.2}");
     }
     text.push('.');
-    [text, entry.meaning(), entry.advice()].iter().for_each(|text| page.paragraph(text));
+    page.paragraph(&text);
+    [entry.meaning(), entry.advice()].iter().for_each(|text| page.paragraph(text.get(Language::English)));
 }
 
 /// Pictures of the worst position of a finding: close up and in the whole, or of its node. Whether there is one.

@@ -1,6 +1,7 @@
 //! The verb `inspect`: exit codes, choices of findings, and a JSON report with the members that are documented.
 
 use super::{TRIANGLE, code, crease, data, folder, path, text};
+use crease::text::Language;
 use serde::Deserialize;
 use std::process::Output;
 
@@ -258,13 +259,22 @@ fn negative_thresholds_are_answered_with_what_is_allowed() {
 
 #[test]
 fn every_finding_is_explained() {
-    let all = inspect(&["--explain", "all"]);
-    for entry in crease::quality::catalogue::entries() {
-        assert!(text(&all.stdout).contains(entry.id), "{}", entry.id);
-        let one = inspect(&["--explain", entry.id]);
-        let said = text(&one.stdout);
-        assert!(said.contains(&entry.meaning()) && said.contains(&entry.advice()), "{said}");
+    for language in Language::ALL {
+        let all = inspect(&["--lang", language.tag(), "--explain", "all"]);
+        let all = text(&all.stdout);
+        assert!(!all.contains('{'), "a text or a placeholder is missing: {all}");
+        for entry in crease::quality::catalogue::entries() {
+            let texts = [entry.meaning(), entry.advice()];
+            assert!(texts.iter().all(|text| all.contains(text.get(language))), "{}", entry.id);
+            let one = inspect(&["--lang", language.tag(), "--explain", entry.id]);
+            let one = text(&one.stdout);
+            assert!(one.starts_with(entry.id) && all.contains(one), "{one}");
+        }
     }
+    let fitting = inspect(&["--explain", "faceted", "--lang", "pt"]);
+    assert!(text(&fitting.stdout).contains("faceted-normals: normais de face em uma forma suave"));
+    assert_eq!(code(&inspect(&["--lang", "pt", "part.obj"])), 2, "reports are in English");
+    assert_eq!(code(&inspect(&["--explain", "all", "--json"])), 2);
 }
 
 #[test]

@@ -8,6 +8,7 @@ use crease::quality::catalogue::Kind;
 use crease::quality::{Diagnosis, Thresholds, diagnose};
 use crease::report::{DiagnosisPage, HeatMap, Picture, Sight};
 use crease::surface::{Sphere, Surface, Torus};
+use crease::text::Language;
 use glam::DVec3;
 use std::collections::BTreeSet;
 
@@ -62,7 +63,7 @@ fn the_page_of_a_fault_is_whole() {
     for finding in &diagnosis.findings {
         assert!(distinct.contains(finding.kind.id()), "{}", finding.kind.id());
     }
-    assert!(page.contains(&Kind::Flipped.entry().meaning()));
+    assert!(page.contains(&Kind::Flipped.entry().meaning().get(Language::English)));
     assert!(page.contains("crease normals 'a &lt;torus&gt;.obj'"));
 }
 
