@@ -5,7 +5,7 @@
 use super::compact::references;
 use super::group::unreadable;
 use crate::io::gltf::compressed::copy_views;
-use crate::io::gltf::extensions::ordered;
+use crate::io::gltf::extensions::ORDERED;
 use crate::io::gltf::glb::{Glb, padded, unpadded};
 use crate::io::gltf::json::{Json, quoted};
 use crate::io::gltf::records::{Component, MESHOPT, Records};
@@ -138,8 +138,9 @@ fn contents(records: &Records) -> Vec<Content> {
     };
     // Extensions may mean triangles by their first corners or by number.
     let names = || json.items(json.root(), "extensionsUsed").filter_map(|name| json.string(name));
-    let is_fixed = names()
-        .any(|name| name == "FB_ngon_encoding" || ordered().any(|(ordered, _)| name.starts_with(ordered)));
+    let is_fixed = names().any(|name| {
+        name == "FB_ngon_encoding" || ORDERED.iter().any(|(ordered, _)| name.starts_with(ordered))
+    });
     for (_, name, accessor) in references(records) {
         let record = &records.accessors[accessor];
         let (Some(view), Some(format)) = (record.view, record.format) else { continue };
