@@ -156,9 +156,10 @@ impl GltfDocument {
             let count = json.items(json.root(), list).count();
             left.extend((count > 0).then(|| counted(count, one, many)));
         }
-        let primitives = self.records.meshes.iter().flat_map(|mesh| &mesh.primitives);
-        let names =
-            primitives.flat_map(|primitive| primitive.vertices.sets[0].iter().map(|(name, _)| name.as_str()));
+        let names = self
+            .records
+            .primitives()
+            .flat_map(|primitive| primitive.vertices.sets[0].iter().map(|(name, _)| name.as_str()));
         let names: BTreeSet<&str> = names.filter(|name| !KNOWN.contains(name)).collect();
         let names: Vec<&str> = names.into_iter().collect();
         if !names.is_empty() {

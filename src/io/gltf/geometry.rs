@@ -20,9 +20,11 @@ pub struct GeometryBytes {
 impl GltfDocument {
     /// The bytes of vertices and indices, each accessor once.
     pub fn geometry_bytes(&self) -> GeometryBytes {
-        let attributes = self.primitives().flat_map(|primitive| primitive.vertices.sets.iter().flatten());
+        let attributes =
+            self.records.primitives().flat_map(|primitive| primitive.vertices.sets.iter().flatten());
         let attributes: BTreeSet<usize> = attributes.map(|(_, accessor)| *accessor).collect();
-        let indices: BTreeSet<usize> = self.primitives().filter_map(|primitive| primitive.indices).collect();
+        let indices: BTreeSet<usize> =
+            self.records.primitives().filter_map(|primitive| primitive.indices).collect();
         let size = |accessor: &Accessor| accessor.format.map_or(0, |format| format.size());
         let sum = |numbers: BTreeSet<usize>, size: &dyn Fn(&Accessor) -> usize| {
             let bytes = numbers.into_iter().map(|number| {
@@ -50,7 +52,7 @@ impl GltfDocument {
                 objects.flat_map(|object| json.members(object)).any(|(key, _)| is_map(key))
             })
         };
-        self.primitives().any(|primitive| primitive.vertices.need_normals() || has_map(primitive))
+        self.records.primitives().any(|primitive| primitive.vertices.need_normals() || has_map(primitive))
     }
 
     /// The widest type in which normals of triangles are stored; `None` if there are none.
@@ -83,9 +85,5 @@ impl GltfDocument {
         });
         let files: BTreeMap<_, u64> = files.collect();
         self.source().len() as u64 + files.values().sum::<u64>()
-    }
-
-    fn primitives(&self) -> impl Iterator<Item = &Primitive> {
-        self.records.meshes.iter().flat_map(|mesh| &mesh.primitives)
     }
 }

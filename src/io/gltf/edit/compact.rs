@@ -6,7 +6,7 @@ use super::view_table::{Used, ViewTable};
 use crate::io::WriteError;
 use crate::io::gltf::glb::{Glb, padded, unpadded};
 use crate::io::gltf::json::{Json, Value};
-use crate::io::gltf::records::{Records, View};
+use crate::io::gltf::records::{Records, Reference, View};
 use crate::io::gltf::splice::Splices;
 
 /// Compacts a GLB. `None` if an extension may refer to accessors or buffer views, or if the data are not in its BIN chunk.
@@ -14,15 +14,11 @@ use crate::io::gltf::splice::Splices;
 /// # Errors
 /// What makes the file unreadable.
 pub fn compact(bytes: &[u8]) -> Result<Option<Vec<u8>>, WriteError> {
-    let mut notes = Vec::new();
-    let glb = Glb::parse(bytes, &mut notes).map_err(unreadable)?;
-    let text = String::from_utf8_lossy(&bytes[glb.json()]).into_owned();
-    let records = Records::new(Json::of_edited(text)?, &mut notes).map_err(unreadable)?;
-    let json = &records.json;
-    let is_bin = records.buffers.first().is_some_and(|&buffer| json.member(buffer, "uri").is_none());
-    let may_move = pinned(json).is_empty() && records.views.iter().all(|view| !view.extended);
-    let Some(bin) = glb.bin().filter(|_| is_bin && may_move) else { return Ok(None) };
-    let mut compaction = Compaction::new(&records, &bytes[bin]);
+    let Some((glb, records, bin)) = opened(bytes)? else { return Ok(None) };
+    if !pinned(&records.json).is_empty() || records.views.iter().any(|view| view.extended) {
+        return Ok(None);
+    }
+    let mut compaction = Compaction::new(&records, bin);
     if !compaction.move_views() {
         return Ok(None);
     }
@@ -30,8 +26,17 @@ pub fn compact(bytes: &[u8]) -> Result<Option<Vec<u8>>, WriteError> {
     Ok(Some(glb.rewrite(bytes, unpadded(&json), Some([&bin, &[], &[]]))?.0))
 }
 
-/// A member of an object that refers to an accessor.
-pub type Reference = (Value, String, usize);
+/// A GLB, its records and its BIN chunk; `None` if its first buffer is not that chunk.
+pub fn opened(bytes: &[u8]) -> Result<Option<(Glb, Records, &[u8])>, WriteError> {
+    let mut notes = Vec::new();
+    let glb = Glb::parse(bytes, &mut notes).map_err(unreadable)?;
+    let text = String::from_utf8_lossy(&bytes[glb.json()]).into_owned();
+    let records = Records::new(Json::of_edited(text)?, &mut notes).map_err(unreadable)?;
+    let first = records.buffers.first();
+    let is_bin = first.is_some_and(|&buffer| records.json.member(buffer, "uri").is_none());
+    let bin = glb.bin().filter(|_| is_bin);
+    Ok(bin.map(|bin| (glb, records, &bytes[bin])))
+}
 
 struct Compaction<'a> {
     records: &'a Records,
@@ -46,15 +51,10 @@ struct Compaction<'a> {
 
 impl<'a> Compaction<'a> {
     fn new(records: &'a Records, old: &'a [u8]) -> Self {
-        let json = &records.json;
-        let references = references(records);
+        let references = records.references();
         let mut is_used = vec![false; records.accessors.len()];
         references.iter().for_each(|&(.., accessor)| is_used[accessor] = true);
-        let view = |image| json.integer(json.member(image, "bufferView")?);
-        let images =
-            json.items(json.root(), "images").filter_map(|image| Some((image, view(image)? as usize)));
-        let images = images.filter(|(_, view)| *view < records.views.len()).collect();
-        let splices = Splices::new(json);
+        let (splices, images) = (Splices::new(&records.json), records.images().collect());
         Self { records, old, bin: Vec::new(), splices, references, is_used, images }
     }
 
@@ -196,7 +196,7 @@ impl<'a> Compaction<'a> {
     fn finish(mut self) -> (String, Vec<u8>) {
         let json = &self.records.json;
         let buffer = self.records.buffers[0];
-        let length = json.member(buffer, "byteLength").and_then(|length| json.integer(length));
+        let length = json.integer_member(buffer, "byteLength");
         self.set(buffer, "byteLength", length.unwrap_or(0) as usize, self.bin.len());
         (self.splices.apply(), self.bin)
     }
@@ -210,29 +210,4 @@ fn numbers(is_kept: &[bool]) -> Vec<usize> {
         next.saturating_sub(1)
     };
     is_kept.iter().map(number).collect()
-}
-
-/// All references to accessors, where no extension has any: of primitives, animations and skins.
-pub fn references(records: &Records) -> Vec<Reference> {
-    let json: &Json = &records.json;
-    let mut references = Vec::new();
-    for primitive in records.meshes.iter().flat_map(|mesh| &mesh.primitives) {
-        for (&site, set) in primitive.sites.iter().zip(&primitive.vertices.sets) {
-            references.extend(set.iter().map(|(semantic, accessor)| (site, semantic.clone(), *accessor)));
-        }
-        references
-            .extend(primitive.indices.map(|accessor| (primitive.object, "indices".to_owned(), accessor)));
-    }
-    let mut add = |object: Value, name: &str| {
-        let number = json.member(object, name).and_then(|value| json.integer(value));
-        let number = number.and_then(|number| usize::try_from(number).ok());
-        let number = number.filter(|&number| number < records.accessors.len());
-        references.extend(number.map(|number| (object, name.to_owned(), number)));
-    };
-    for sampler in json.items(json.root(), "animations").flat_map(|it| json.items(it, "samplers")) {
-        add(sampler, "input");
-        add(sampler, "output");
-    }
-    json.items(json.root(), "skins").for_each(|skin| add(skin, "inverseBindMatrices"));
-    references
 }
