@@ -10,8 +10,6 @@ mod member;
 mod rows;
 // Tangents by MikkTSpace.
 pub mod mikktspace;
-// The tangents that vertices can have.
-mod tangent_rows;
 // Tangents that go with new normals.
 mod tangents;
 // Vertices that agree in everything.
