@@ -22,7 +22,5 @@ pub mod apply;
 mod data_images;
 // A GLB without what nothing uses.
 mod compact;
-// Rows and columns of a buffer view that are in use.
-mod view_table;
 // A GLB compressed by meshopt.
 pub mod compress;
