@@ -1,18 +1,18 @@
-//! A glTF document that is kept for editing.
+//! A glTF document that is kept for editing: what it has, what its geometry takes, and how normals are stored.
 
 use super::accessor::Source;
-use super::buffers::Buffers;
+use super::buffers::{Buffers, Storage};
 use super::compressed::Compression;
 use super::extensions::{DRACO, QUANTIZATION};
-use super::glb::Glb;
+use super::glb::{Glb, padded};
 use super::nodes::NodeTree;
-use super::records::{MESHOPT, Records, VertexAccessors};
+use super::records::{Accessor, Component, MESHOPT, Primitive, Records, VertexAccessors};
 use crate::io::text::counted;
-use crate::io::{Format, Note, Place};
+use crate::io::{Format, NormalFormat, Note, Place};
 use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A glTF document, kept for editing.
 #[derive(Clone, Debug)]
@@ -156,9 +156,10 @@ impl GltfDocument {
             let count = json.items(json.root(), list).count();
             left.extend((count > 0).then(|| counted(count, one, many)));
         }
-        let primitives = self.records.meshes.iter().flat_map(|mesh| &mesh.primitives);
-        let names =
-            primitives.flat_map(|primitive| primitive.vertices.sets[0].iter().map(|(name, _)| name.as_str()));
+        let names = self
+            .records
+            .primitives()
+            .flat_map(|primitive| primitive.vertices.sets[0].iter().map(|(name, _)| name.as_str()));
         let names: BTreeSet<&str> = names.filter(|name| !KNOWN.contains(name)).collect();
         let names: Vec<&str> = names.into_iter().collect();
         if !names.is_empty() {
@@ -178,5 +179,85 @@ impl GltfDocument {
         let text = "texture coordinates were written without KHR_texture_transform";
         (has_uvs && self.lists("extensionsUsed", "KHR_texture_transform"))
             .then(|| Note::warning(Place::File, text))
+    }
+}
+
+/// Bytes of the accessors of primitives. Elements of vertices begin at multiples of four bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct GeometryBytes {
+    /// Attributes and morph targets.
+    pub vertices: u64,
+    /// Indices.
+    pub indices: u64,
+}
+
+impl GltfDocument {
+    /// The bytes of vertices and indices, each accessor once.
+    pub fn geometry_bytes(&self) -> GeometryBytes {
+        let attributes =
+            self.records.primitives().flat_map(|primitive| primitive.vertices.sets.iter().flatten());
+        let attributes: BTreeSet<usize> = attributes.map(|(_, accessor)| *accessor).collect();
+        let indices: BTreeSet<usize> =
+            self.records.primitives().filter_map(|primitive| primitive.indices).collect();
+        let size = |accessor: &Accessor| accessor.format.map_or(0, |format| format.size());
+        let sum = |numbers: BTreeSet<usize>, size: &dyn Fn(&Accessor) -> usize| {
+            let bytes = numbers.into_iter().map(|number| {
+                let accessor = &self.records.accessors[number];
+                (size(accessor) as u64).saturating_mul(accessor.count)
+            });
+            bytes.fold(0, u64::saturating_add)
+        };
+        GeometryBytes {
+            vertices: sum(attributes, &|accessor| padded(size(accessor))),
+            indices: sum(indices, &size),
+        }
+    }
+
+    /// Whether some primitive needs its normals for more than the shape of its faces: it has tangents, normals of morph targets, or
+    /// a material with a normal map.
+    pub fn needs_normals(&self) -> bool {
+        let json = &self.records.json;
+        let has_map = |primitive: &Primitive| {
+            let material = primitive.material.map(|material| self.records.materials[material]);
+            let is_map =
+                |key| json.string(key).is_some_and(|name| name.to_lowercase().ends_with("normaltexture"));
+            material.is_some_and(|material| {
+                let objects = json.descendants(material).chain([material]);
+                objects.flat_map(|object| json.members(object)).any(|(key, _)| is_map(key))
+            })
+        };
+        self.records.primitives().any(|primitive| primitive.vertices.need_normals() || has_map(primitive))
+    }
+
+    /// The widest type in which normals of triangles are stored; `None` if there are none.
+    pub fn normal_format(&self) -> Option<NormalFormat> {
+        let blocks = self.layouts.iter().flat_map(|layout| &layout.blocks).filter(|block| block.solid);
+        let accessors = blocks.filter_map(|block| self.vertex_accessors(block.source).get("NORMAL"));
+        let formats = accessors.map(|accessor| match self.records.accessors[accessor].format {
+            Some(format) if format.normalized && format.component == Component::I8 => NormalFormat::I8,
+            Some(format) if format.normalized && format.component == Component::I16 => NormalFormat::I16,
+            _ => NormalFormat::F32,
+        });
+        formats.min_by_key(|format| match format {
+            NormalFormat::I8 => 2,
+            NormalFormat::I16 => 1,
+            NormalFormat::F32 | NormalFormat::Same => 0,
+        })
+    }
+
+    /// The files that it refers to and that are there: buffers, then images.
+    pub fn companions(&self) -> impl Iterator<Item = &Path> {
+        let buffers = self.buffers.list.iter().filter_map(|buffer| Some(buffer.storage.file()?.1));
+        buffers.chain(self.images.iter().map(|(_, path)| path.as_path()))
+    }
+
+    /// The bytes of the document's text or GLB and of the buffers that are files of their own.
+    pub fn file_bytes(&self) -> u64 {
+        let files = self.buffers.list.iter().filter_map(|buffer| match &buffer.storage {
+            Storage::File { path, bytes, .. } => Some((path, bytes.len() as u64)),
+            _ => None,
+        });
+        let files: BTreeMap<_, u64> = files.collect();
+        self.source().len() as u64 + files.values().sum::<u64>()
     }
 }

@@ -182,6 +182,11 @@ impl Json {
         })
     }
 
+    /// The integer that a member is; `None` for other values, and without the member.
+    pub fn integer_member(&self, object: Value, name: &str) -> Option<u64> {
+        self.integer(self.member(object, name)?)
+    }
+
     pub fn boolean(&self, value: Value) -> Option<bool> {
         match self.raw(value) {
             "true" => Some(true),

@@ -35,12 +35,10 @@ mod columns;
 mod nodes;
 // Materials, cameras and lights.
 mod appearance;
-// Images of materials, from and to other formats.
-mod materials;
+// Images of materials for other formats.
+mod material_images;
 // What materials need tangents for.
 mod tangent_space;
-// What the geometry takes, and how normals are stored.
-mod geometry;
 // Reading a file.
 mod read;
 // New binary data, and the JSON that describes them.
@@ -51,10 +49,9 @@ mod new_file;
 mod edit;
 
 pub(super) use appearance::appearance;
-pub use document::GltfDocument;
+pub use document::{GeometryBytes, GltfDocument};
 pub use edit::apply::edit;
-pub use geometry::GeometryBytes;
-pub(super) use materials::images::materials_with_images;
+pub(super) use material_images::materials_with_images;
 pub(super) use new_file::write;
 pub(crate) use nodes::NodeTree;
 pub use read::read;

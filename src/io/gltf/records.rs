@@ -143,6 +143,9 @@ pub struct MeshRecord {
     pub primitives: Vec<Primitive>,
 }
 
+/// A member of an object that refers to an accessor.
+pub type Reference = (Value, String, usize);
+
 /// A document without its buffers' bytes.
 #[derive(Clone, Debug)]
 pub struct Records {
@@ -169,6 +172,50 @@ impl Records {
 
     pub fn fields(&self, object: Value) -> Fields<'_> {
         Fields { json: &self.json, object }
+    }
+
+    pub fn primitives(&self) -> impl Iterator<Item = &Primitive> {
+        self.meshes.iter().flat_map(|mesh| &mesh.primitives)
+    }
+
+    /// The views that hold indices and values of sparse accessors.
+    pub fn sparse_views(&self) -> impl Iterator<Item = usize> {
+        let sparse = self.accessors.iter().filter_map(|accessor| accessor.sparse);
+        sparse.flat_map(|sparse| [sparse.indices.0, sparse.values.0])
+    }
+
+    /// Images, and the views that they are in.
+    pub fn images(&self) -> impl Iterator<Item = (Value, usize)> {
+        let images = self.json.items(self.json.root(), "images");
+        let view = |image| usize::try_from(self.json.integer_member(image, "bufferView")?).ok();
+        let images = images.filter_map(move |image| Some((image, view(image)?)));
+        images.filter(|(_, view)| *view < self.views.len())
+    }
+
+    /// The members that refer to accessors, each an object and a name: of primitives, animations and skins. Extensions may have
+    /// more.
+    pub fn references(&self) -> Vec<Reference> {
+        let json = &self.json;
+        let mut references = Vec::new();
+        for primitive in self.primitives() {
+            for (&site, set) in primitive.sites.iter().zip(&primitive.vertices.sets) {
+                references.extend(set.iter().map(|(semantic, accessor)| (site, semantic.clone(), *accessor)));
+            }
+            let indices =
+                primitive.indices.map(|accessor| (primitive.object, "indices".to_owned(), accessor));
+            references.extend(indices);
+        }
+        let mut add = |object: Value, name: &str| {
+            let number = json.integer_member(object, name).and_then(|number| usize::try_from(number).ok());
+            let number = number.filter(|&number| number < self.accessors.len());
+            references.extend(number.map(|number| (object, name.to_owned(), number)));
+        };
+        for sampler in json.items(json.root(), "animations").flat_map(|it| json.items(it, "samplers")) {
+            add(sampler, "input");
+            add(sampler, "output");
+        }
+        json.items(json.root(), "skins").for_each(|skin| add(skin, "inverseBindMatrices"));
+        references
     }
 }
 

@@ -49,6 +49,17 @@ impl<'a> Splices<'a> {
         self.kept.insert(list, kept);
     }
 
+    /// Lists an extension as one that the document uses and requires.
+    pub fn require(&mut self, extension: &str) {
+        let json = self.json;
+        for list in ["extensionsUsed", "extensionsRequired"] {
+            let mut names = json.items(json.root(), list).filter_map(|name| json.string(name));
+            if !names.any(|name| name == extension) {
+                self.push(list, quoted(extension));
+            }
+        }
+    }
+
     pub fn is_empty(&self) -> bool {
         self.objects.is_empty() && self.lists.is_empty() && self.kept.is_empty()
     }

@@ -87,7 +87,7 @@ impl Coordinates {
         let transform = json
             .member(texture, "extensions")
             .and_then(|extensions| json.member(extensions, "KHR_texture_transform"));
-        let set = |object: Value| json.integer(json.member(object, "texCoord")?);
+        let set = |object: Value| json.integer_member(object, "texCoord");
         let number = |value: Value| json.number(value).filter(|number| number.is_finite());
         let rotation = transform.and_then(|transform| number(json.member(transform, "rotation")?));
         let rotation = rotation.unwrap_or(0.0);
@@ -145,7 +145,7 @@ fn numbers(records: &Records, primitive: &Primitive) -> impl Iterator<Item = usi
     let json = &records.json;
     let variants = records.fields(primitive.object).extension("KHR_materials_variants");
     let mappings = variants.into_iter().flat_map(|variants| json.items(variants, "mappings"));
-    let others = mappings.filter_map(|mapping| json.integer(json.member(mapping, "material")?));
+    let others = mappings.filter_map(|mapping| json.integer_member(mapping, "material"));
     primitive.material.into_iter().chain(others.filter_map(|number| usize::try_from(number).ok()))
 }
 

@@ -4,11 +4,11 @@
 //! what was decoded: exporters declare those of the original mesh, which quantisation and seams of attributes change.
 
 use super::rebuild::{AddedView, Rebuild};
+use crate::io::ReadError;
 use crate::io::gltf::data::{Target, bounds, number_list};
 use crate::io::gltf::extensions::DRACO;
-use crate::io::gltf::fields::{Fields, out_of_range};
+use crate::io::gltf::fields::{Fields, only_compressed, out_of_range};
 use crate::io::gltf::records::{Component, Format, Primitive};
-use crate::io::{Problem, ReadError};
 use draco_core::draco_types::DataType;
 use draco_core::geometry_indices::PointIndex;
 use draco_core::{DecodeLimits, DecoderBuffer, DracoError, Mesh, MeshDecoder, PointAttribute};
@@ -21,9 +21,8 @@ type Origin = (usize, Option<u64>);
 /// Decompresses the primitives that have no plain copy.
 pub fn decode_primitives(rebuild: &mut Rebuild<'_>) -> Result<(), ReadError> {
     let records = rebuild.records;
-    let primitives = || records.meshes.iter().flat_map(|mesh| &mesh.primitives);
     let extension = |primitive: &Primitive| records.fields(primitive.object).extension(DRACO);
-    let compressed = primitives().filter(|primitive| {
+    let compressed = records.primitives().filter(|primitive| {
         let mut accessors =
             primitive.vertices.sets[0].iter().map(|(_, accessor)| *accessor).chain(primitive.indices);
         extension(primitive).is_some() && accessors.any(|accessor| records.accessors[accessor].view.is_none())
@@ -33,7 +32,7 @@ pub fn decode_primitives(rebuild: &mut Rebuild<'_>) -> Result<(), ReadError> {
         return Ok(());
     }
     rebuild.names.push(DRACO);
-    for primitive in primitives() {
+    for primitive in records.primitives() {
         rebuild.strip(primitive.object, &[DRACO]);
     }
     let mut decoder = Decoder { rebuild, origins: FxHashMap::default() };
@@ -57,8 +56,7 @@ impl Decoder<'_, '_> {
         let indices = primitive.indices.filter(|_| primitive.mode == u64::from(TRIANGLES));
         let Some(indices) = indices else {
             let found = "only indexed triangles are read from Draco data";
-            let advice = "decompress the file first, for example with `gltf-transform copy`";
-            return Err(ReadError::new(Problem::Unsupported, primitive.place(), found, advice));
+            return Err(only_compressed(primitive.place(), found));
         };
         let ids = extension.required_child("attributes")?;
         let mut wanted: Vec<(usize, Origin)> = vec![(indices, (view, None))];

@@ -4,9 +4,9 @@
 //! read under both names.
 
 use super::rebuild::Rebuild;
-use crate::io::gltf::fields::{Fields, out_of_range};
+use crate::io::ReadError;
+use crate::io::gltf::fields::{Fields, only_compressed, out_of_range};
 use crate::io::gltf::records::{MESHOPT, View};
-use crate::io::{Problem, ReadError};
 use meshoptimizer_rs::codec::{
     decode_filter_color, decode_filter_exp, decode_filter_oct, decode_filter_quat, decode_index_buffer,
     decode_index_sequence, decode_vertex_buffer,
@@ -74,8 +74,7 @@ fn stream<'a>(
     };
     if !known {
         let found = format!("unknown compression mode {mode:?} with filter {filter:?}");
-        let advice = "decompress the file first, for example with `gltf-transform copy`";
-        return Err(ReadError::new(Problem::Unsupported, extension.place(), found, advice));
+        return Err(only_compressed(extension.place(), found));
     }
     Ok(Stream { source, mode, filter, count: count as usize, stride: stride as usize })
 }
@@ -104,8 +103,7 @@ impl Stream<'_> {
 fn failure(error: Error, name: &str, extension: &Fields<'_>) -> ReadError {
     if error == Error::UnsupportedVersion {
         let found = format!("a version of {name} that crease does not know");
-        let advice = "decompress the file first, for example with `gltf-transform copy`";
-        return ReadError::new(Problem::Unsupported, extension.place(), found, advice);
+        return only_compressed(extension.place(), found);
     }
     out_of_range(extension.place(), format!("the data compressed by {name} are damaged: {error}"))
 }

@@ -100,12 +100,10 @@ impl<'a> Rebuild<'a> {
 
     /// Whether accessors or images have data in a view.
     pub fn is_used(&self, view: usize) -> bool {
-        let Records { accessors, json, .. } = self.records;
-        let of_sparse = accessors.iter().filter_map(|accessor| accessor.sparse);
-        let image = |image| json.integer(json.member(image, "bufferView")?);
-        accessors.iter().any(|accessor| accessor.view == Some(view))
-            || of_sparse.flat_map(|sparse| [sparse.indices.0, sparse.values.0]).any(|other| other == view)
-            || json.items(json.root(), "images").filter_map(image).any(|other| other == view as u64)
+        let records = self.records;
+        let of_accessors = records.accessors.iter().filter_map(|accessor| accessor.view);
+        let of_images = records.images().map(|(_, view)| view);
+        of_accessors.chain(records.sparse_views()).chain(of_images).any(|other| other == view)
     }
 
     /// Takes extensions out of an object.

@@ -64,7 +64,7 @@ pub fn edit(
     let remarks = std::mem::take(&mut store.remarks).into_iter();
     let warnings = std::mem::take(&mut store.warnings).into_iter();
     if store.is_quantized {
-        store.require(QUANTIZATION);
+        store.splices.require(QUANTIZATION);
     }
     let mut package = Package { document, options, written: Written::default() };
     if to != Format::Glb || document.glb.is_some() {
@@ -295,8 +295,7 @@ impl Package<'_> {
                 (None, Some(range)) => Cow::Borrowed(&self.document.buffers.file[range]),
                 (None, None) => Cow::Borrowed(&[][..]),
             };
-            let length =
-                json.member(first, "byteLength").and_then(|length| json.integer(length)).unwrap_or(0);
+            let length = json.integer_member(first, "byteLength").unwrap_or(0);
             let bin = &bin[..bin.len().min(length as usize)];
             let name = self.options.stem.as_ref().map(|stem| self.free_name(stem, ".bin"));
             splices.set(first, "uri", quoted(&address(name.as_deref(), bin)));
@@ -327,8 +326,7 @@ impl Package<'_> {
 
 /// Points what has `buffer` and `byteOffset` at the merged buffer.
 fn move_reference(json: &Json, object: Value, homes: &[(usize, u64)], splices: &mut Splices<'_>) {
-    let integer = |name: &str| json.integer(json.member(object, name)?);
-    let Some(buffer) = integer("buffer") else { return };
+    let Some(buffer) = json.integer_member(object, "buffer") else { return };
     let Some(&(home, offset)) = usize::try_from(buffer).ok().and_then(|buffer| homes.get(buffer)) else {
         return;
     };
@@ -336,6 +334,7 @@ fn move_reference(json: &Json, object: Value, homes: &[(usize, u64)], splices: &
         splices.set(object, "buffer", home);
     }
     if offset > 0 {
-        splices.set(object, "byteOffset", integer("byteOffset").unwrap_or(0).saturating_add(offset));
+        let old = json.integer_member(object, "byteOffset").unwrap_or(0);
+        splices.set(object, "byteOffset", old.saturating_add(offset));
     }
 }

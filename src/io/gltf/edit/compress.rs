@@ -2,12 +2,10 @@
 //!
 //! Specification: Khronos, `EXT_meshopt_compression`. Triangles may begin with another of their corners, in the same order around.
 
-use super::compact::references;
-use super::group::unreadable;
+use super::compact::opened;
 use crate::io::gltf::compressed::copy_views;
-use crate::io::gltf::extensions::ordered;
-use crate::io::gltf::glb::{Glb, padded, unpadded};
-use crate::io::gltf::json::{Json, quoted};
+use crate::io::gltf::extensions::ORDERED;
+use crate::io::gltf::glb::{padded, unpadded};
 use crate::io::gltf::records::{Component, MESHOPT, Records};
 use crate::io::gltf::splice::Splices;
 use crate::io::{Format, MeshCompression, Note, WriteError, Written};
@@ -70,13 +68,7 @@ pub fn compress_as(
 /// # Errors
 /// What makes the file unreadable.
 fn compress(bytes: &[u8]) -> Result<Option<Vec<u8>>, WriteError> {
-    let mut notes = Vec::new();
-    let glb = Glb::parse(bytes, &mut notes).map_err(unreadable)?;
-    let text = String::from_utf8_lossy(&bytes[glb.json()]).into_owned();
-    let records = Records::new(Json::of_edited(text)?, &mut notes).map_err(unreadable)?;
-    let json = &records.json;
-    let is_bin = records.buffers.first().is_some_and(|&buffer| json.member(buffer, "uri").is_none());
-    let Some(bin) = glb.bin().filter(|_| is_bin).map(|bin| &bytes[bin]) else { return Ok(None) };
+    let Some((glb, records, bin)) = opened(bytes)? else { return Ok(None) };
     let contents = contents(&records);
     let (mut streams, mut plain) = (Vec::new(), Vec::new());
     for (number, view) in records.views.iter().enumerate().filter(|(_, view)| view.buffer == 0) {
@@ -91,7 +83,7 @@ fn compress(bytes: &[u8]) -> Result<Option<Vec<u8>>, WriteError> {
     if streams.is_empty() {
         return Ok(None);
     }
-    let mut splices = Splices::new(json);
+    let mut splices = Splices::new(&records.json);
     let mut content = Vec::new();
     for (number, offset) in copy_views(plain, |_| bin, &mut content) {
         if records.views[number].offset != offset {
@@ -117,12 +109,7 @@ fn compress(bytes: &[u8]) -> Result<Option<Vec<u8>>, WriteError> {
     let mark =
         format!("{{\"byteLength\":{length},\"extensions\":{{\"{}\":{{\"fallback\":true}}}}}}", MESHOPT[0]);
     splices.push("buffers", mark);
-    for list in ["extensionsUsed", "extensionsRequired"] {
-        if !json.items(json.root(), list).any(|name| json.string(name).is_some_and(|name| name == MESHOPT[0]))
-        {
-            splices.push(list, quoted(MESHOPT[0]));
-        }
-    }
+    splices.require(MESHOPT[0]);
     Ok(Some(glb.rewrite(bytes, unpadded(&splices.apply()), Some([&content, &[], &[]]))?.0))
 }
 
@@ -138,9 +125,10 @@ fn contents(records: &Records) -> Vec<Content> {
     };
     // Extensions may mean triangles by their first corners or by number.
     let names = || json.items(json.root(), "extensionsUsed").filter_map(|name| json.string(name));
-    let is_fixed = names()
-        .any(|name| name == "FB_ngon_encoding" || ordered().any(|(ordered, _)| name.starts_with(ordered)));
-    for (_, name, accessor) in references(records) {
+    let is_fixed = names().any(|name| {
+        name == "FB_ngon_encoding" || ORDERED.iter().any(|(ordered, _)| name.starts_with(ordered))
+    });
+    for (_, name, accessor) in records.references() {
         let record = &records.accessors[accessor];
         let (Some(view), Some(format)) = (record.view, record.format) else { continue };
         if name != "indices" {
@@ -148,7 +136,7 @@ fn contents(records: &Records) -> Vec<Content> {
             add(view, usize::try_from(stride).map_or(Content::Other, Content::Elements));
         }
     }
-    for primitive in records.meshes.iter().flat_map(|mesh| &mesh.primitives) {
+    for primitive in records.primitives() {
         let Some(record) = primitive.indices.map(|accessor| &records.accessors[accessor]) else { continue };
         let (Some(view), Some(format)) = (record.view, record.format) else { continue };
         let is_whole = record.offset == 0
@@ -159,11 +147,8 @@ fn contents(records: &Records) -> Vec<Content> {
             if is_whole && is_wide { Content::Indices(format.size(), is_list) } else { Content::Other };
         add(view, content);
     }
-    let sparse = records.accessors.iter().filter_map(|accessor| accessor.sparse);
-    sparse.flat_map(|sparse| [sparse.indices.0, sparse.values.0]).for_each(|view| add(view, Content::Other));
-    let image = |image| json.integer(json.member(image, "bufferView")?);
-    let images = json.items(json.root(), "images").filter_map(image).map(|view| view as usize);
-    images.filter(|&view| view < records.views.len()).for_each(|view| add(view, Content::Other));
+    let others = records.sparse_views().chain(records.images().map(|(_, view)| view));
+    others.for_each(|view| add(view, Content::Other));
     contents.into_iter().map(|content| content.unwrap_or(Content::Other)).collect()
 }
 

@@ -1,9 +1,8 @@
 //! New normals and tangents for the primitives that share one set of vertices.
 
 use super::member::{Member, drop_draco, rewrite_indices};
-use super::rows::{CornerRows, Rows, Stored, Tables};
+use super::rows::{CornerRows, Rows, Stored, Tables, Tangents};
 use super::store::{NewData, Remark, Store};
-use super::tangent_rows::Tangents;
 use crate::io::gltf::accessor::{Elements, Source};
 use crate::io::gltf::data::Target;
 use crate::io::gltf::json::Value;
@@ -87,9 +86,9 @@ impl Group<'_, '_> {
         rows.repair_unused(&mut new_rows, &split);
 
         store.is_quantized |= stored.format.component != Component::F32;
-        self.put(store, 0, "NORMAL", stored.format, new_rows.take_normals(&stored), false);
+        self.put(store, 0, "NORMAL", stored.format, new_rows.take_base(), false);
         for (target, set) in target_sets.enumerate().take(stored.targets) {
-            let deltas = new_rows.deltas(&stored, target);
+            let deltas = new_rows.deltas(target);
             if has_normals(set) || deltas.iter().any(|&byte| byte != 0) {
                 self.put(store, set, "NORMAL", Format::vector(Component::F32, false, 3), deltas, false);
             }
@@ -160,11 +159,11 @@ impl Group<'_, '_> {
                 sites.for_each(|site| store.splices.remove(site, "TANGENT"));
             }
             Tangents::New(new) => {
-                let rows = new.gather(split);
-                self.put(store, 0, "TANGENT", new.format, new.values(&rows), false);
+                let mut rows = new.gather(split);
+                self.put(store, 0, "TANGENT", new.format, rows.take_base(), false);
                 for (number, &set) in new.sets.iter().enumerate() {
                     let format = Format::vector(Component::F32, false, 3);
-                    self.put(store, set, "TANGENT", format, new.deltas(&rows, number), false);
+                    self.put(store, set, "TANGENT", format, rows.deltas(number), false);
                 }
             }
         }

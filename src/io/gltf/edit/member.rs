@@ -3,7 +3,7 @@
 use super::store::{NewData, Remark, Store};
 use crate::io::gltf::data::Target;
 use crate::io::gltf::document::{Block, GltfDocument, Piece};
-use crate::io::gltf::extensions::{DRACO, has_implicit_features, ordered};
+use crate::io::gltf::extensions::{DRACO, ORDERED, has_implicit_features};
 use crate::io::gltf::records::{Component, Format, Primitive};
 use crate::io::{Loaded, PartEdit, WriteError};
 use crate::mesh::{Column, Mesh};
@@ -94,7 +94,7 @@ impl<'a> Member<'a> {
         let primitive = document.records.fields(self.primitive.object);
         let mesh = document.records.fields(document.records.meshes[self.part].object);
         let is_used = |name: &str| primitive.extension(name).is_some() || mesh.extension(name).is_some();
-        ordered().any(|(name, _)| is_used(name))
+        ORDERED.iter().any(|(name, _)| is_used(name))
             || has_implicit_features(&primitive)
             || document.lists("extensionsUsed", "FB_ngon_encoding")
     }
@@ -112,7 +112,7 @@ impl<'a> Member<'a> {
             );
             Err(WriteError::Unsupported(text))
         };
-        for (name, has_triangles) in ordered() {
+        for (name, has_triangles) in ORDERED {
             if primitive.extension(name).is_none() && mesh.extension(name).is_none() {
                 continue;
             }

@@ -10,8 +10,6 @@ mod member;
 mod rows;
 // Tangents by MikkTSpace.
 pub mod mikktspace;
-// The tangents that vertices can have.
-mod tangent_rows;
 // Tangents that go with new normals.
 mod tangents;
 // Vertices that agree in everything.
@@ -24,7 +22,5 @@ pub mod apply;
 mod data_images;
 // A GLB without what nothing uses.
 mod compact;
-// Rows and columns of a buffer view that are in use.
-mod view_table;
 // A GLB compressed by meshopt.
 pub mod compress;

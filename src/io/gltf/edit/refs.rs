@@ -2,7 +2,7 @@
 
 use crate::io::gltf::buffers::Storage;
 use crate::io::gltf::document::GltfDocument;
-use crate::io::gltf::json::{Json, Kind, Value};
+use crate::io::gltf::json::{Json, Kind};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 
@@ -21,31 +21,17 @@ impl References {
     pub fn new(document: &GltfDocument) -> References {
         let records = &document.records;
         let json = &records.json;
-        let integer = |object: Value, name: &str| json.integer(json.member(object, name)?);
-        let list = |name| json.items(json.root(), name);
         let pinned = pinned(json);
         let mut accessors = counts(&pinned);
-        let mut count = |accessor: Option<u64>| {
-            accessor.into_iter().for_each(|accessor| *accessors.entry(accessor).or_default() += 1);
-        };
-        for primitive in records.meshes.iter().flat_map(|mesh| &mesh.primitives) {
-            let attributes = primitive.sites.iter().flat_map(|&site| json.members(site));
-            attributes.for_each(|(_, value)| count(json.integer(value)));
-            count(primitive.indices.map(|index| index as u64));
-        }
-        for sampler in list("animations").flat_map(|animation| json.items(animation, "samplers")) {
-            count(integer(sampler, "input"));
-            count(integer(sampler, "output"));
-        }
-        list("skins").for_each(|skin| count(integer(skin, "inverseBindMatrices")));
+        let references = records.references();
+        references.iter().for_each(|&(.., accessor)| *accessors.entry(accessor as u64).or_default() += 1);
 
-        let images: Vec<u64> = list("images").filter_map(|image| integer(image, "bufferView")).collect();
-        let other: Vec<u64> = pinned.into_iter().chain(images).collect();
+        let other: Vec<u64> =
+            pinned.into_iter().chain(records.images().map(|(_, view)| view as u64)).collect();
         let mut views = counts(&other);
-        let sparse = records.accessors.iter().filter_map(|accessor| accessor.sparse);
-        let of_sparse = sparse.flat_map(|sparse| [sparse.indices.0, sparse.values.0]);
         let of_accessors = records.accessors.iter().filter_map(|accessor| accessor.view);
-        of_accessors.chain(of_sparse).for_each(|view| *views.entry(view as u64).or_default() += 1);
+        let of_accessors = of_accessors.chain(records.sparse_views());
+        of_accessors.for_each(|view| *views.entry(view as u64).or_default() += 1);
         References { accessors, views, unaliased: unaliased(document, &other) }
     }
 

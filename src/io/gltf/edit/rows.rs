@@ -1,8 +1,9 @@
-//! The values that a vertex can have: a normal and the normal deltas of each morph target, as a row of bytes.
+//! The values that vertices can have, each as a row of bytes: a normal with the normal deltas of each morph target, and a tangent
+//! with those of each.
 
 use super::member::Member;
 use crate::io::gltf::accessor::{Source, float};
-use crate::io::gltf::data::{LENGTH_TOLERANCE, normal_format, push_floats, push_normal};
+use crate::io::gltf::data::{LENGTH_TOLERANCE, normal_format, push_floats, push_normal, push_tangent};
 use crate::io::gltf::records::{Component, Format, VertexAccessors};
 use crate::io::{NormalFormat, ReadError};
 use crate::mesh::{Column, NONE, VertexSplit};
@@ -10,37 +11,80 @@ use glam::{DVec3, Vec3};
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 
+/// Rows of equal size: each an element of the base, then the displacements of some morph targets, as floats.
 pub struct Rows {
     pub bytes: Vec<u8>,
     pub size: usize,
+    /// Bytes of an element of the base.
+    base: usize,
 }
 
+const DELTA: usize = 12;
+
 impl Rows {
+    /// Elements of so many bytes with displacements, which are zeros where a target has none.
+    pub fn new(elements: Cow<'_, [u8]>, base: usize, deltas: &[Option<Vec<[f32; 3]>>]) -> Self {
+        let size = base + DELTA * deltas.len();
+        if deltas.is_empty() {
+            return Self { bytes: elements.into_owned(), size, base };
+        }
+        let mut bytes = Vec::with_capacity(elements.len() / base * size);
+        for (vertex, element) in elements.chunks_exact(base).enumerate() {
+            bytes.extend_from_slice(element);
+            for deltas in deltas {
+                let delta = deltas.as_ref().map_or([0.0; 3], |deltas| deltas[vertex]);
+                bytes.extend_from_slice(bytemuck::bytes_of(&delta));
+            }
+        }
+        Self { bytes, size, base }
+    }
+
     pub fn get(&self, number: usize) -> &[u8] {
         &self.bytes[number * self.size..(number + 1) * self.size]
     }
 
-    /// The normals, which are taken out if there is nothing else.
-    pub fn take_normals(&mut self, stored: &Stored) -> Vec<u8> {
-        match stored.format.size() == self.size {
+    /// Others of the same size.
+    pub fn with(&self, bytes: Vec<u8>) -> Self {
+        Self { bytes, ..*self }
+    }
+
+    /// The elements of the base, which are taken out if there is nothing else.
+    pub fn take_base(&mut self) -> Vec<u8> {
+        match self.base == self.size {
             true => std::mem::take(&mut self.bytes),
-            false => self.column(0, stored.format.size()),
+            false => self.column(0, self.base),
         }
     }
 
-    pub fn deltas(&self, stored: &Stored, target: usize) -> Vec<u8> {
-        self.column(stored.format.size() + DELTA * target, DELTA)
+    /// The displacements of one of the targets.
+    pub fn deltas(&self, target: usize) -> Vec<u8> {
+        self.column(self.delta_at(target), DELTA)
     }
 
-    pub fn column(&self, start: usize, size: usize) -> Vec<u8> {
+    /// Where the displacement of a target begins in a row.
+    pub fn delta_at(&self, target: usize) -> usize {
+        self.base + DELTA * target
+    }
+
+    fn column(&self, start: usize, size: usize) -> Vec<u8> {
         let mut column = Vec::with_capacity(self.bytes.len() / self.size * size);
         let rows = self.bytes.chunks_exact(self.size);
         rows.for_each(|row| column.extend_from_slice(&row[start..start + size]));
         column
     }
-}
 
-const DELTA: usize = 12;
+    /// The rows of the vertices of a split, of which corners have these numbers: as stored where no corner uses the vertex.
+    pub fn gather(&self, of_corner: &[u32], stored: &Self, split: &VertexSplit) -> Self {
+        let mut bytes = Vec::with_capacity(split.sample.len() * self.size);
+        for (&sample, &source) in split.sample.iter().zip(&split.source) {
+            bytes.extend_from_slice(match sample {
+                NONE => stored.get(source as usize),
+                corner => self.get(of_corner[corner as usize] as usize),
+            });
+        }
+        self.with(bytes)
+    }
+}
 
 /// What a set of vertices has stored so far, in the form in which it will be stored.
 pub struct Stored {
@@ -83,21 +127,7 @@ impl Stored {
         let sets = vertices.target_sets().filter(|_| morph);
         let deltas = sets.map(|set| Ok(elements(set)?.map(|deltas| deltas.floats(0.0).collect())));
         let deltas: Vec<Option<Vec<[f32; 3]>>> = deltas.collect::<Result<_, ReadError>>()?;
-        let size = format.size() + DELTA * deltas.len();
-        let bytes = if deltas.is_empty() {
-            normals.into_owned()
-        } else {
-            let mut bytes = Vec::with_capacity(count * size);
-            for (vertex, normal) in normals.chunks_exact(format.size()).enumerate() {
-                bytes.extend_from_slice(normal);
-                for deltas in &deltas {
-                    let delta = deltas.as_ref().map_or([0.0; 3], |deltas| deltas[vertex]);
-                    bytes.extend_from_slice(bytemuck::bytes_of(&delta));
-                }
-            }
-            bytes
-        };
-        let rows = Rows { bytes, size };
+        let rows = Rows::new(normals, format.size(), &deltas);
         Ok(Self { format, targets: deltas.len(), rows, had_normals: base.is_some(), is_same })
     }
 
@@ -198,7 +228,7 @@ impl<'a> CornerRows<'a> {
             let first: Vec<u32> = numbered.map(|(row, number)| *first.entry(row).or_insert(number)).collect();
             of_corner.iter_mut().for_each(|row| *row = first[*row as usize]);
         }
-        CornerRows { stored, rows: Rows { bytes, size: stored.rows.size }, of_corner, missing }
+        CornerRows { stored, rows: stored.rows.with(bytes), of_corner, missing }
     }
 
     fn row(&self, corner: usize) -> &[u8] {
@@ -210,7 +240,7 @@ impl<'a> CornerRows<'a> {
         let row = self.row(corner);
         let normal = self.stored.decode(row);
         let Some(target) = target.filter(|&target| target < self.stored.targets) else { return normal };
-        let delta = row[self.stored.format.size() + DELTA * target..].chunks_exact(4);
+        let delta = row[self.rows.delta_at(target)..].chunks_exact(4);
         let mut moved = normal.to_array();
         delta.zip(&mut moved).for_each(|(delta, x)| *x += float(delta, Component::F32, false));
         Vec3::from_array(moved).normalize_or(normal)
@@ -228,19 +258,74 @@ impl<'a> CornerRows<'a> {
 
     /// The rows of the vertices of a split: as stored where no corner uses the vertex.
     pub fn gather(&self, split: &VertexSplit) -> Rows {
-        let mut bytes = Vec::with_capacity(split.sample.len() * self.rows.size);
-        for (&sample, &source) in split.sample.iter().zip(&split.source) {
-            bytes.extend_from_slice(match sample {
-                NONE => self.stored.rows.get(source as usize),
-                corner => self.rows.get(self.of_corner[corner as usize] as usize),
-            });
-        }
-        Rows { bytes, size: self.rows.size }
+        self.rows.gather(&self.of_corner, &self.stored.rows, split)
     }
 
     /// Repairs the normals of those vertices of a split that no corner uses.
     pub fn repair_unused(&self, rows: &mut Rows, split: &VertexSplit) {
         let rows = rows.bytes.chunks_exact_mut(rows.size).zip(&split.sample);
         rows.filter(|(_, sample)| **sample == NONE).for_each(|(row, _)| self.stored.repair(row));
+    }
+}
+
+/// What happens to the tangents of a group.
+pub enum Tangents {
+    /// They stay as they are stored, or there are none.
+    Stay,
+    Go,
+    New(NewTangents),
+}
+
+/// The tangents of corners, and those of the morph targets that have some, as a row of bytes.
+pub struct NewTangents {
+    pub format: Format,
+    /// The sets of the morph targets with tangents.
+    pub sets: Vec<usize>,
+    /// The row of each corner.
+    pub of_corner: Vec<u32>,
+    pub rows: Rows,
+    /// The row of each vertex as it was stored, or a unit vector.
+    pub stored: Rows,
+}
+
+impl NewTangents {
+    /// The rows of the vertices of a split: as stored where no corner uses the vertex.
+    pub fn gather(&self, split: &VertexSplit) -> Rows {
+        self.rows.gather(&self.of_corner, &self.stored, split)
+    }
+
+    fn decode(&self, row: &[u8]) -> [f32; 4] {
+        let Format { component, normalized, .. } = self.format;
+        std::array::from_fn(|axis| float(&row[component.size() * axis..], component, normalized))
+    }
+
+    /// The tangent of a vertex in a shape, as it was stored. Shape 0 is the base, others are of the `sets`.
+    pub fn stored(&self, vertex: usize, shape: usize) -> [f32; 4] {
+        let row = self.stored.get(vertex);
+        let mut tangent = self.decode(row);
+        if let Some(number) = shape.checked_sub(1) {
+            let deltas = row[self.stored.delta_at(number)..].chunks_exact(4);
+            deltas.zip(&mut tangent).take(3).for_each(|(delta, x)| *x += float(delta, Component::F32, false));
+        }
+        tangent
+    }
+
+    /// Replaces the tangent of a corner in a shape, that of the base first.
+    pub fn set(&mut self, corner: usize, shape: usize, [x, y, z, w]: [f32; 4]) {
+        let tangent = Vec3::new(x, y, z).as_dvec3();
+        let (start, mut bytes) = (corner * self.rows.size, Vec::new());
+        let at = match shape.checked_sub(1) {
+            None => {
+                push_tangent(tangent, w, self.format, &mut bytes);
+                start
+            }
+            Some(number) => {
+                // What readers add the displacement to.
+                let base = Vec3::from_slice(&self.decode(&self.rows.bytes[start..]));
+                push_floats(tangent - base.as_dvec3(), &mut bytes);
+                start + self.rows.delta_at(number)
+            }
+        };
+        self.rows.bytes[at..at + bytes.len()].copy_from_slice(&bytes);
     }
 }

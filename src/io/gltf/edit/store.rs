@@ -292,14 +292,6 @@ impl<'a> Store<'a> {
         self.warnings.entry(text).or_default().push(place);
     }
 
-    pub fn require(&mut self, name: &str) {
-        for list in ["extensionsUsed", "extensionsRequired"] {
-            if !self.document.lists(list, name) {
-                self.splices.push(list, quoted(name));
-            }
-        }
-    }
-
     /// Makes all changes. An additional buffer has the address that `uri` makes of its content; it replaces an unused `stale` one.
     pub fn finish(mut self, stale: Option<usize>, uri: impl FnOnce(&[u8]) -> Option<String>) -> Changed<'a> {
         let document = self.document;

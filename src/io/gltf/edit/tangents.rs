@@ -3,9 +3,8 @@
 use super::group::{Group, unreadable};
 use super::member::Member;
 use super::mikktspace::{Surface, perpendicular};
-use super::rows::{CornerRows, Rows};
+use super::rows::{CornerRows, NewTangents, Rows, Tangents};
 use super::store::{Remark, Store};
-use super::tangent_rows::{DELTA, NewTangents, Tangents};
 use crate::io::gltf::records::{Component, Format};
 use crate::io::gltf::tangent_space::{Coordinates, TangentSpace};
 use crate::io::{TangentPolicy, WriteError};
@@ -107,23 +106,16 @@ impl Group<'_, '_> {
             sets.into_iter().filter(|&set| self.vertices.of_set(set, "TANGENT").is_some()).collect();
         let targets = sets.iter().map(|&set| Ok(elements(set)?.map(|it| it.floats::<3>(0.0).collect())));
         let targets: Vec<Option<Vec<[f32; 3]>>> = targets.collect::<Result<_, WriteError>>()?;
-        let size = format.size() + DELTA * sets.len();
-        let count = self.members[0].block.count as usize;
-        let mut bytes = Vec::with_capacity(size * count);
-        let base = base.map(|base| match base.format == format {
-            true => base.raw().into_owned(),
-            false => base.floats::<4>(0.0).flatten().flat_map(f32::to_le_bytes).collect(),
-        });
-        for vertex in 0..count {
-            match &base {
-                Some(base) => bytes.extend_from_slice(&base[vertex * format.size()..][..format.size()]),
-                None => bytes.extend([1.0_f32, 0.0, 0.0, 1.0].iter().flat_map(|x| x.to_le_bytes())),
+        let base = match base {
+            Some(base) if base.format == format => base.raw(),
+            Some(base) => base.floats::<4>(0.0).flatten().flat_map(f32::to_le_bytes).collect(),
+            None => {
+                let count = self.members[0].block.count as usize;
+                bytemuck::bytes_of(&[1.0_f32, 0.0, 0.0, 1.0]).repeat(count).into()
             }
-            for deltas in targets.iter().flatten() {
-                bytes.extend_from_slice(bytemuck::bytes_of(&deltas[vertex]));
-            }
-        }
-        let (stored, rows) = (Rows { bytes, size }, Rows { bytes: Vec::new(), size });
+        };
+        let stored = Rows::new(base, format.size(), &targets);
+        let rows = stored.with(Vec::new());
         Ok(NewTangents { format, sets, of_corner: Vec::new(), rows, stored })
     }
 

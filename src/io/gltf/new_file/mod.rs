@@ -13,7 +13,6 @@ use super::edit::compress::compress_as;
 use super::extensions::QUANTIZATION;
 use super::glb;
 use super::json::quoted;
-use super::materials::new_textures::NewTextures;
 use super::records::{Component, Format as ElementFormat};
 use crate::io::mesh_checks::{beyond_f32, displacement_note, unsupported_notes};
 use crate::io::split_mesh::SplitMesh;
@@ -25,6 +24,7 @@ use crate::io::{
 use crate::mesh::{Column, Mesh, NONE, PositionsRef, Storage};
 use glam::DVec3;
 use gltf::json::mesh as mode;
+use materials::NewTextures;
 use pieces::{Group, groups, pieces};
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;

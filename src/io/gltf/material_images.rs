@@ -82,7 +82,7 @@ impl Images<'_> {
     /// The image that a member refers to, or why there is none.
     fn texture(&mut self, reference: Value) -> Found {
         let json = &self.document.records.json;
-        let integer = |object, name| json.integer(json.member(object, name)?);
+        let integer = |object, name| json.integer_member(object, name);
         if integer(reference, "texCoord").is_some_and(|set| set > 0) {
             return Err("uses other texture coordinates than TEXCOORD_0");
         }
@@ -133,7 +133,7 @@ impl Images<'_> {
 
     fn view_bytes(&self, object: Value) -> Option<&[u8]> {
         let records = &self.document.records;
-        let number = records.json.integer(records.json.member(object, "bufferView")?)?;
+        let number = records.json.integer_member(object, "bufferView")?;
         let view = records.views.get(usize::try_from(number).ok()?)?;
         let bytes = self.document.buffers.bytes(view.buffer)?;
         let start = usize::try_from(view.offset).ok()?;
