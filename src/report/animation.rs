@@ -252,6 +252,7 @@ impl Animation {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::raster::Pixels;
     use image::AnimationDecoder;
     use image::codecs::gif::GifDecoder;
     use std::io::Cursor;

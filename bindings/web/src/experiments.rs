@@ -144,7 +144,7 @@ fn measures(outcome: &Outcome, language: Language) -> Vec<Value> {
             "unit": measure.unit,
             "value": measure.value,
             "expected": range,
-            "agrees": measure.agrees(),
+            "agrees": measure.agrees,
         })
     };
     outcome.measures.iter().map(measure).collect()

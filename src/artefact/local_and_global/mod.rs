@@ -8,15 +8,8 @@ use room::{AMBIENT, BALL, FLOOR, GLASS, MIRROR, Room};
 
 static TEXTS: Catalogue = catalogue!("texts");
 
-pub(super) static EXPERIMENT: Experiment = Experiment {
-    id: "local-and-global",
-    texts: &TEXTS,
-    takes: &[ParameterName::Size],
-    segments: Parameters::SEGMENTS,
-    defaults: Parameters::USUAL,
-    run,
-    frame: None,
-};
+pub(super) static EXPERIMENT: Experiment =
+    Experiment { takes: &[ParameterName::Size], ..Experiment::new("local-and-global", &TEXTS, run) };
 
 /// The largest difference that maps show.
 const FULL: f64 = 0.6;
@@ -41,8 +34,7 @@ fn run(setup: &Setup) -> Result<Outcome> {
     let difference = map([size; 2], &differences(&local, &truth), FULL);
     out.bad("local", &effect, local);
     out.cured("traced", &effect, traced);
-    out.difference("difference", difference);
-    out.scaled(FULL, "");
+    out.difference("difference", difference, FULL, "");
     out.bad("dark", &of_ambient, dark);
     out.cured("lit", &of_ambient, lit);
     Ok(out.finish(Verdict::Fails(out.text("fails")), effect))

@@ -9,13 +9,8 @@ use rays::{Ball, Water};
 static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
-    id: "refraction",
-    texts: &TEXTS,
     takes: &[ParameterName::Size, ParameterName::Light],
-    segments: Parameters::SEGMENTS,
-    defaults: Parameters::USUAL,
-    run,
-    frame: None,
+    ..Experiment::new("refraction", &TEXTS, run)
 };
 
 /// The refractive indices of water and of glass.

@@ -104,11 +104,11 @@ pub fn measure_table(outcome: &Outcome, language: Language) -> Table {
     ];
     let mut table = table("numbers", &keys, language);
     for measure in &outcome.measures {
-        let Measure { name, unit, value, expected, beyond } = measure;
+        let Measure { name, unit, value, expected, agrees, beyond } = measure;
         let nothing = || text("nothing", language);
         let mut row = vec![name.get(language).to_owned(), language.quantity(*value, unit)];
         if let Some(expected) = expected {
-            let agrees = text(if measure.agrees() == Some(true) { "yes" } else { "no" }, language);
+            let agrees = text(if *agrees == Some(true) { "yes" } else { "no" }, language);
             let (wanted, within) = match expected.range {
                 Range::Near { value, tolerance } => {
                     (language.quantity(value, unit), language.short(tolerance, ""))
@@ -127,7 +127,7 @@ pub fn measure_table(outcome: &Outcome, language: Language) -> Table {
 
 /// A sentence for each number that is not as expected: its name, its value, the expected value, and the source of that.
 pub fn misses(outcome: &Outcome, language: Language) -> Vec<String> {
-    let missed = outcome.measures.iter().filter(|measure| measure.agrees() == Some(false));
+    let missed = outcome.measures.iter().filter(|measure| measure.agrees == Some(false));
     let sentence = |Measure { name, unit, value, expected, .. }: &Measure| {
         let Expected { range, by } = expected.as_ref()?;
         let miss = miss(&[
@@ -241,6 +241,7 @@ mod tests {
             unit: "px",
             value,
             expected: range.map(|range| Expected { range, by: by() }),
+            agrees: range.map(|range| (value - 1.0).abs() <= 0.25 && matches!(range, Range::Near { .. })),
             beyond: None,
         };
         let near = Some(Range::Near { value: 1.0, tolerance: 0.25 });
