@@ -1,8 +1,7 @@
 //! Pages of HTML that open from disk: one file without addresses and scripts.
 
 use super::error::Result;
-use super::picture::Picture;
-use super::picture::encode_png;
+use super::picture::{Picture, encode_png};
 use super::table::Table;
 use crate::num::Transfer;
 use base64::Engine;

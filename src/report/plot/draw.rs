@@ -1,8 +1,7 @@
 //! The elements of a plot as SVG.
 
 use super::axis::Fitted;
-use super::series::{Mark, Plot, Series};
-use super::series::{SeriesStyle, series_styles};
+use super::series::{Mark, Plot, Series, SeriesStyle, series_styles};
 use crate::report::html::escape_html;
 use crate::report::panel::text_width;
 use std::fmt::Write;
