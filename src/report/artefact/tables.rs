@@ -154,7 +154,7 @@ pub fn list_table(language: Language) -> Table {
 
 fn table(caption: &str, columns: &[&str], language: Language) -> Table {
     let columns: Vec<String> = columns.iter().map(|key| text(key, language)).collect();
-    Table::new(&text(caption, language), &columns.iter().map(String::as_str).collect::<Vec<_>>())
+    Table::new(&text(caption, language), &columns)
 }
 
 /// The verdict as its name and its condition: with the numbers where nothing of the artefact is visible, and where the cure

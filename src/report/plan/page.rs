@@ -108,7 +108,7 @@ fn decisions(plan: &Plan, about: &PlanPage, page: &mut Page) {
     let columns =
         ["column-what", "column-axis", "column-change", "column-saves", "column-difference", "column-bound"];
     let columns = columns.map(say);
-    let mut table = Table::new(&say("decisions-caption"), &columns.each_ref().map(String::as_str));
+    let mut table = Table::new(&say("decisions-caption"), &columns);
     for decision in &plan.decisions {
         let change = format!("{} → {}", value(&decision.from, language), value(&decision.to, language));
         table = table.row([
@@ -215,7 +215,7 @@ fn magnified(picture: &Image, [x, y]: [u32; 2]) -> Picture {
 fn costs(plan: &Plan, language: Language) -> Table {
     let say = |key: &str| text(key, &[], language);
     let columns = ["column-cost", "column-declared", "column-planned", "column-share"].map(say);
-    let mut table = Table::new(&say("costs-caption"), &columns.each_ref().map(String::as_str));
+    let mut table = Table::new(&say("costs-caption"), &columns);
     for minimise in [Minimise::Work, Minimise::Bytes, Minimise::Vertices] {
         let (before, after) = (plan.declared.of(minimise), plan.planned.of(minimise));
         let share = language.short(100.0 * after as f64 / before.max(1) as f64, "%");
