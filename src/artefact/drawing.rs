@@ -1,7 +1,7 @@
 //! Scenes, lights, bodies of triangles with chosen normals, and tiled pictures that experiments share.
 
 use super::error::Result;
-use crate::mesh::{Faces, Mesh, MeshBuilder};
+use crate::mesh::{Faces, Mesh};
 use crate::metric::image_error;
 use crate::normals::{Crease, NormalField, NormalRecipe, Weight, compute};
 use crate::num::{Degrees, LinearRgb, Radians, Transfer, viridis};
@@ -87,7 +87,7 @@ pub(super) fn painted<'a>(mesh: &'a Mesh, normals: &'a NormalField, colours: &'a
 }
 
 pub(super) fn build(positions: Vec<DVec3>, faces: Faces) -> Result<Mesh> {
-    Ok(MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build()?)
+    Ok(Mesh::new(positions, faces)?)
 }
 
 /// A mesh of sheets of quadrilaterals in so many columns and rows, over the positions of their corners row by row.

@@ -25,10 +25,11 @@ pub struct Experiment {
     pub segments: RangeInclusive<u32>,
     /// The default parameters.
     pub defaults: Parameters,
-    pub(super) run: fn(&Setup) -> Result<Outcome, ArtefactError>,
+    pub(super) run: RunFn,
     pub(super) frame: Option<FrameFn>,
 }
 
+pub(super) type RunFn = fn(&Setup) -> Result<Outcome, ArtefactError>;
 pub(super) type FrameFn = fn(&Setup, u32, u32) -> Result<Image, ArtefactError>;
 
 /// A formula in LaTeX notation, and its meaning.
@@ -41,6 +42,12 @@ pub struct Formula {
 }
 
 impl Experiment {
+    /// An experiment without parameters, with the usual defaults of them, and without an animation.
+    pub(super) const fn new(id: &'static str, texts: &'static Catalogue, run: RunFn) -> Self {
+        let (segments, defaults) = (Parameters::SEGMENTS, Parameters::USUAL);
+        Self { id, texts, takes: &[], segments, defaults, run, frame: None }
+    }
+
     /// Its title.
     pub fn title(&self) -> Text {
         self.texts.get("title")

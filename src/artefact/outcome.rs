@@ -1,9 +1,8 @@
 //! The result of an experiment: data and linear pictures, no markup.
 
-use super::effect::{Effect, judged};
-use super::effect::{Role, Shot};
+use super::effect::{Effect, Role, Shot, judged};
 use crate::text::Text;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 /// The results of a run.
 #[derive(Clone, Debug, Serialize)]
@@ -43,10 +42,10 @@ impl Outcome {
     /// What every experiment's own tests start from: numbers agree with their closed forms, the artefact is there, and the cure
     /// reduces it by the factor that is stated.
     pub(super) fn prove(&self) {
-        let checked = self.measures.iter().filter(|measure| measure.agrees() == Some(true)).count();
+        let checked = self.measures.iter().filter(|measure| measure.agrees == Some(true)).count();
         assert!(checked > 0, "nothing is checked");
         for measure in &self.measures {
-            assert_ne!(measure.agrees(), Some(false), "{measure:?}");
+            assert_ne!(measure.agrees, Some(false), "{measure:?}");
         }
         assert!(self.effect.is_present(), "{:?}", self.effect);
         assert!(
@@ -90,8 +89,8 @@ impl Verdict {
     }
 }
 
-/// A measured number. In JSON it has one more member if an expected value is known: `agrees`.
-#[derive(Clone, Debug, PartialEq)]
+/// A measured number.
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Measure {
     /// What it measures.
     pub name: Text,
@@ -100,8 +99,13 @@ pub struct Measure {
     /// The measured value.
     pub value: f64,
     /// The expected value.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub expected: Option<Expected>,
+    /// Whether it is in the expected range; `None` if none is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub agrees: Option<bool>,
     /// The reason why it has no expected value, if it has one with other parameters.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub beyond: Option<Text>,
 }
 
@@ -135,38 +139,11 @@ pub enum Range {
 
 impl Range {
     /// Whether a number is in the range; NaN never is.
-    fn contains(self, found: f64) -> bool {
+    pub(super) fn contains(self, found: f64) -> bool {
         match self {
             Range::Near { value, tolerance } => (found - value).abs() <= tolerance,
             Range::AtMost { at_most } => (0.0..=at_most).contains(&found),
         }
-    }
-}
-
-impl Measure {
-    /// Whether it is in the expected range; `None` if none is known.
-    pub fn agrees(&self) -> Option<bool> {
-        Some(self.expected.as_ref()?.range.contains(self.value))
-    }
-}
-
-impl Serialize for Measure {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        #[derive(Serialize)]
-        struct Judged<'a> {
-            name: &'a Text,
-            unit: &'a str,
-            value: f64,
-            #[serde(skip_serializing_if = "Option::is_none")]
-            expected: Option<&'a Expected>,
-            #[serde(skip_serializing_if = "Option::is_none")]
-            agrees: Option<bool>,
-            #[serde(skip_serializing_if = "Option::is_none")]
-            beyond: Option<&'a Text>,
-        }
-        let Self { name, unit, value, expected, beyond } = self;
-        let (expected, agrees, beyond) = (expected.as_ref(), self.agrees(), beyond.as_ref());
-        Judged { name, unit, value: *value, expected, agrees, beyond }.serialize(serializer)
     }
 }
 
@@ -232,6 +209,7 @@ mod tests {
             unit: "",
             value,
             expected: range.map(|range| Expected { range, by: Text::same("y") }),
+            agrees: range.map(|range| range.contains(value)),
             beyond: None,
         };
         let near = Some(Range::Near { value: 1.0, tolerance: 0.5 });
@@ -245,7 +223,7 @@ mod tests {
             (measure(-0.1, bound), false),
             (measure(f64::NAN, bound), false),
         ] {
-            assert_eq!(measure.agrees(), Some(agrees), "{measure:?}");
+            assert_eq!(measure.agrees, Some(agrees), "{measure:?}");
             let json = serde_json::to_value(&measure).unwrap();
             assert_eq!(json["agrees"], agrees);
             let has = |member: &str| !json["expected"][member].is_null();

@@ -5,14 +5,10 @@ use super::prelude::*;
 static TEXTS: Catalogue = catalogue!("perspective_distortion");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
-    id: "perspective-distortion",
-    texts: &TEXTS,
     takes: &[ParameterName::Size, ParameterName::Segments],
-    segments: Parameters::SEGMENTS,
     // As many as it takes for half a step of 8 bits.
     defaults: Parameters { segments: 20, ..Parameters::USUAL },
-    run,
-    frame: None,
+    ..Experiment::new("perspective-distortion", &TEXTS, run)
 };
 
 const RATIO: f64 = 4.0;
@@ -62,10 +58,8 @@ fn run(setup: &Setup) -> Result<Outcome> {
     out.bad("affine", &effect, board(&affine));
     out.cured("perspective", &effect, board(&right));
     out.cured("pieces", &of_pieces, board(&cut));
-    out.difference("error", error_map(&affine, &right));
-    out.scaled(FULL, "");
-    out.difference("error-pieces", error_map(&cut, &right));
-    out.scaled(FULL, "");
+    out.difference("error", error_map(&affine, &right), FULL, "");
+    out.difference("error-pieces", error_map(&cut, &right), FULL, "");
     Ok(out.finish(Verdict::HoldsOnlyIf(out.text("holds-only-if")), effect))
 }
 

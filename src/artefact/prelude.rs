@@ -1,11 +1,10 @@
 //! The names that the code of every experiment uses.
 
 pub(super) use super::drawing::{
-    BACKGROUND, GAP, build, centre, chalk, colour_at, differences, direction, draw, errors, far_light, front,
-    lamp, largest_difference, largest_error, light_at, linear, luminance, map, object, painted, picture,
-    settings, sheets, shiny, smooth, tiles,
+    BACKGROUND, BOX_FACES, Diagonal, GAP, TriangleMesh, box_corners, build, centre, chalk, colour_at,
+    differences, direction, draw, errors, far_light, front, lamp, largest_difference, largest_error,
+    light_at, linear, luminance, map, object, painted, picture, settings, sheets, shiny, smooth, tiles,
 };
-pub(super) use super::drawing::{BOX_FACES, Diagonal, TriangleMesh, box_corners};
 pub(super) use super::effect::{Effect, Threshold};
 pub(super) use super::error::{ArtefactError, Result};
 pub(super) use super::experiment::Experiment;

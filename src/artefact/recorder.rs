@@ -1,7 +1,6 @@
 //! Collects the findings of an experiment. Each text is looked up by the name of what it describes.
 
-use super::effect::{Caption, MapScale, Role, Shot};
-use super::effect::{Effect, Threshold};
+use super::effect::{Caption, Effect, MapScale, Role, Shot, Threshold};
 use super::outcome::{Chart, Curve, Drawn, Expected, Measure, Outcome, Range, Scale, Verdict};
 use crate::raster::Image;
 use crate::text::{Catalogue, Text, Value};
@@ -62,12 +61,14 @@ impl Recorder {
             Check::AtMost(at_most) => Some(Range::AtMost { at_most }),
             Check::None | Check::Untested(_) => None,
         };
+        let agrees = range.map(|range| range.contains(value));
         let expected = range.map(|range| Expected { range, by: self.part(name, "by") });
         let beyond = match check {
             Check::Untested(reason) => Some(self.text(reason)),
             _ => None,
         };
-        self.measures.push(Measure { name: self.part(name, "measure"), unit, value, expected, beyond });
+        let name = self.part(name, "measure");
+        self.measures.push(Measure { name, unit, value, expected, agrees, beyond });
     }
 
     /// A number with the artefact and with the cure, which has to make it smaller by a factor.
@@ -91,9 +92,10 @@ impl Recorder {
         self.shots.push(effect.shot(name, true, self.caption(name), image));
     }
 
-    /// Records the difference of two pictures, or a map of an error.
-    pub(super) fn difference(&mut self, name: &'static str, image: Image) {
+    /// Records the difference of two pictures, or a map of an error, with the value of its last colour and the unit.
+    pub(super) fn difference(&mut self, name: &'static str, image: Image, full: f64, unit: &'static str) {
         self.unmeasured(name, Role::Difference, image);
+        self.scaled(full, unit);
     }
 
     /// States the scale of the last picture, which is a map: the value of its last colour, and its unit.

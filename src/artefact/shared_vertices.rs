@@ -7,13 +7,9 @@ use std::f64::consts::TAU;
 static TEXTS: Catalogue = catalogue!("shared_vertices");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
-    id: "shared-vertices",
-    texts: &TEXTS,
     takes: &[ParameterName::Size, ParameterName::Segments, ParameterName::Light],
-    segments: Parameters::SEGMENTS,
     defaults: Parameters { segments: 16, light: Degrees(50.0), ..Parameters::USUAL },
-    run,
-    frame: None,
+    ..Experiment::new("shared-vertices", &TEXTS, run)
 };
 
 /// The colours at the ends of the long edge and at the vertex on it.

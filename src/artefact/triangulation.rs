@@ -7,14 +7,11 @@ use std::f64::consts::TAU;
 static TEXTS: Catalogue = catalogue!("triangulation");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
-    id: "triangulation",
-    texts: &TEXTS,
     takes: &[ParameterName::Size, ParameterName::Segments, ParameterName::Light],
     // More, and four times as many in the cured picture, would be hardly larger than pixels.
     segments: 3..=256,
     defaults: Parameters { segments: 12, light: Degrees(50.0), ..Parameters::USUAL },
-    run,
-    frame: None,
+    ..Experiment::new("triangulation", &TEXTS, run)
 };
 
 /// The corners' colours, from the right one counter-clockwise as the exercise counts them.
@@ -77,8 +74,7 @@ fn waves(
     let difference = map([size; 2], &differences(&rising, &falling), FULL);
     out.bad("waves-rising", &effect, rising);
     out.cured("waves-falling", &of_cut, falling);
-    out.difference("waves-difference", difference);
-    out.scaled(FULL, "");
+    out.difference("waves-difference", difference, FULL, "");
     out.cured("waves-fine", &effect, fine);
     out.truth("waves-themselves", exact);
     Ok(effect)

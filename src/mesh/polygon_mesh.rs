@@ -26,6 +26,14 @@ pub struct Mesh {
 }
 
 impl Mesh {
+    /// A mesh without columns.
+    ///
+    /// # Errors
+    /// As [`MeshBuilder::build`].
+    pub fn new(positions: impl Into<Positions>, faces: Faces) -> Result<Self, MeshError> {
+        MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build()
+    }
+
     /// Position of every vertex, in the type that positions came in.
     #[inline]
     pub fn positions(&self) -> PositionsRef<'_> {

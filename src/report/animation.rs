@@ -2,7 +2,6 @@
 
 use super::error::ReportError;
 use super::picture::Picture;
-use crate::raster::Pixels;
 use image::codecs::gif::{GifEncoder, Repeat};
 use image::{Delay, Frame, RgbaImage};
 use std::collections::BTreeSet;
@@ -221,7 +220,7 @@ impl Animation {
             if found != first {
                 return Err(ReportError::Frame { number: number + 1, found, first }.into());
             }
-            let pixels = eight_bits(picture);
+            let pixels = picture.into_eight_bits();
             count.add(&pixels);
             // Only the first ones: the numbers of those that are kept have no gap.
             if kept.len() == number && room >= size_of_val(&pixels[..]) {
@@ -238,7 +237,7 @@ impl Animation {
         let delay = Delay::from_numer_denom_ms(u32::from(self.hundredths) * 10, 1);
         let mut kept = kept.into_iter();
         for number in 0..self.frames {
-            let pixels = kept.next().map_or_else(|| draw(number).map(eight_bits), Ok)?;
+            let pixels = kept.next().map_or_else(|| draw(number).map(Picture::into_eight_bits), Ok)?;
             let rgba = pixels.iter().flat_map(|&colour| {
                 let [r, g, b] = palette.entry(colour);
                 [r, g, b, u8::MAX]
@@ -250,16 +249,10 @@ impl Animation {
     }
 }
 
-fn eight_bits(picture: Picture) -> Vec<[u8; 3]> {
-    match picture.pixels {
-        Pixels::Eight(list) => list,
-        Pixels::Sixteen(list) => list.iter().map(|pixel| pixel.map(|c| (c >> 8) as u8)).collect(),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::raster::Pixels;
     use image::AnimationDecoder;
     use image::codecs::gif::GifDecoder;
     use std::io::Cursor;

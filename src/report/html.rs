@@ -1,8 +1,7 @@
 //! Pages of HTML that open from disk: one file without addresses and scripts.
 
 use super::error::Result;
-use super::picture::Picture;
-use super::picture::encode_png;
+use super::picture::{Picture, encode_png};
 use super::table::Table;
 use crate::num::Transfer;
 use base64::Engine;
@@ -265,7 +264,8 @@ pub fn svg_file(drawing: &str) -> String {
 const STYLE: &str = include_str!("page.css");
 
 pub(super) fn image(picture: &Picture, alternative: &str) -> Result<String> {
-    let source = format!("data:image/png;base64,{}", STANDARD.encode(encode_png(picture, Transfer::Srgb)?));
+    let source =
+        format!("data:image/png;base64,{}", STANDARD.encode(encode_png(picture, None, Transfer::Srgb)?));
     let [width, height] = picture.size;
     Ok(html! { img src=(source) width=(width) height=(height) alt=(alternative); }.into_string())
 }

@@ -7,7 +7,7 @@
 //! use crease::report::{Picture, encode_png};
 //!
 //! let picture = Picture { size: [2, 1], pixels: Pixels::Eight(vec![[255, 0, 0], [0, 0, 255]]) };
-//! let file = encode_png(&picture, Transfer::Srgb)?;
+//! let file = encode_png(&picture, None, Transfer::Srgb)?;
 //! assert_eq!(&file[..8], b"\x89PNG\r\n\x1a\n");
 //! # Ok::<(), crease::report::ReportError>(())
 //! ```
@@ -56,9 +56,7 @@ pub use html::{Drawing, Page, escape_html, svg_file};
 pub use legend::{ColourScale, Key, Legend};
 pub use overlay::{Overlay, overlay};
 pub use panel::{Panel, draw_text, panels, panels_size, text_width};
-pub use picture::{
-    CutOut, Picture, encode_jpeg, encode_png, encode_png_cut_out, encode_webp, encode_webp_cut_out,
-};
+pub use picture::{CutOut, Picture, encode_jpeg, encode_png, encode_webp};
 pub use plan::{PlanPage, plan_page, plan_sheet};
 pub use plot::{Axis, Mark, Plot, Scale, Series};
 pub use probe::{PixelReport, SampleReport, probe_pixel};

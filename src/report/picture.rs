@@ -49,27 +49,48 @@ impl Picture {
         matches!(self.pixels, Pixels::Sixteen(_))
     }
 
+    /// The largest code of a component.
+    pub(super) fn full(&self) -> f32 {
+        if self.is_sixteen() { 65_535.0 } else { 255.0 }
+    }
+
+    /// The codes of a pixel by its number.
+    pub(super) fn codes(&self, index: usize) -> [u32; 3] {
+        match &self.pixels {
+            Pixels::Eight(list) => list[index].map(u32::from),
+            Pixels::Sixteen(list) => list[index].map(u32::from),
+        }
+    }
+
+    pub(super) fn set_codes(&mut self, index: usize, codes: [u32; 3]) {
+        match &mut self.pixels {
+            Pixels::Eight(list) => list[index] = codes.map(|c| c as u8),
+            Pixels::Sixteen(list) => list[index] = codes.map(|c| c as u16),
+        }
+    }
+
+    /// The pixels in 8 bits: of 16-bit components the upper half.
+    pub(super) fn into_eight_bits(self) -> Vec<[u8; 3]> {
+        match self.pixels {
+            Pixels::Eight(list) => list,
+            Pixels::Sixteen(list) => list.iter().map(|pixel| pixel.map(|c| (c >> 8) as u8)).collect(),
+        }
+    }
+
     /// Copies another picture into this one, its upper left corner at `at`; parts outside are omitted. Components of
     /// 8 bits become 16 bits by 257·c, which keeps black and white, and 16 bits become 8 by their upper half.
     pub fn paste(&mut self, other: &Picture, at: [u32; 2]) {
         let width = (other.size[0].min(self.size[0].saturating_sub(at[0]))) as usize;
         let rows = other.size[1].min(self.size[1].saturating_sub(at[1]));
+        let convert = match (other.is_sixteen(), self.is_sixteen()) {
+            (false, true) => |code: u32| code * 257,
+            (true, false) => |code: u32| code >> 8,
+            _ => |code: u32| code,
+        };
         for row in 0..rows {
             let from = row as usize * other.size[0] as usize;
             let to = (at[1] + row) as usize * self.size[0] as usize + at[0] as usize;
-            let (from, to) = (from..from + width, to..to + width);
-            match (&mut self.pixels, &other.pixels) {
-                (Pixels::Eight(to_list), Pixels::Eight(list)) => to_list[to].copy_from_slice(&list[from]),
-                (Pixels::Sixteen(to_list), Pixels::Sixteen(list)) => to_list[to].copy_from_slice(&list[from]),
-                (Pixels::Sixteen(to_list), Pixels::Eight(list)) => {
-                    let wide = list[from].iter().map(|pixel| pixel.map(|c| u16::from(c) * 257));
-                    to_list[to].iter_mut().zip(wide).for_each(|(to, pixel)| *to = pixel);
-                }
-                (Pixels::Eight(to_list), Pixels::Sixteen(list)) => {
-                    let narrow = list[from].iter().map(|pixel| pixel.map(|c| (c >> 8) as u8));
-                    to_list[to].iter_mut().zip(narrow).for_each(|(to, pixel)| *to = pixel);
-                }
-            }
+            (0..width).for_each(|x| self.set_codes(to + x, other.codes(from + x).map(convert)));
         }
     }
 
@@ -79,20 +100,13 @@ impl Picture {
         if !(0..width).contains(&x) || !(0..height).contains(&y) {
             return;
         }
-        let index = (y * width + x) as usize;
-        let mix = |old: f32, new: f32| old + (new - old) * share;
-        match &mut self.pixels {
-            Pixels::Eight(list) => {
-                for (old, new) in list[index].iter_mut().zip(colour) {
-                    *old = code(mix(f32::from(*old) / 255.0, new), 255.0) as u8;
-                }
-            }
-            Pixels::Sixteen(list) => {
-                for (old, new) in list[index].iter_mut().zip(colour) {
-                    *old = code(mix(f32::from(*old) / 65_535.0, new), 65_535.0) as u16;
-                }
-            }
+        let (index, full) = ((y * width + x) as usize, self.full());
+        let mut codes = self.codes(index);
+        for (old, new) in codes.iter_mut().zip(colour) {
+            let before = *old as f32 / full;
+            *old = code(before + (new - before) * share, full);
         }
+        self.set_codes(index, codes);
     }
 
     /// Whether there are as many pixels as the size says, and sides that a format has room for.
@@ -119,7 +133,7 @@ fn code(share: f32, largest: f32) -> u32 {
 const LARGEST: u32 = i32::MAX as u32;
 const DIRECT: &str = "Codes are the computed numbers themselves: no transfer curve.";
 
-/// A picture as a PNG file of 8 or 16 bits a component.
+/// A picture as a PNG file of 8 or 16 bits a component, with an alpha channel if there are opacities.
 ///
 /// [`Transfer::Srgb`] marks it as sRGB. Under [`Transfer::Direct`] no curve is applied to codes, which are to be sent to the
 /// screen unchanged: the file specifies no colour space, which viewers would apply, but a comment explains this. The same picture
@@ -127,19 +141,7 @@ const DIRECT: &str = "Codes are the computed numbers themselves: no transfer cur
 ///
 /// # Errors
 /// Sizes that do not fit the pixels or the format.
-pub fn encode_png(picture: &Picture, transfer: Transfer) -> Result<Vec<u8>> {
-    png(picture, None, transfer)
-}
-
-/// As [`encode_png`], with an alpha channel.
-///
-/// # Errors
-/// As [`encode_png`].
-pub fn encode_png_cut_out(cut: &CutOut, transfer: Transfer) -> Result<Vec<u8>> {
-    png(&cut.picture, Some(&cut.opacity), transfer)
-}
-
-fn png(picture: &Picture, opacity: Option<&[f32]>, transfer: Transfer) -> Result<Vec<u8>> {
+pub fn encode_png(picture: &Picture, opacity: Option<&[f32]>, transfer: Transfer) -> Result<Vec<u8>> {
     picture.check("PNG", LARGEST)?;
     let mut file = Vec::new();
     write(picture, opacity, transfer, &mut file).map_err(|error| ReportError::Encoder(error.to_string()))?;
@@ -160,54 +162,39 @@ const JPEG_QUALITY: u8 = 92;
 pub fn encode_jpeg(picture: &Picture) -> Result<Vec<u8>> {
     picture.check("JPEG", LARGEST_JPEG)?;
     let mut file = Vec::new();
-    encoded_by(JpegEncoder::new_with_quality(&mut file, JPEG_QUALITY), picture)?;
+    let encoder = JpegEncoder::new_with_quality(&mut file, JPEG_QUALITY);
+    encode_by(encoder, picture, picture.clone().into_eight_bits().as_flattened(), ExtendedColorType::Rgb8)?;
     Ok(file)
 }
 
-/// A picture as a WebP file without loss. Of 16-bit components the upper half is taken. Viewers take the codes as sRGB.
+/// A picture as a WebP file without loss, with an alpha channel if there are opacities. Of 16-bit components the upper half is taken.
+/// Viewers take the codes as sRGB.
 ///
 /// # Errors
 /// Sizes that do not fit the pixels or the format.
-pub fn encode_webp(picture: &Picture) -> Result<Vec<u8>> {
+pub fn encode_webp(picture: &Picture, opacity: Option<&[f32]>) -> Result<Vec<u8>> {
     picture.check("WebP", LARGEST_WEBP)?;
     let mut file = Vec::new();
-    encoded_by(WebPEncoder::new_lossless(&mut file), picture)?;
-    Ok(file)
-}
-
-/// As [`encode_webp`], with an alpha channel.
-///
-/// # Errors
-/// As [`encode_webp`].
-pub fn encode_webp_cut_out(CutOut { picture, opacity }: &CutOut) -> Result<Vec<u8>> {
-    picture.check("WebP", LARGEST_WEBP)?;
-    let [width, height] = picture.size;
-    let with_alpha = |([r, g, b], &opacity): ([u8; 3], &f32)| [r, g, b, code(opacity, 255.0) as u8];
-    let bytes: Vec<[u8; 4]> = eight_bits(picture).into_iter().zip(opacity).map(with_alpha).collect();
-    let mut file = Vec::new();
-    let written = WebPEncoder::new_lossless(&mut file).write_image(
-        bytes.as_flattened(),
-        width,
-        height,
-        ExtendedColorType::Rgba8,
-    );
-    written.map_err(|error| ReportError::Encoder(error.to_string()))?;
-    Ok(file)
-}
-
-fn eight_bits(picture: &Picture) -> Vec<[u8; 3]> {
-    match &picture.pixels {
-        Pixels::Eight(list) => list.clone(),
-        Pixels::Sixteen(list) => {
-            list.iter().map(|pixel| pixel.map(|component| (component >> 8) as u8)).collect()
+    let (encoder, pixels) = (WebPEncoder::new_lossless(&mut file), picture.clone().into_eight_bits());
+    match opacity {
+        None => encode_by(encoder, picture, pixels.as_flattened(), ExtendedColorType::Rgb8)?,
+        Some(opacity) => {
+            let with_alpha = |([r, g, b], &opacity): ([u8; 3], &f32)| [r, g, b, code(opacity, 255.0) as u8];
+            let pixels: Vec<[u8; 4]> = pixels.into_iter().zip(opacity).map(with_alpha).collect();
+            encode_by(encoder, picture, pixels.as_flattened(), ExtendedColorType::Rgba8)?;
         }
     }
+    Ok(file)
 }
 
-fn encoded_by(encoder: impl ImageEncoder, picture: &Picture) -> Result<()> {
+fn encode_by(
+    encoder: impl ImageEncoder,
+    picture: &Picture,
+    bytes: &[u8],
+    kind: ExtendedColorType,
+) -> Result<()> {
     let [width, height] = picture.size;
-    let bytes = eight_bits(picture);
-    let written = encoder.write_image(bytes.as_flattened(), width, height, ExtendedColorType::Rgb8);
+    let written = encoder.write_image(bytes, width, height, kind);
     written.map_err(|error| ReportError::Encoder(error.to_string()))
 }
 
@@ -227,24 +214,19 @@ fn write(
     }
     let mut writer = encoder.write_header()?;
     let mut stream = writer.stream_writer()?;
-    let alpha = |index: usize, full: f32| opacity.map(|opacity| code(opacity[index], full));
-    let mut bytes = Vec::with_capacity(width as usize * 8);
-    match &picture.pixels {
-        Pixels::Eight(list) if opacity.is_none() => stream.write_all(list.as_flattened())?,
-        Pixels::Eight(list) => {
-            for (index, pixel) in list.iter().enumerate() {
+    let (count, full) = (width as usize * height as usize, picture.full());
+    let mut bytes = Vec::with_capacity(8);
+    match (&picture.pixels, opacity) {
+        (Pixels::Eight(list), None) => stream.write_all(list.as_flattened())?,
+        _ => {
+            for index in 0..count {
+                let alpha = opacity.map(|opacity| code(opacity[index], full));
                 bytes.clear();
-                bytes.extend(pixel);
-                bytes.extend(alpha(index, 255.0).map(|alpha| alpha as u8));
-                stream.write_all(&bytes)?;
-            }
-        }
-        Pixels::Sixteen(list) => {
-            // The numbers are stored with the upper byte first.
-            for (index, pixel) in list.iter().enumerate() {
-                bytes.clear();
-                bytes.extend(pixel.iter().flat_map(|component| component.to_be_bytes()));
-                bytes.extend(alpha(index, 65_535.0).iter().flat_map(|&alpha| (alpha as u16).to_be_bytes()));
+                for code in picture.codes(index).into_iter().chain(alpha) {
+                    // The upper byte comes first.
+                    let [.., upper, lower] = code.to_be_bytes();
+                    bytes.extend(picture.is_sixteen().then_some(upper).into_iter().chain([lower]));
+                }
                 stream.write_all(&bytes)?;
             }
         }
@@ -309,7 +291,8 @@ mod tests {
     fn what_goes_in_comes_out() {
         for sixteen in [false, true] {
             let picture = sample(sixteen);
-            let decoded = image::load_from_memory(&encode_png(&picture, Transfer::Srgb).unwrap()).unwrap();
+            let decoded =
+                image::load_from_memory(&encode_png(&picture, None, Transfer::Srgb).unwrap()).unwrap();
             assert_eq!([decoded.width(), decoded.height()], picture.size);
             match &picture.pixels {
                 Pixels::Eight(list) => assert_eq!(decoded.into_rgb8().as_raw(), list.as_flattened()),
@@ -320,9 +303,9 @@ mod tests {
 
     #[test]
     fn the_transfer_is_marked() {
-        let srgb = encode_png(&sample(false), Transfer::Srgb).unwrap();
+        let srgb = encode_png(&sample(false), None, Transfer::Srgb).unwrap();
         assert!(has_chunk(&srgb, b"sRGB"));
-        let direct = encode_png(&sample(false), Transfer::Direct).unwrap();
+        let direct = encode_png(&sample(false), None, Transfer::Direct).unwrap();
         for claim in [b"sRGB", b"gAMA", b"cHRM", b"iCCP"] {
             assert!(!has_chunk(&direct, claim));
         }
@@ -333,6 +316,6 @@ mod tests {
     #[test]
     fn wrong_sizes_are_refused() {
         let empty = Picture { size: [0, 4], pixels: Pixels::Eight(Vec::new()) };
-        assert!(matches!(encode_png(&empty, Transfer::Srgb), Err(ReportError::Size { .. })));
+        assert!(matches!(encode_png(&empty, None, Transfer::Srgb), Err(ReportError::Size { .. })));
     }
 }

@@ -9,18 +9,17 @@ pub(super) type Column<'a, T> = (&'a str, &'a dyn Fn(&T) -> String);
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Table {
     pub(super) caption: String,
-    pub(super) columns: Vec<String>,
-    pub(super) rows: Vec<Vec<String>>,
+    /// The headings of its columns.
+    pub columns: Vec<String>,
+    /// Its cells, row by row.
+    pub rows: Vec<Vec<String>>,
 }
 
 impl Table {
     /// A table without rows.
-    pub fn new(caption: &str, columns: &[&str]) -> Self {
-        Self {
-            caption: caption.to_owned(),
-            columns: columns.iter().map(|&column| column.to_owned()).collect(),
-            rows: Vec::new(),
-        }
+    pub fn new(caption: &str, columns: &[impl AsRef<str>]) -> Self {
+        let columns = columns.iter().map(|column| column.as_ref().to_owned()).collect();
+        Self { caption: caption.to_owned(), columns, rows: Vec::new() }
     }
 
     /// A table with a row for each item, whose cells are computed by the columns.
@@ -53,16 +52,6 @@ impl Table {
             let mut kept = keep.iter();
             row.retain(|_| kept.next() == Some(&true));
         }
-    }
-
-    /// The headings of its columns.
-    pub fn headings(&self) -> &[String] {
-        &self.columns
-    }
-
-    /// Its cells, row by row.
-    pub fn cells(&self) -> &[Vec<String>] {
-        &self.rows
     }
 
     /// Whether there are no rows.

@@ -5,14 +5,14 @@
 
 use super::picture::{CutOut, Picture};
 use crate::num::{LinearRgb, Transfer};
-use crate::raster::Pixels;
 
 /// The picture that two pictures of the same size show before black and before white.
 ///
 /// Pixels that are equal in both are opaque and keep their codes.
 pub fn cut_out(on_black: Picture, on_white: &Picture, transfer: Transfer) -> CutOut {
-    let mut opacity = Vec::new();
-    let mut cut = |black: [u32; 3], white: [u32; 3], full: f64| {
+    let (mut picture, mut opacity) = (on_black, Vec::new());
+    let full = f64::from(picture.full());
+    let mut cut = |black: [u32; 3], white: [u32; 3]| {
         if black == white {
             opacity.push(1.0);
             return black;
@@ -24,25 +24,10 @@ pub fn cut_out(on_black: Picture, on_white: &Picture, transfer: Transfer) -> Cut
         opacity.push(share as f32);
         black.map(|light| if share > 0.0 { coded(light / share, transfer, full) } else { 0 })
     };
-    let pixels = match (on_black.pixels, &on_white.pixels) {
-        (Pixels::Sixteen(black), Pixels::Sixteen(white)) => {
-            let pairs = black.into_iter().zip(white);
-            Pixels::Sixteen(
-                pairs
-                    .map(|(a, b)| cut(a.map(u32::from), b.map(u32::from), 65_535.0).map(|c| c as u16))
-                    .collect(),
-            )
-        }
-        (Pixels::Eight(black), Pixels::Eight(white)) => {
-            let pairs = black.into_iter().zip(white);
-            Pixels::Eight(
-                pairs.map(|(a, b)| cut(a.map(u32::from), b.map(u32::from), 255.0).map(|c| c as u8)).collect(),
-            )
-        }
-        // Both are drawn with the same settings.
-        (pixels, _) => pixels,
-    };
-    CutOut { picture: Picture { size: on_black.size, pixels }, opacity }
+    for index in 0..picture.size.iter().map(|&side| side as usize).product() {
+        picture.set_codes(index, cut(picture.codes(index), on_white.codes(index)));
+    }
+    CutOut { picture, opacity }
 }
 
 impl CutOut {
@@ -50,29 +35,16 @@ impl CutOut {
     pub fn over(self, [top, bottom]: [LinearRgb; 2], transfer: Transfer) -> Picture {
         let Self { mut picture, opacity } = self;
         let [width, height] = picture.size.map(|side| side as usize);
-        let behind = |index: usize| {
-            let share = ((index / width) as f64 + 0.5) / height as f64;
-            (top * (1.0 - share) + bottom * share).to_array()
-        };
-        let mix = |index: usize, codes: [u32; 3], full: f64| {
-            let share = f64::from(opacity[index]);
-            if share == 1.0 {
-                return codes;
-            }
-            let behind = behind(index);
-            std::array::from_fn(|k| {
+        let full = f64::from(picture.full());
+        for (index, &share) in opacity.iter().enumerate().filter(|(_, share)| **share != 1.0) {
+            let down = ((index / width) as f64 + 0.5) / height as f64;
+            let behind = (top * (1.0 - down) + bottom * down).to_array();
+            let (share, codes) = (f64::from(share), picture.codes(index));
+            let mixed = std::array::from_fn(|k| {
                 let light = transfer.decode(f64::from(codes[k]) / full);
                 coded(light * share + behind[k] * (1.0 - share), transfer, full)
-            })
-        };
-        match &mut picture.pixels {
-            Pixels::Eight(list) => list
-                .iter_mut()
-                .enumerate()
-                .for_each(|(index, pixel)| *pixel = mix(index, pixel.map(u32::from), 255.0).map(|c| c as u8)),
-            Pixels::Sixteen(list) => list.iter_mut().enumerate().for_each(|(index, pixel)| {
-                *pixel = mix(index, pixel.map(u32::from), 65_535.0).map(|c| c as u16)
-            }),
+            });
+            picture.set_codes(index, mixed);
         }
         picture
     }
@@ -85,6 +57,7 @@ fn coded(light: f64, transfer: Transfer, full: f64) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::raster::Pixels;
 
     /// Half of a pixel of light 0.5, nothing, and an opaque pixel.
     #[test]

@@ -3,7 +3,7 @@
 use super::cases::{NamedSurface, SampleMesh, Tiling};
 use super::effort::{Candidate, Effort, Observer, Progress, fewest_seconds};
 use super::vertex::recipe;
-use crate::mesh::{Faces, Mesh, MeshBuilder};
+use crate::mesh::{Faces, Mesh};
 use crate::normals::{
     Averaging, Extras, NormalRecipe, Precision, Scratch, Weight, compute_with, vertex_normals,
 };
@@ -174,10 +174,7 @@ fn fans(faces: &Faces) -> Vec<[u32; 3]> {
 /// The mesh with every position moved and then rounded to single precision.
 pub(super) fn rounded(mesh: &Mesh, moved: impl Fn(DVec3) -> DVec3) -> Mesh {
     let round = |position: DVec3| moved(position).as_vec3().to_array();
-    let builder = MeshBuilder {
-        positions: mesh.positions().iter().map(round).collect(),
-        faces: mesh.faces().clone(),
-        ..MeshBuilder::default()
-    };
-    builder.build().expect("the faces are those of a mesh, and places stay in range")
+    let positions: Vec<[f32; 3]> = mesh.positions().iter().map(round).collect();
+    let mesh = Mesh::new(positions, mesh.faces().clone());
+    mesh.expect("the faces are those of a mesh, and places stay in range")
 }

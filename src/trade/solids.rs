@@ -2,7 +2,7 @@
 
 use super::angles::angle_between;
 use super::vertex::recipe;
-use crate::mesh::{Faces, MeshBuilder};
+use crate::mesh::{Faces, Mesh};
 use crate::normals::{Weight, compute};
 use crate::num::Degrees;
 use glam::DVec3;
@@ -67,12 +67,8 @@ fn of_cut(sides: [f64; 3], weight: Weight, cut: u32) -> Vec<f64> {
         let [a, b, c, d] = quad;
         triangles.extend([a, b, c, a, c, d]);
     }
-    let builder = MeshBuilder {
-        positions: (0..8).map(position).collect(),
-        faces: Faces::triangles(triangles),
-        ..MeshBuilder::default()
-    };
-    let mesh = builder.build().expect("a box is a sound mesh");
+    let positions: Vec<DVec3> = (0..8).map(position).collect();
+    let mesh = Mesh::new(positions, Faces::triangles(triangles)).expect("a box is a sound mesh");
     let field = compute(&mesh, &recipe(weight));
     let deviation = |(&normal, &vertex): (&DVec3, &u32)| {
         let diagonal =

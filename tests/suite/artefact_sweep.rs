@@ -77,7 +77,7 @@ fn no_legal_parameter_contradicts_a_closed_form() {
     let wrong = |(experiment, parameters, outcome): &Run| {
         let bad = outcome.measures.iter().filter(|measure| {
             // A value that is not finite disagrees.
-            measure.agrees() == Some(false) || !measure.value.is_finite()
+            measure.agrees == Some(false) || !measure.value.is_finite()
         });
         let reported = |measure: &crease::artefact::Measure| {
             let name = measure.name.get(Language::English);

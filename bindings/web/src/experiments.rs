@@ -90,7 +90,7 @@ impl Run {
         }
         let [name, condition] = verdict_text(&outcome, language);
         let table = measure_table(&outcome, language);
-        let cells = table.cells().iter().map(|row| row.iter().map(|cell| running(cell)).collect::<Vec<_>>());
+        let cells = table.rows.iter().map(|row| row.iter().map(|cell| running(cell)).collect::<Vec<_>>());
         let series = outcome.series().map(|shots| {
             let shot = |shot: &crease::artefact::Shot| {
                 json!({
@@ -110,7 +110,7 @@ impl Run {
         let more = json!({
             "verdict_name": name,
             "condition": running(&condition),
-            "table": { "headings": table.headings(), "rows": cells.collect::<Vec<_>>() },
+            "table": { "headings": table.columns, "rows": cells.collect::<Vec<_>>() },
             "series": series.collect::<Vec<_>>(),
             "charts": charts.collect::<Vec<_>>(),
             "notes": outcome.notes.iter().map(|note| running(note.get(language))).collect::<Vec<_>>(),
@@ -144,7 +144,7 @@ fn measures(outcome: &Outcome, language: Language) -> Vec<Value> {
             "unit": measure.unit,
             "value": measure.value,
             "expected": range,
-            "agrees": measure.agrees(),
+            "agrees": measure.agrees,
         })
     };
     outcome.measures.iter().map(measure).collect()

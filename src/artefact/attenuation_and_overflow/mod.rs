@@ -7,15 +7,8 @@ use std::f64::consts::PI;
 
 static TEXTS: Catalogue = catalogue!("texts");
 
-pub(super) static EXPERIMENT: Experiment = Experiment {
-    id: "attenuation-and-overflow",
-    texts: &TEXTS,
-    takes: &[ParameterName::Size],
-    segments: Parameters::SEGMENTS,
-    defaults: Parameters::USUAL,
-    run,
-    frame: None,
-};
+pub(super) static EXPERIMENT: Experiment =
+    Experiment { takes: &[ParameterName::Size], ..Experiment::new("attenuation-and-overflow", &TEXTS, run) };
 
 /// The lamp's height over the floor, its strength, and the k that avoids overflow.
 const HEIGHT: f64 = 0.5;
@@ -244,7 +237,7 @@ mod tests {
             let parameters = Parameters { size, ..EXPERIMENT.defaults };
             let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
             for measure in &outcome.measures {
-                assert_ne!(measure.agrees(), Some(false), "{size}: {measure:?}");
+                assert_ne!(measure.agrees, Some(false), "{size}: {measure:?}");
             }
         }
     }

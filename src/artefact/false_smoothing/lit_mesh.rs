@@ -119,10 +119,8 @@ pub(super) fn run(own: &UserMesh, parameters: &Parameters, mut out: Recorder) ->
     let [angles, light] = smooth.maps();
     out.bad("own", &effect, smooth.lit);
     out.cured("own-split", &effect, sharp.lit);
-    out.difference("own-angles", angles);
-    out.scaled(FULL_ANGLE, "°");
-    out.difference("own-light", light);
-    out.scaled(FULL_LIGHT, "");
+    out.difference("own-angles", angles, FULL_ANGLE, "°");
+    out.difference("own-light", light, FULL_LIGHT, "");
     let (notes, verdict) = (vec![out.text("own-note")], Verdict::Holds(out.text("own-holds")));
     Ok(out.finish_with_notes(notes, verdict, effect))
 }

@@ -14,8 +14,6 @@ use lit_mesh::{FULL_ANGLE, FULL_LIGHT, LitMesh, Rendering};
 static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
-    id: "false-smoothing",
-    texts: &TEXTS,
     takes: &[
         ParameterName::Size,
         ParameterName::Light,
@@ -23,10 +21,8 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
         ParameterName::Crease,
         ParameterName::Mesh,
     ],
-    segments: Parameters::SEGMENTS,
     defaults: Parameters { light: Degrees(35.0), ..Parameters::USUAL },
-    run,
-    frame: None,
+    ..Experiment::new("false-smoothing", &TEXTS, run)
 };
 
 /// The lean of the strips of the zig-zag and of the roof.
@@ -88,13 +84,10 @@ fn shapes(parameters: &Parameters, out: &mut Recorder) -> Result<Effect> {
     chart(&gear_mesh, weight, out);
     let ([gear_angles, gear_light], [cube_angles, _]) = (gear[0].maps(), cube[0].maps());
     let effect = show(["gear", "gear-split"], gear, out);
-    out.difference("gear-angles", gear_angles);
-    out.scaled(FULL_ANGLE, "°");
-    out.difference("gear-light", gear_light);
-    out.scaled(FULL_LIGHT, "");
+    out.difference("gear-angles", gear_angles, FULL_ANGLE, "°");
+    out.difference("gear-light", gear_light, FULL_LIGHT, "");
     show(["cube", "cube-split"], cube, out);
-    out.difference("cube-angles", cube_angles);
-    out.scaled(FULL_ANGLE, "°");
+    out.difference("cube-angles", cube_angles, FULL_ANGLE, "°");
     show(["zigzag", "zigzag-split"], zigzag, out);
     show(["roof", "roof-split"], roof, out);
     Ok(Effect { name: out.text("gear-effect"), ..effect })

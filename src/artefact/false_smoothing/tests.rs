@@ -15,7 +15,7 @@ fn the_artefact_is_there_and_is_cured() {
         setup.parameters.weight = weight;
         let outcome = EXPERIMENT.run(&setup).unwrap();
         for measure in &outcome.measures {
-            assert_ne!(measure.agrees(), Some(false), "{weight:?}: {measure:?}");
+            assert_ne!(measure.agrees, Some(false), "{weight:?}: {measure:?}");
         }
         // Present: normals are off by tens of degrees. Cured: only the bore's facets are left, a hundred times less.
         let effect = &outcome.effect;
@@ -44,7 +44,7 @@ fn a_crease_angle_over_the_edges_cures_nothing() {
     let mut setup = setup(48);
     setup.parameters.crease = Degrees(100.0);
     let outcome = EXPERIMENT.run(&setup).unwrap();
-    assert!(outcome.measures.iter().all(|measure| measure.agrees() != Some(false)));
+    assert!(outcome.measures.iter().all(|measure| measure.agrees != Some(false)));
     assert_eq!(outcome.effect.bad, outcome.effect.cured);
     assert!(outcome.effect.is_present() && !outcome.effect.is_cured());
 }

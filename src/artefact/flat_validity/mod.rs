@@ -7,14 +7,11 @@ use std::f64::consts::SQRT_2;
 static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
-    id: "flat-validity",
-    texts: &TEXTS,
     takes: &[ParameterName::Size, ParameterName::Segments, ParameterName::Light, ParameterName::Exponent],
     // More would be hardly larger than pixels.
     segments: 3..=256,
     defaults: Parameters { segments: 12, light: Degrees(45.0), exponent: 32.0, ..Parameters::USUAL },
-    run,
-    frame: None,
+    ..Experiment::new("flat-validity", &TEXTS, run)
 };
 
 fn run(setup: &Setup) -> Result<Outcome> {
@@ -299,7 +296,7 @@ mod tests {
         let parameters = Parameters { size: 32, light: Degrees(81.58), exponent: 0.0, ..EXPERIMENT.defaults };
         let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
         assert_eq!(outcome.measured("viewer at 2 circumradii"), 1.0);
-        assert!(outcome.measures.iter().all(|measure| measure.agrees() != Some(false)), "{outcome:?}");
+        assert!(outcome.measures.iter().all(|measure| measure.agrees != Some(false)), "{outcome:?}");
     }
 
     #[test]

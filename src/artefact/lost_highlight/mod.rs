@@ -7,14 +7,12 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2, TAU};
 static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
-    id: "lost-highlight",
-    texts: &TEXTS,
     takes: &[ParameterName::Size, ParameterName::Segments, ParameterName::Exponent],
     // More would be hardly larger than pixels.
     segments: 3..=256,
     defaults: Parameters { segments: 16, exponent: 32.0, ..Parameters::USUAL },
-    run,
     frame: Some(frame),
+    ..Experiment::new("lost-highlight", &TEXTS, run)
 };
 
 /// The window's side from close by.

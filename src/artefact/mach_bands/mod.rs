@@ -15,15 +15,12 @@ use tube::{Found, Law, Profile, Tube, flat_step, gouraud_jump, phong_jump};
 static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
-    id: "mach-bands",
-    texts: &TEXTS,
     takes: &[ParameterName::Size, ParameterName::Segments, ParameterName::Light],
     // With fewer facets no edge may be visible; with more, those of the finer cylinder would be a few pixels wide.
     segments: 6..=128,
     // So few that bands are visible; with an odd number of facets in the light no two neighbours are alike.
     defaults: Parameters { segments: 10, light: Degrees(30.0), ..Parameters::USUAL },
-    run,
-    frame: None,
+    ..Experiment::new("mach-bands", &TEXTS, run)
 };
 
 /// How many times more segments the cured cylinder has.
@@ -245,7 +242,7 @@ mod tests {
     fn the_artefact_is_there_and_is_cured() {
         let outcome = run(30.0, 16);
         for measure in &outcome.measures {
-            assert_eq!(measure.agrees(), Some(true), "{measure:?}");
+            assert_eq!(measure.agrees, Some(true), "{measure:?}");
         }
         // Jumps of first order: a quarter, and less where tangents grow.
         assert!(outcome.effect.bad > 0.3 && outcome.effect.reduction() > 3.5, "{:?}", outcome.effect);

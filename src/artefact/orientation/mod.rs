@@ -12,13 +12,10 @@ use polygon::Polygon;
 static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
-    id: "orientation",
-    texts: &TEXTS,
     takes: &[ParameterName::Size, ParameterName::Interpolation, ParameterName::Mesh],
-    segments: Parameters::SEGMENTS,
     defaults: Parameters { size: 321, interpolation: Interpolation::Scanline, ..Parameters::USUAL },
-    run,
     frame: Some(frame),
+    ..Experiment::new("orientation", &TEXTS, run)
 };
 
 /// The number of rotations that are measured: one every five degrees.
@@ -214,7 +211,7 @@ mod tests {
     fn the_artefact_is_there_and_is_cured() {
         let outcome = EXPERIMENT.run(&setup(65)).unwrap();
         for measure in &outcome.measures {
-            assert_eq!(measure.agrees(), Some(true), "{measure:?}");
+            assert_eq!(measure.agrees, Some(true), "{measure:?}");
         }
         // 0.4 in blue between the two positions; the rest in triangles is the snapping of corners.
         assert!(
@@ -238,7 +235,7 @@ mod tests {
         let own = |mesh| Some(UserMesh { name: "square.obj", mesh, finer: None });
         let outcome = EXPERIMENT.run(&Setup { mesh: own(&mesh), ..setup(65) }).unwrap();
         assert!(
-            outcome.measures.iter().all(|measure| measure.agrees() == Some(true)),
+            outcome.measures.iter().all(|measure| measure.agrees == Some(true)),
             "{:?}",
             outcome.measures
         );
@@ -269,7 +266,7 @@ mod tests {
             let own = Some(UserMesh { name: "letter.obj", mesh: &builder.build().unwrap(), finer: None });
             let outcome = EXPERIMENT.run(&Setup { mesh: own, ..setup(65) }).unwrap();
             for measure in &outcome.measures {
-                assert_ne!(measure.agrees(), Some(false), "{measure:?}");
+                assert_ne!(measure.agrees, Some(false), "{measure:?}");
             }
             let shot = |name| &outcome.shots.iter().find(|shot| shot.name == name).unwrap().image;
             let [whole, one, other] = ["position-1", "diagonal-13", "diagonal-24"].map(shot);
@@ -292,7 +289,7 @@ mod tests {
             let own = Some(UserMesh { name: "own.obj", mesh: &mesh, finer: None });
             let outcome = EXPERIMENT.run(&Setup { mesh: own, ..setup(65) }).unwrap();
             for measure in &outcome.measures {
-                assert_eq!(measure.agrees(), Some(true), "{points:?}: {measure:?}");
+                assert_eq!(measure.agrees, Some(true), "{points:?}: {measure:?}");
             }
             outcome
         };

@@ -48,13 +48,11 @@ impl Pictures {
         out.bad("position-1", effect, upright);
         out.bad("turned-45", effect, half);
         out.bad("position-2", effect, turned);
-        out.difference("difference", difference);
-        out.scaled(FULL, "");
+        out.difference("difference", difference, FULL, "");
         out.cured("diagonal-13", effect, one);
         out.cured("diagonal-24", effect, other);
         if !has_one_cut {
-            out.difference("diagonals", between);
-            out.scaled(FULL, "");
+            out.difference("diagonals", between, FULL, "");
         }
     }
 }

@@ -15,13 +15,9 @@ use std::f64::consts::FRAC_1_SQRT_2;
 static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
-    id: "precision",
-    texts: &TEXTS,
     takes: &[ParameterName::Size, ParameterName::Segments, ParameterName::Exponent],
-    segments: Parameters::SEGMENTS,
     defaults: Parameters { segments: 24, exponent: 2000.0, ..Parameters::USUAL },
-    run,
-    frame: None,
+    ..Experiment::new("precision", &TEXTS, run)
 };
 
 /// How far from the origin the sphere is modelled, in radii.

@@ -13,7 +13,16 @@ fn errors() -> [Vec<[f64; 2]>; 2] {
     [0, 1].map(|way| SLIVERS.map(|ratio| [ratio, sliver(ratio)[way]]).to_vec())
 }
 
-/// The largest error of normals of slivers of this ratio: by plain single precision, and as this library computes it or NaN.
+/// The normal of a triangle, of any length: by products and differences in single precision, and as this library computes it.
+fn normals([p, q, r]: [Vec3; 3]) -> [Vec3; 2] {
+    let positions = [p, q, r].map(|corner| corner.to_array());
+    let mut own = [[0.0_f32; 3]];
+    let faults = face_normals(&positions, &[[0, 1, 2]], &mut Scratch::new(), &mut own);
+    faults.expect("slices of matching lengths");
+    [(q - p).cross(r - p), Vec3::from(own[0])]
+}
+
+/// The largest error of normals of slivers of this ratio: by plain single precision, and as this library computes it.
 fn sliver(ratio: f64) -> [f64; 2] {
     let mut worst = [0.0_f64; 2];
     for k in 0..400 {
@@ -23,21 +32,12 @@ fn sliver(ratio: f64) -> [f64; 2] {
         let aside = along.cross(DVec3::new(0.3, -0.5, 0.81)).normalize();
         let base = DVec3::new(0.4, -0.7, 0.3) * libm::cos(3.0 * t);
         let corners = [DVec3::ZERO, along, along * 0.37 + aside * ratio];
-        let positions = corners.map(|p| (base + p).as_vec3().to_array());
-        let [p, q, r] = positions.map(Vec3::from);
-        let truth = {
-            let [p, q, r] = [p, q, r].map(|v| v.as_dvec3());
-            // Differences of single numbers and their products are exact in double precision.
-            (q - p).cross(r - p)
-        };
-        let plain = (q - p).cross(r - p);
-        let mut own = [[0.0_f32; 3]];
-        if face_normals(&positions, &[[0, 1, 2]], &mut Scratch::new(), &mut own).is_err() {
-            return [f64::NAN; 2];
-        }
-        for (worst, found) in worst.iter_mut().zip([plain.as_dvec3(), Vec3::from(own[0]).as_dvec3()]) {
-            let off = libm::atan2(found.cross(truth).length(), found.dot(truth));
-            *worst = worst.max(Degrees::from(Radians(off)).0);
+        let corners = corners.map(|p| (base + p).as_vec3());
+        let [p, q, r] = corners.map(|v| v.as_dvec3());
+        // Differences of single numbers and their products are exact in double precision.
+        let truth = (q - p).cross(r - p);
+        for (worst, found) in worst.iter_mut().zip(normals(corners)) {
+            *worst = worst.max(angle(found.as_dvec3(), truth));
         }
     }
     worst
@@ -78,7 +78,7 @@ struct Normals {
 }
 
 impl Normals {
-    /// Of `count` slivers, each with its third corner at another position along it; those that the library refuses have zero.
+    /// Of `count` slivers, each with its third corner at another position along it.
     fn of(count: u32) -> Self {
         let x = ALONG.normalize();
         let z = ALONG.cross(ACROSS).normalize();
@@ -92,13 +92,7 @@ impl Normals {
             let apex = (f64::from(LENGTH) * (f64::from(k) * 0.618_033_988_749_895).fract()).round();
             let base = f64::from(k % 256) * ACROSS;
             let corners = [base, base + f64::from(LENGTH) * ALONG, base + apex * ALONG + ACROSS];
-            let corners = corners.map(|corner| corner.as_vec3());
-            let [p, q, r] = corners;
-            let mut own = [[0.0_f32; 3]];
-            let positions = corners.map(|corner| corner.to_array());
-            let is_done = face_normals(&positions, &[[0, 1, 2]], &mut Scratch::new(), &mut own).is_ok();
-            let own = if is_done { Vec3::from(own[0]) } else { Vec3::ZERO };
-            [(q - p).cross(r - p), own].map(turned)
+            normals(corners.map(|corner| corner.as_vec3())).map(turned)
         };
         let (plain, careful) = (0..count).map(of_one).map(|[plain, own]| (plain, own)).unzip();
         Self { plain, careful }

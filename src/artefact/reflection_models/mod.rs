@@ -11,13 +11,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
-    id: "reflection-models",
-    texts: &TEXTS,
     takes: &[ParameterName::Size, ParameterName::Exponent],
-    segments: Parameters::SEGMENTS,
     defaults: Parameters { exponent: 10.0, ..Parameters::USUAL },
-    run,
-    frame: None,
+    ..Experiment::new("reflection-models", &TEXTS, run)
 };
 
 /// How many times nearer to Phong's highlight four times the exponent has to be.
@@ -171,7 +167,7 @@ mod tests {
                 let parameters = Parameters { size, exponent, ..EXPERIMENT.defaults };
                 let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
                 for measure in &outcome.measures {
-                    assert_ne!(measure.agrees(), Some(false), "{size} {exponent}: {measure:?}");
+                    assert_ne!(measure.agrees, Some(false), "{size} {exponent}: {measure:?}");
                 }
             }
         }

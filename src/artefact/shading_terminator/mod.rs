@@ -10,14 +10,12 @@ use scene::{HEIGHT, LEVEL, Prism, concerned, mean_where, paint, picture, share, 
 static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
-    id: "shading-terminator",
-    texts: &TEXTS,
     takes: &[ParameterName::Size, ParameterName::Segments, ParameterName::Light],
     // More, and four times as many in the cured picture, would be hardly larger than pixels.
     segments: 3..=256,
     defaults: Parameters { segments: 16, light: Degrees(80.0), ..Parameters::USUAL },
-    run,
     frame: Some(frame),
+    ..Experiment::new("shading-terminator", &TEXTS, run)
 };
 
 /// Segments of the finest sphere: so many that its teeth are hardly larger than pixels, and four times as many at least.
@@ -89,8 +87,7 @@ fn sphere(
     let cost = out.effect("cost", "", costs, Threshold::half_step(), 10.0);
     out.bad("hard", &effect, hard);
     out.cured("smooth", &effect, smooth);
-    out.difference("concerned", map([size; 2], &map_of_coarse, 1.0));
-    out.scaled(1.0, "");
+    out.difference("concerned", map([size; 2], &map_of_coarse, 1.0), 1.0, "");
     Ok((effect, Cost { effect: cost, coarse, fine }))
 }
 

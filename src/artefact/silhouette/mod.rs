@@ -17,8 +17,6 @@ use super::prelude::*;
 static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
-    id: "silhouette",
-    texts: &TEXTS,
     takes: &[
         ParameterName::Size,
         ParameterName::Segments,
@@ -29,8 +27,7 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
     // More would be hardly larger than pixels.
     segments: 3..=256,
     defaults: Parameters { segments: 12, light: Degrees(40.0), ..Parameters::USUAL },
-    run,
-    frame: None,
+    ..Experiment::new("silhouette", &TEXTS, run)
 };
 
 fn run(setup: &Setup) -> Result<Outcome> {

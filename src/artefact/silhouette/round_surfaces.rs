@@ -209,8 +209,7 @@ fn show(
     let coarse = ball.picture(segments)?;
     let lacking = between(&coarse, &round);
     out.bad("ball", of_ball, coarse);
-    out.difference("lacking", lacking);
-    out.scaled(1.0, "px");
+    out.difference("lacking", lacking, 1.0, "px");
     out.cured("ball-fine", of_ball, ball.picture(fine)?);
     out.truth("ball-itself", round);
     out.bad("torus", of_torus, torus.picture(segments)?);

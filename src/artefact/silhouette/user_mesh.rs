@@ -65,8 +65,7 @@ fn measure(own: &UserMesh, parameters: &Parameters, mut out: Recorder) -> Result
     let (truth, coarse, cured) = (picture(&truth)?, picture(&coarse)?, picture(&cure)?);
     let between = between(&coarse, &truth);
     out.bad("own", &effect, coarse);
-    out.difference("lacking", between);
-    out.scaled(1.0, "px");
+    out.difference("lacking", between, 1.0, "px");
     out.cured("own-curved", &effect, cured);
     out.truth("finer", truth);
     let verdict = match (effect.is_present(), own.finer) {

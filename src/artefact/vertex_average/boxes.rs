@@ -40,8 +40,7 @@ pub(super) fn show(of_cube: &Effect, weight: Weight, view: &View, out: &mut Reco
     out.set("full-light", FULL_LIGHT);
     out.bad("cube-1", of_cube, one);
     out.bad("cube-2", of_cube, other);
-    out.difference("cube-difference", between);
-    out.scaled(FULL_LIGHT, "");
+    out.difference("cube-difference", between, FULL_LIGHT, "");
     out.cured("cube-angle", of_cube, draw_box(CUBE, 0, FLAT, view)?);
     out.bad("box-max", &of_box, draw_box(LONG, 0, ROUND, view)?);
     out.cured("box-angle", &of_box, draw_box(LONG, 0, FLAT, view)?);

@@ -12,18 +12,14 @@ use surfaces::{FLAT, MEANS, ROUND, View, name};
 static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
-    id: "vertex-average",
-    texts: &TEXTS,
     takes: &[ParameterName::Size, ParameterName::Light, ParameterName::Exponent, ParameterName::Weight],
-    segments: Parameters::SEGMENTS,
     defaults: Parameters {
         weight: Weight::Uniform,
         light: Degrees(-25.0),
         exponent: 40.0,
         ..Parameters::USUAL
     },
-    run,
-    frame: None,
+    ..Experiment::new("vertex-average", &TEXTS, run)
 };
 
 fn run(setup: &Setup) -> Result<Outcome> {
@@ -70,7 +66,7 @@ mod tests {
         for weight in [Weight::Uniform, Weight::Area] {
             let outcome = run(weight);
             for measure in &outcome.measures {
-                assert_ne!(measure.agrees(), Some(false), "{measure:?}");
+                assert_ne!(measure.agrees, Some(false), "{measure:?}");
             }
             // Present: degrees. Cured: Max's weights are exact on a sphere but for roundings.
             assert!(outcome.effect.bad > 1.5 && outcome.effect.reduction() > 1000.0, "{:?}", outcome.effect);

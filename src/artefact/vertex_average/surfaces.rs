@@ -54,8 +54,7 @@ pub(super) fn show_ball(ball: &LitSurface, weight: Weight, out: &mut Recorder) -
     out.bad("slivers", &slivers, ball.picture(weight)?);
     out.bad("slivers-angle", &by_angle, ball.picture(FLAT)?);
     out.cured("slivers-max", &by_angle, ball.picture(ROUND)?);
-    out.difference("slivers-error", ball.error_map(weight, FULL_ANGLE)?);
-    out.scaled(FULL_ANGLE, "°");
+    out.difference("slivers-error", ball.error_map(weight, FULL_ANGLE)?, FULL_ANGLE, "°");
     Ok(slivers)
 }
 
@@ -64,8 +63,7 @@ pub(super) fn show_torus(torus: &LitSurface, weight: Weight, out: &mut Recorder)
     let effect = effect("torus", torus, weight, 1.5, out);
     out.bad("torus", &effect, torus.picture(weight)?);
     out.cured("torus-max", &effect, torus.picture(ROUND)?);
-    out.difference("torus-error", torus.error_map(weight, FULL_ANGLE)?);
-    out.scaled(FULL_ANGLE, "°");
+    out.difference("torus-error", torus.error_map(weight, FULL_ANGLE)?, FULL_ANGLE, "°");
     out.truth("torus-itself", torus.truth(Show::Shaded)?);
     Ok(effect)
 }

@@ -48,13 +48,13 @@ pub fn write_all(runs: &[Run], folder: &Path, language: Language) -> Result<Vec<
 fn files(run: &Run, language: Language, in_gallery: bool) -> Result<Vec<File>, ReportError> {
     let Run { experiment, setup, outcome, .. } = run;
     let page = experiment_page(experiment, setup, outcome, language, in_gallery)?;
-    let sheet = encode_png(&experiment_sheet(outcome, language)?, Transfer::Srgb)?;
+    let sheet = encode_png(&experiment_sheet(outcome, language)?, None, Transfer::Srgb)?;
     let mut files =
         vec![(page_name(experiment), page.into_bytes()), (format!("{}.png", experiment.id), sheet)];
     for shot in &outcome.shots {
         let picture = Picture::from(shot.image.clone());
         let name = format!("{}.png", picture_name(experiment, shot.name));
-        files.push((name, encode_png(&picture, Transfer::Srgb)?));
+        files.push((name, encode_png(&picture, None, Transfer::Srgb)?));
     }
     for chart in &outcome.charts {
         let svg = svg_file(&chart_plot(chart, language).svg(chart.name));

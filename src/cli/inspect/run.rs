@@ -247,7 +247,7 @@ fn draw(
             None => HeatMap::Findings,
         };
         let picture = heat_map(loaded, (shown, thresholds), of, *view, SIDE).map_err(Failure::input)?;
-        Target::of(path).store(encode_png(&picture, Transfer::Srgb).map_err(Failure::input)?)?;
+        Target::of(path).store(encode_png(&picture, None, Transfer::Srgb).map_err(Failure::input)?)?;
         report.written.push(("picture", Target::of(path).name()));
     }
     Ok(())

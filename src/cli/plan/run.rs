@@ -111,7 +111,7 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
         }
         if let Some(path) = &args.picture {
             let sheet = plan_sheet(&planned, &evidence, &about).map_err(Failure::input)?;
-            Target::of(path).store(encode_png(&sheet, Transfer::Srgb).map_err(Failure::input)?)?;
+            Target::of(path).store(encode_png(&sheet, None, Transfer::Srgb).map_err(Failure::input)?)?;
             report.picture = Some(Target::of(path).name());
         }
     }

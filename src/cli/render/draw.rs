@@ -11,7 +11,7 @@ use crease::num::{Degrees, LinearRgb};
 use crease::raster::{Image, RenderError, RenderSettings, SceneFile, Show, Statistics, render};
 use crease::report::{
     Animation, CutOut, Panel, Picture, ReportError, cut_out, deviation_range, encode_jpeg, encode_png,
-    encode_png_cut_out, encode_webp, encode_webp_cut_out, overlay, panels, show_legend,
+    encode_webp, overlay, panels, show_legend,
 };
 
 /// A picture as a file, and what was drawn for it.
@@ -49,10 +49,8 @@ pub fn draw(file: &mut SceneFile, request: &Request, progress: &Progress) -> Res
             }
             let settings = file.settings;
             let cut = finished(image.clone(), file, &settings, request)?;
-            let bytes = match request.args.scene.background {
-                Some(Background::Transparent) => as_cut_out(&cut, &file.settings, request.file)?,
-                _ => as_file(&cut.picture, &file.settings, request.file)?,
-            };
+            let opacity = Some(&*cut.opacity).filter(|opacity| !opacity.is_empty());
+            let bytes = as_file(&cut.picture, opacity, &file.settings, request.file)?;
             Ok(Drawn::of_bytes(bytes, cut.picture.size, drawings, Some(image)))
         }
         Subject::Panels(variants) => {
@@ -66,7 +64,7 @@ pub fn draw(file: &mut SceneFile, request: &Request, progress: &Progress) -> Res
             }
             let sheet = panels(&list)?;
             drop(list);
-            let bytes = as_file(&sheet, &file.settings, request.file)?;
+            let bytes = as_file(&sheet, None, &file.settings, request.file)?;
             Ok(Drawn::of_bytes(bytes, sheet.size, drawings, None))
         }
         Subject::Turntable(frames) => turntable(file, frames, request, progress),
@@ -141,19 +139,17 @@ pub fn fit_deviation(file: &mut SceneFile, request: &Request) -> Result<(), Fail
     Ok(())
 }
 
-fn as_cut_out(cut: &CutOut, settings: &RenderSettings, kind: FileKind) -> Result<Vec<u8>, ReportError> {
+fn as_file(
+    picture: &Picture,
+    opacity: Option<&[f32]>,
+    settings: &RenderSettings,
+    kind: FileKind,
+) -> Result<Vec<u8>, ReportError> {
     match kind {
-        FileKind::WebP => encode_webp_cut_out(cut),
-        // Others are refused before.
-        _ => encode_png_cut_out(cut, settings.transfer),
-    }
-}
-
-fn as_file(picture: &Picture, settings: &RenderSettings, kind: FileKind) -> Result<Vec<u8>, ReportError> {
-    match kind {
-        FileKind::Png => encode_png(picture, settings.transfer),
+        FileKind::Png => encode_png(picture, opacity, settings.transfer),
+        FileKind::WebP => encode_webp(picture, opacity),
+        // The other formats have no transparent background: that is refused before.
         FileKind::Jpeg => encode_jpeg(picture),
-        FileKind::WebP => encode_webp(picture),
         FileKind::Gif => {
             let mut bytes = Vec::new();
             Animation::STILL.write_gif(&mut bytes, |_| Ok::<_, ReportError>(picture.clone()))?;

@@ -242,7 +242,7 @@ pub fn chart_plot(chart: &Chart, language: Language) -> Plot {
         x: axis(&chart.x),
         y: axis(&chart.y),
         series: series.collect(),
-        decimal_mark: language.decimal_mark(),
+        language,
     }
 }
 

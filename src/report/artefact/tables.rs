@@ -36,7 +36,7 @@ pub(super) fn effect(effect: &Effect) -> Text {
 }
 
 /// Why nothing is visible, what would show it, and which pictures show it nevertheless because their conditions are their own.
-pub(super) fn absent(outcome: &Outcome, shown_by: &Text) -> Text {
+fn absent(outcome: &Outcome, shown_by: &Text) -> Text {
     let is_present = outcome.effect.is_present();
     let key = if is_present { "absent-in-pictures" } else { "absent-below-threshold" };
     let mut values = values(&outcome.effect);
@@ -52,7 +52,7 @@ pub(super) fn absent(outcome: &Outcome, shown_by: &Text) -> Text {
 }
 
 /// A condition, and that the cure did too little.
-pub(super) fn cure_fails(effect: &Effect, condition: &Text) -> Text {
+fn cure_fails(effect: &Effect, condition: &Text) -> Text {
     let mut values = values(effect);
     values.push(("condition", condition.into()));
     TEXTS.with("cure-fails", &values)
@@ -77,7 +77,7 @@ fn values(effect: &Effect) -> Vec<(&'static str, Value)> {
     ]
 }
 
-pub(super) fn wanted(range: Range, unit: &'static str) -> Text {
+fn wanted(range: Range, unit: &'static str) -> Text {
     match range {
         Range::Near { value, tolerance } => {
             let values =
@@ -86,10 +86,6 @@ pub(super) fn wanted(range: Range, unit: &'static str) -> Text {
         }
         Range::AtMost { at_most } => TEXTS.with("at-most", &[("value", Value::Number(at_most, unit))]),
     }
-}
-
-pub(super) fn miss(values: &[(&'static str, Value)]) -> Text {
-    TEXTS.with("miss", values)
 }
 
 /// All numbers of an experiment with their expected values.
@@ -104,11 +100,11 @@ pub fn measure_table(outcome: &Outcome, language: Language) -> Table {
     ];
     let mut table = table("numbers", &keys, language);
     for measure in &outcome.measures {
-        let Measure { name, unit, value, expected, beyond } = measure;
+        let Measure { name, unit, value, expected, agrees, beyond } = measure;
         let nothing = || text("nothing", language);
         let mut row = vec![name.get(language).to_owned(), language.quantity(*value, unit)];
         if let Some(expected) = expected {
-            let agrees = text(if measure.agrees() == Some(true) { "yes" } else { "no" }, language);
+            let agrees = text(if *agrees == Some(true) { "yes" } else { "no" }, language);
             let (wanted, within) = match expected.range {
                 Range::Near { value, tolerance } => {
                     (language.quantity(value, unit), language.short(tolerance, ""))
@@ -127,16 +123,16 @@ pub fn measure_table(outcome: &Outcome, language: Language) -> Table {
 
 /// A sentence for each number that is not as expected: its name, its value, the expected value, and the source of that.
 pub fn misses(outcome: &Outcome, language: Language) -> Vec<String> {
-    let missed = outcome.measures.iter().filter(|measure| measure.agrees() == Some(false));
+    let missed = outcome.measures.iter().filter(|measure| measure.agrees == Some(false));
     let sentence = |Measure { name, unit, value, expected, .. }: &Measure| {
         let Expected { range, by } = expected.as_ref()?;
-        let miss = miss(&[
+        let values = [
             ("name", name.into()),
             ("found", Value::Number(*value, unit)),
             ("wanted", wanted(*range, unit).into()),
             ("by", by.into()),
-        ]);
-        Some(miss.get(language).to_owned())
+        ];
+        Some(TEXTS.with("miss", &values).get(language).to_owned())
     };
     missed.filter_map(sentence).collect()
 }
@@ -158,24 +154,23 @@ pub fn list_table(language: Language) -> Table {
 
 fn table(caption: &str, columns: &[&str], language: Language) -> Table {
     let columns: Vec<String> = columns.iter().map(|key| text(key, language)).collect();
-    Table::new(&text(caption, language), &columns.iter().map(String::as_str).collect::<Vec<_>>())
+    Table::new(&text(caption, language), &columns)
 }
 
 /// The verdict as its name and its condition: with the numbers where nothing of the artefact is visible, and where the cure
 /// fails.
 pub fn verdict_text(outcome: &Outcome, language: Language) -> [String; 2] {
     let condition = outcome.verdict.condition();
-    let (key, condition) = match &outcome.verdict {
-        Verdict::Absent(_) => ("absent", absent(outcome, condition)),
-        other => {
-            let key = match other {
-                Verdict::Holds(_) => "holds",
-                Verdict::HoldsOnlyIf(_) => "holds-only-if",
-                _ => "fails",
-            };
-            let is_cured = outcome.effect.is_cured();
-            (key, if is_cured { condition.clone() } else { cure_fails(&outcome.effect, condition) })
-        }
+    let key = match &outcome.verdict {
+        Verdict::Absent(_) => "absent",
+        Verdict::Holds(_) => "holds",
+        Verdict::HoldsOnlyIf(_) => "holds-only-if",
+        Verdict::Fails(_) => "fails",
+    };
+    let condition = match &outcome.verdict {
+        Verdict::Absent(_) => absent(outcome, condition),
+        _ if outcome.effect.is_cured() => condition.clone(),
+        _ => cure_fails(&outcome.effect, condition),
     };
     [text(key, language), condition.get(language).to_owned()]
 }
@@ -241,6 +236,7 @@ mod tests {
             unit: "px",
             value,
             expected: range.map(|range| Expected { range, by: by() }),
+            agrees: range.map(|range| (value - 1.0).abs() <= 0.25 && matches!(range, Range::Near { .. })),
             beyond: None,
         };
         let near = Some(Range::Near { value: 1.0, tolerance: 0.25 });

@@ -9,6 +9,7 @@ use crate::quality::{Comparison, Site, Survey};
 use crate::raster::Camera;
 use crate::report::error::Result;
 use crate::report::html::Page;
+use crate::report::picture::Picture;
 use crate::report::table::Table;
 use crate::text::{Catalogue, Language, Value, catalogue};
 
@@ -48,20 +49,17 @@ pub(super) fn section(
     let worst: Vec<&Site> = seen.next().map(|(site, _)| *site).into_iter().collect();
     let lit = [before.lit(camera, OVERVIEW)?, then.lit(camera, OVERVIEW)?];
     let (marked, _) = change.deviation("", camera, OVERVIEW, &worst)?;
-    let alternatives = [
-        text("lit-before", &[]),
-        text("lit-after", &[]),
-        text("changed", &[("scale", change.scale.words().into())]),
+    let scaled = |key, scale: HeatScale| text(key, &[("scale", scale.words().into())]);
+    let pictures: [(&Picture, &str); 3] = [
+        (&lit[0], &text("lit-before", &[])),
+        (&lit[1], &text("lit-after", &[])),
+        (&marked, &scaled("changed", change.scale)),
     ];
-    let [lit_before, lit_after, changed] = alternatives.each_ref().map(String::as_str);
-    page.pictures(
-        &[(&lit[0], lit_before), (&lit[1], lit_after), (&marked, changed)],
-        &text("lit-caption", &[]),
-    )?;
+    page.pictures(&pictures, &text("lit-caption", &[]))?;
     let off = [before.deviation("", camera, OVERVIEW, &[])?.0, then.deviation("", camera, OVERVIEW, &[])?.0];
-    let [off_before, off_after] =
-        ["off-before", "off-after"].map(|key| text(key, &[("scale", before.scale.words().into())]));
-    page.pictures(&[(&off[0], &off_before), (&off[1], &off_after)], &text("off-caption", &[]))?;
+    let pictures: [(&Picture, &str); 2] =
+        [(&off[0], &scaled("off-before", before.scale)), (&off[1], &scaled("off-after", before.scale))];
+    page.pictures(&pictures, &text("off-caption", &[]))?;
     let mut table = Table::new("Findings, before and after", &["finding", "before", "after"]);
     for (kind, counts) in &comparison.findings {
         table.push([kind.id().to_owned(), counts[0].to_string(), counts[1].to_string()]);

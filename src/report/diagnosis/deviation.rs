@@ -6,8 +6,7 @@
 
 use super::finding_map::finding_picture;
 use super::legend::{Marks, with_legend};
-use super::markers::HeatScale;
-use super::markers::{Corner, crease_lines, dots, longest_edge};
+use super::markers::{Corner, HeatScale, crease_lines, dots, longest_edge};
 use super::model::{Model, PartModel, render_at};
 use super::view_choice::{Sight, camera, hidden};
 use crate::io::Loaded;

@@ -149,25 +149,12 @@ fn is_empty(lines: &Lines) -> bool {
 }
 
 impl HeatScale {
-    fn marks(self) -> Vec<(LinearRgb, impl Fn(Option<f64>) -> bool)> {
-        let absent = (LinearRgb::from(ABSENT), None, None);
-        let share = |at: f64| MARKED + (1.0 - MARKED) * at / SHADES as f64;
-        // Larger deviations are drawn last; those beyond the scale have the colour of its end.
-        let above = |at: usize| {
-            let is_last = at + 1 == SHADES;
-            let next = (!is_last).then(|| share(at as f64 + 1.0) * self.full.0);
-            let colour = if is_last { 1.0 } else { share(at as f64 + 0.5) };
-            (viridis(colour), Some(share(at as f64) * self.full.0), next)
-        };
-        let all = (0..SHADES).map(above).chain([absent]);
-        let is_marked = |least: Option<f64>, below: Option<f64>| {
-            move |deviation: Option<f64>| match (deviation, least) {
-                (Some(degrees), Some(least)) => degrees >= least && below.is_none_or(|below| degrees < below),
-                (None, None) => true,
-                _ => false,
-            }
-        };
-        all.map(|(colour, least, below)| (colour, is_marked(least, below))).collect()
+    /// The number of the shade of dots that a far corner is marked with. Larger deviations are drawn later, corners without one
+    /// last.
+    fn shade(self, deviation: Option<f64>) -> usize {
+        let is_at_least = |degrees: f64, at: usize| degrees >= marked_share(at as f64) * self.full.0;
+        let shade = |degrees| (0..SHADES).rev().find(|&at| is_at_least(degrees, at)).unwrap_or(0);
+        deviation.map_or(SHADES, shade)
     }
 
     /// Whether a corner with this deviation may be marked.
@@ -204,11 +191,25 @@ pub(super) fn dots(
     };
     let all: Vec<Corner> =
         corners.filter(|corner| scale.is_used && is_far(corner) && is_small(corner)).collect();
-    let marks = scale.marks().into_iter().filter_map(|(colour, is_marked)| {
-        let marked = all.iter().filter(|corner| is_marked(corner.deviation));
-        dot_lines(marked.map(|corner| corner.position).collect(), colour, camera, side)
+    let lines = (0..=SHADES).filter_map(|shade| {
+        let marked = all.iter().filter(|corner| scale.shade(corner.deviation) == shade);
+        dot_lines(marked.map(|corner| corner.position).collect(), shade_colour(shade), camera, side)
     });
-    marks.collect()
+    lines.collect()
+}
+
+/// The share of the scale at a shade of dots.
+fn marked_share(shade: f64) -> f64 {
+    MARKED + (1.0 - MARKED) * shade / SHADES as f64
+}
+
+fn shade_colour(shade: usize) -> LinearRgb {
+    match shade {
+        SHADES => LinearRgb::from(ABSENT),
+        // Those beyond the scale have the colour of its end.
+        _ if shade + 1 == SHADES => viridis(1.0),
+        _ => viridis(marked_share(shade as f64 + 0.5)),
+    }
 }
 
 fn dot_width(side: u32) -> f64 {
@@ -256,27 +257,24 @@ mod tests {
     use super::*;
     use crate::quality::Survey;
 
-    /// Every deviation from half of the scale on is marked once, and nothing below.
+    /// Deviations from half of the scale on are marked, half a shade off at most, but for the last, which has the colour of the end.
     #[test]
     fn marks_share_the_upper_half() {
         let deviations = vec![Some(90.0)];
         let scale = HeatScale::of([Survey { deviations, ..Survey::default() }].iter());
-        let marks = |deviation| scale.marks().iter().filter(|(_, is_marked)| is_marked(deviation)).count();
-        for degrees in 0..=180 {
-            assert_eq!(marks(Some(f64::from(degrees))), usize::from(degrees >= 45), "{degrees}°");
-            // Half a shade off at most, but for the last one, which has the colour of the end.
-            for (colour, _) in scale.marks().iter().filter(|(_, is)| is(Some(f64::from(degrees)))) {
-                let off = |share: &f64| {
-                    let shown = viridis(*share).to_array().into_iter().zip(colour.to_array());
-                    shown.map(|(a, b)| (a - b).abs()).sum::<f64>()
-                };
-                let shares = (0..=1000).map(|share| f64::from(share) / 1000.0);
-                let shown = shares.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap();
-                let own = (f64::from(degrees) / 90.0).min(1.0);
-                assert!((shown - own).abs() <= 0.0201, "{degrees}°: {shown}");
-            }
+        for degrees in (0..=180).map(f64::from) {
+            assert_eq!(scale.is_far(Some(degrees)), degrees >= 45.0, "{degrees}°");
+            let colour = shade_colour(scale.shade(Some(degrees)));
+            let off = |share: &f64| {
+                let shown = viridis(*share).to_array().into_iter().zip(colour.to_array());
+                shown.map(|(a, b)| (a - b).abs()).sum::<f64>()
+            };
+            let shares = (0..=1000).map(|share| f64::from(share) / 1000.0);
+            let shown = shares.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap();
+            let own = (degrees / 90.0).min(1.0);
+            assert!(degrees < 45.0 || (shown - own).abs() <= 0.0201, "{degrees}°: {shown}");
         }
-        assert_eq!(marks(None), 1);
+        assert!(scale.is_far(None) && shade_colour(scale.shade(None)) == LinearRgb::from(ABSENT));
     }
 
     /// Where all round a corner is as far off, or nearly, pixels have that colour anyway.

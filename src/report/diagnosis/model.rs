@@ -2,7 +2,7 @@
 
 use super::markers::{HeatScale, encode};
 use crate::io::Loaded;
-use crate::mesh::{Column, Faces, Mesh, MeshBuilder, Obstacles, normal_matrix};
+use crate::mesh::{Column, Faces, Mesh, Obstacles, normal_matrix};
 use crate::normals::{NormalField, Summary};
 use crate::num::LinearRgb;
 use crate::quality::{Site, Survey};
@@ -178,9 +178,9 @@ impl PartModel {
         for range in mesh.faces().ranges() {
             faces.push(&range.map(|corner| corner as u32).collect::<Vec<u32>>());
         }
-        let positions = corners.iter().map(|&vertex| mesh.positions().at(vertex)).collect();
-        let separate = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build();
-        let separate = separate.map_err(|error| ReportError::Encoder(error.to_string()))?;
+        let positions: Vec<DVec3> = corners.iter().map(|&vertex| mesh.positions().at(vertex)).collect();
+        let separate =
+            Mesh::new(positions, faces).map_err(|error| ReportError::Encoder(error.to_string()))?;
         let corner_numbers: Vec<u32> = (0..corners.len() as u32).collect();
         let field = |normals: &[DVec3]| NormalField {
             normals: Column::per_corner(normals.to_vec(), corner_numbers.clone()),

@@ -76,11 +76,7 @@ pub(super) fn camera(
     comparison: Option<&Comparison>,
     sight: Sight,
 ) -> Option<Camera> {
-    let direction = |usual| match sight {
-        Sight::From(direction) => direction.normalize_or(DVec3::Z),
-        Sight::Auto => best(model, &model.obstacles(), &wanted(model, diagnosis, comparison), usual),
-    };
-    all_from(model, direction)
+    camera_of_sites(model, &gravest(diagnosis, comparison), sight)
 }
 
 /// A camera that shows all of a model, from a side or from where the most of some sites are visible, by their weights; `None` for
@@ -119,7 +115,7 @@ fn all_from(model: &Model, direction: impl FnOnce(DVec3) -> DVec3) -> Option<Cam
 }
 
 /// The sites of findings, errors before warnings before notes, and the largest changes.
-fn wanted(model: &Model, diagnosis: &Diagnosis, comparison: Option<&Comparison>) -> Vec<Wanted> {
+fn gravest(diagnosis: &Diagnosis, comparison: Option<&Comparison>) -> Vec<WantedSite> {
     let found = diagnosis.findings.iter().flat_map(|finding| {
         let weight = [1.0, 100.0, 10_000.0][finding.severity as usize];
         finding.places.iter().map(move |site| (weight, site))
@@ -127,8 +123,8 @@ fn wanted(model: &Model, diagnosis: &Diagnosis, comparison: Option<&Comparison>)
     let changed = comparison.into_iter().flat_map(|it| &it.places).map(|site| (10_000.0, site));
     let mut sites: Vec<(f64, &Site)> = found.chain(changed).collect();
     sites.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let place = |(weight, site): (f64, &Site)| Some(Wanted { weight, ..Wanted::of(model, site)? });
-    sites.into_iter().take(MOST_PLACES).filter_map(place).collect()
+    let wanted = |(weight, site): (f64, &Site)| WantedSite { weight, has_side: true, site: site.clone() };
+    sites.into_iter().take(MOST_PLACES).map(wanted).collect()
 }
 
 /// The best of the directions from a cube's faces, edges and corners; the usual one if it is not much worse. If none of them shows

@@ -2,12 +2,9 @@
 
 // Texts of decisions in both languages.
 mod decisions;
-// The page.
+// The page, and its pictures in one.
 mod page;
-// The pictures in one.
-mod sheet;
 // Error against cost of all that was tried.
 mod tried;
 
-pub use page::{PlanPage, plan_page};
-pub use sheet::plan_sheet;
+pub use page::{PlanPage, plan_page, plan_sheet};

@@ -1,4 +1,4 @@
-//! The page of a plan. Its texts are in page.en.ftl and page.pt.ftl.
+//! The page of a plan, and its pictures in one. Its texts are in page.en.ftl and page.pt.ftl.
 
 use super::decisions::{axis, cost, difference, name_of, sentence, text, value, what};
 use super::tried::tried_plot;
@@ -7,6 +7,7 @@ use crate::plan::{Comparison, Evidence, Metric, Minimise, Place, Plan, Refusal};
 use crate::raster::{Image, Pixels};
 use crate::report::error::Result;
 use crate::report::html::{Page, image};
+use crate::report::panel::{Panel, panels};
 use crate::report::picture::Picture;
 use crate::report::table::Table;
 use crate::text::{Language, Value};
@@ -107,7 +108,7 @@ fn decisions(plan: &Plan, about: &PlanPage, page: &mut Page) {
     let columns =
         ["column-what", "column-axis", "column-change", "column-saves", "column-difference", "column-bound"];
     let columns = columns.map(say);
-    let mut table = Table::new(&say("decisions-caption"), &columns.each_ref().map(String::as_str));
+    let mut table = Table::new(&say("decisions-caption"), &columns);
     for decision in &plan.decisions {
         let change = format!("{} → {}", value(&decision.from, language), value(&decision.to, language));
         table = table.row([
@@ -214,11 +215,39 @@ fn magnified(picture: &Image, [x, y]: [u32; 2]) -> Picture {
 fn costs(plan: &Plan, language: Language) -> Table {
     let say = |key: &str| text(key, &[], language);
     let columns = ["column-cost", "column-declared", "column-planned", "column-share"].map(say);
-    let mut table = Table::new(&say("costs-caption"), &columns.each_ref().map(String::as_str));
+    let mut table = Table::new(&say("costs-caption"), &columns);
     for minimise in [Minimise::Work, Minimise::Bytes, Minimise::Vertices] {
         let (before, after) = (plan.declared.of(minimise), plan.planned.of(minimise));
         let share = language.short(100.0 * after as f64 / before.max(1) as f64, "%");
         table = table.row([say(name_of(minimise)), before.to_string(), after.to_string(), share]);
     }
     table
+}
+
+/// The three pictures of a plan next to each other, with their costs and the largest difference.
+///
+/// # Errors
+/// Pictures that are too large together.
+pub fn plan_sheet(plan: &Plan, evidence: &Evidence, about: &PlanPage) -> Result<Picture> {
+    let shown = &evidence.planned;
+    let of = |key: &str, cost_of: u64| {
+        let cost = cost(cost_of, about.minimise).into();
+        text(key, &[("cost", cost)], about.language)
+    };
+    let worst = [
+        ("difference", difference(plan.worst.by(about.metric), about.metric)),
+        ("factor", shown.amplification.into()),
+    ];
+    let captions = [
+        of("sheet-reference", plan.declared.of(about.minimise)),
+        of("sheet-plan", plan.planned.of(about.minimise)),
+        text("sheet-difference", &worst, about.language),
+    ];
+    let pictures = [&shown.reference, &shown.other, &shown.difference];
+    let list = captions.into_iter().zip(pictures);
+    panels(
+        &list
+            .map(|(caption, image)| Panel { caption, picture: Picture::from(image.clone()) })
+            .collect::<Vec<_>>(),
+    )
 }

@@ -57,7 +57,7 @@ pub(super) fn tried_plot(
             Metric::Flip => "plot-flip",
         })),
         series,
-        decimal_mark: language.decimal_mark(),
+        language,
     }
 }
 

@@ -1,8 +1,7 @@
 //! The elements of a plot as SVG.
 
 use super::axis::Fitted;
-use super::series::{Mark, Plot, Series};
-use super::series::{SeriesStyle, series_styles};
+use super::series::{Mark, Plot, Series, SeriesStyle, series_styles};
 use crate::report::html::escape_html;
 use crate::report::panel::text_width;
 use std::fmt::Write;
@@ -52,7 +51,46 @@ pub(super) fn width_of(words: &str) -> f64 {
 impl Plot {
     /// The plot as an element of a page; the ids of its parts begin with the given one and a dot.
     pub fn svg(&self, id: &str) -> String {
-        svg(self, id)
+        let styles = series_styles(&self.series);
+        let [x, y] = self.fitted();
+        let widest = y.ticks().iter().map(|(_, label)| width_of(label)).fold(0.0, f64::max);
+        let left = f64::max(LEFT, (FREE + widest + FREE).ceil());
+        let mut body = String::new();
+        let mut below = 0.0;
+        let bold = "font-weight=\"600\" font-size=\"14\"";
+        lines(&mut body, &mut below, [RIGHT, TITLE], bold, &self.title);
+        lines(&mut body, &mut below, [RIGHT, 1.0], "fill=\"#333\"", &self.y.label);
+        let field = Field { left, top: below + 10.0, width: WIDTH - left - RIGHT, x, y };
+        axes(self, &field, &mut body);
+        let _ = writeln!(
+            body,
+            "<clipPath id=\"{id}.field\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>",
+            left - 1.0,
+            field.top - 1.0,
+            field.width + 2.0,
+            HEIGHT + 2.0
+        );
+        let _ = writeln!(body, "<g clip-path=\"url(#{id}.field)\">");
+        // Measured series are drawn over guides.
+        let (guides, measured): (Vec<_>, Vec<_>) =
+            self.series.iter().zip(&styles).partition(|(series, _)| series.mark == Mark::Guide);
+        for (series, style) in guides.into_iter().chain(measured) {
+            draw_series(self, series, style, &field, &mut body);
+        }
+        body.push_str("</g>\n");
+        below = field.top + HEIGHT + NEXT;
+        lines(&mut body, &mut below, [left, 1.0], "fill=\"#333\"", &self.x.label);
+        legend(self, &styles, &mut below, &mut body);
+        let height = (below + 10.0).ceil();
+        let (title, description) = (escape_html(&self.title), escape_html(&self.description));
+        format!(
+            "<svg role=\"img\" aria-labelledby=\"{id}.title {id}.desc\" viewBox=\"0 0 {WIDTH} {height}\" \
+             width=\"{:.0}\" height=\"{:.0}\">\n<title id=\"{id}.title\">{title}</title>\n\
+             <desc id=\"{id}.desc\">{description}</desc>\n<rect width=\"{WIDTH}\" height=\"{height}\" fill=\"#fff\"/>\n\
+             {body}</svg>",
+            WIDTH * ENLARGED,
+            height * ENLARGED
+        )
     }
 
     /// The axes, fitted to all points.
@@ -64,54 +102,11 @@ impl Plot {
 
     /// A number along an axis with the plot's decimal mark.
     pub(super) fn written(&self, number: String) -> String {
-        match self.decimal_mark {
+        match self.language.decimal_mark() {
             '.' => number,
             mark => number.replace('.', &mark.to_string()),
         }
     }
-}
-
-fn svg(plot: &Plot, id: &str) -> String {
-    let styles = series_styles(&plot.series);
-    let [x, y] = plot.fitted();
-    let widest = y.ticks().iter().map(|(_, label)| width_of(label)).fold(0.0, f64::max);
-    let left = f64::max(LEFT, (FREE + widest + FREE).ceil());
-    let mut body = String::new();
-    let mut below = 0.0;
-    let bold = "font-weight=\"600\" font-size=\"14\"";
-    lines(&mut body, &mut below, [RIGHT, TITLE], bold, &plot.title);
-    lines(&mut body, &mut below, [RIGHT, 1.0], "fill=\"#333\"", &plot.y.label);
-    let field = Field { left, top: below + 10.0, width: WIDTH - left - RIGHT, x, y };
-    axes(plot, &field, &mut body);
-    let _ = writeln!(
-        body,
-        "<clipPath id=\"{id}.field\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>",
-        left - 1.0,
-        field.top - 1.0,
-        field.width + 2.0,
-        HEIGHT + 2.0
-    );
-    let _ = writeln!(body, "<g clip-path=\"url(#{id}.field)\">");
-    // Measured series are drawn over guides.
-    let (guides, measured): (Vec<_>, Vec<_>) =
-        plot.series.iter().zip(&styles).partition(|(series, _)| series.mark == Mark::Guide);
-    for (series, style) in guides.into_iter().chain(measured) {
-        draw_series(plot, series, style, &field, &mut body);
-    }
-    body.push_str("</g>\n");
-    below = field.top + HEIGHT + NEXT;
-    lines(&mut body, &mut below, [left, 1.0], "fill=\"#333\"", &plot.x.label);
-    legend(plot, &styles, &mut below, &mut body);
-    let height = (below + 10.0).ceil();
-    let (title, description) = (escape_html(&plot.title), escape_html(&plot.description));
-    format!(
-        "<svg role=\"img\" aria-labelledby=\"{id}.title {id}.desc\" viewBox=\"0 0 {WIDTH} {height}\" \
-         width=\"{:.0}\" height=\"{:.0}\">\n<title id=\"{id}.title\">{title}</title>\n\
-         <desc id=\"{id}.desc\">{description}</desc>\n<rect width=\"{WIDTH}\" height=\"{height}\" fill=\"#fff\"/>\n\
-         {body}</svg>",
-        WIDTH * ENLARGED,
-        height * ENLARGED
-    )
 }
 
 /// Text below what there is, from some x on, in as many lines as it needs; letters are wider by a factor.

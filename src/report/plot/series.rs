@@ -1,6 +1,7 @@
 //! A plot and its series of points, and styles in which series differ in colour, and without it in dashes and signs.
 
 use super::axis::Axis;
+use crate::text::Language;
 use std::fmt::Write;
 
 /// A plot.
@@ -23,7 +24,7 @@ use std::fmt::Write;
 /// };
 /// assert!(plot.svg("cost").starts_with("<svg role=\"img\""));
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Plot {
     /// The title.
     pub title: String,
@@ -35,22 +36,8 @@ pub struct Plot {
     pub y: Axis,
     /// The data.
     pub series: Vec<Series>,
-    /// The decimal mark of numbers along the axes: a point, or in other languages than English a comma.
-    pub decimal_mark: char,
-}
-
-impl Default for Plot {
-    /// Empty, with linear axes.
-    fn default() -> Self {
-        Self {
-            title: String::new(),
-            description: String::new(),
-            x: Axis::default(),
-            y: Axis::default(),
-            series: Vec::new(),
-            decimal_mark: '.',
-        }
-    }
+    /// The language of numbers along the axes.
+    pub language: Language,
 }
 
 /// A series of points.

@@ -81,7 +81,7 @@ fn wide_numbers_get_room() {
     let wide =
         Plot { y: Axis::linear("what is measured, upright"), ..plot(vec![series("a", Mark::Line, &points)]) };
     wide.assert_legible();
-    let comma = Plot { decimal_mark: ',', ..wide.clone() };
+    let comma = Plot { language: crate::text::Language::Portuguese, ..wide.clone() };
     assert!(wide.svg("p").contains(">2.2 × 10⁻⁵<"), "{}", wide.svg("p"));
     assert!(comma.svg("p").contains(">2,2 × 10⁻⁵<"), "{}", comma.svg("p"));
 }

@@ -111,8 +111,9 @@ fn surfaces(trade: &Trade, page: &mut Page) -> Result<()> {
         let is_shown = |case: &&VertexCase| case.surface == surface.name && case.tiling == Tiling::Jittered;
         let Some(case) = trade.vertex.iter().find(is_shown) else { continue };
         let pictures = SHOWN.into_iter().filter_map(|weight| {
-            let picture = ErrorPicture::surface(&surface, Tiling::Jittered, weight)?;
-            Some((weight, case.quoted_errors(weight)?, picture))
+            let (mesh, field, angles) = error_map(&surface, Tiling::Jittered, weight)?;
+            let errors: Vec<_> = angles.into_iter().map(Some).collect();
+            Some((weight, case.quoted_errors(weight)?, error_picture(&mesh, &field, &errors)))
         });
         error_sheet(page, pictures, &format!("{}, irregular triangles", surface.name))?;
     }
@@ -152,16 +153,16 @@ fn shading(trade: &Trade, page: &mut Page) {
 }
 
 /// Pictures of the errors of several weights on one mesh, each with its own label.
-fn error_sheet<'a>(
+fn error_sheet(
     page: &mut Page,
-    pictures: impl Iterator<Item = (Weight, AngleErrors, ErrorPicture<'a>)>,
+    pictures: impl Iterator<Item = (Weight, AngleErrors, Result<Option<Picture>>)>,
     mesh: &str,
 ) -> Result<()> {
     let mut sheet = Vec::new();
     for (weight, errors, picture) in pictures {
         let [rms, max] = [errors.rms, errors.max].map(three_digits);
         let caption = format!("{}: rms {rms}°, largest {max}°", weight.name());
-        sheet.extend(picture.draw(SIDE)?.map(|picture| Panel { caption, picture }));
+        sheet.extend(picture?.map(|picture| Panel { caption, picture }));
     }
     if sheet.is_empty() {
         return Ok(());
@@ -223,7 +224,7 @@ fn own_pictures(own: &OwnMesh, parts: &[&Mesh], recipe: &NormalRecipe, page: &mu
     let maps = error_maps(largest, recipe, own.reference, &shown);
     let pictures = shown.iter().zip(maps).map(|(&weight, (field, errors))| {
         let estimate = own.methods[weight as usize].estimate;
-        (weight, estimate, ErrorPicture { mesh: Cow::Borrowed(largest), field, errors })
+        (weight, estimate, error_picture(largest, &field, &errors))
     });
     let of = if parts.len() > 1 { "The submesh with the most faces" } else { "The mesh" };
     error_sheet(page, pictures, &format!("{of}: angle to the reference; grey where there is none"))
@@ -234,44 +235,27 @@ const ENDS: [f64; 2] = [-2.0, 1.0];
 /// The colour of vertices without a known error.
 const UNKNOWN: LinearRgb = LinearRgb::grey(0.5);
 
-/// A mesh and the errors of its normals.
-pub(super) struct ErrorPicture<'a> {
-    mesh: Cow<'a, Mesh>,
-    field: NormalField,
-    errors: Vec<Option<Radians>>,
-}
-
-impl<'a> ErrorPicture<'a> {
-    /// A surface cut one way with the errors of a weight's normals; `None` if it cannot be cut like this.
-    pub(super) fn surface(surface: &NamedSurface, tiling: Tiling, weight: Weight) -> Option<Self> {
-        let (mesh, field, angles) = error_map(surface, tiling, weight)?;
-        Some(Self { mesh: Cow::Owned(mesh), field, errors: angles.into_iter().map(Some).collect() })
-    }
-
-    /// The mesh with each vertex in the colour of its error; `None` for an empty mesh.
-    pub(super) fn draw(&self, size: u32) -> Result<Option<Picture>> {
-        let Some((low, high)) = self.mesh.bounds() else { return Ok(None) };
-        // Scaled to about unit size around the origin.
-        let (centre, half) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);
-        let scale = unit_scale(half.max_element());
-        let colours = self.errors.iter().map(|error| error.map_or(UNKNOWN, colour)).collect();
-        let shape = Shape::Mesh { mesh: &self.mesh, normals: &self.field };
-        let scene = Scene {
-            objects: vec![Object {
-                paint: Paint::Given(Cow::Owned(colours)),
-                transform: DMat4::from_scale(DVec3::splat(scale)) * DMat4::from_translation(-centre),
-                ..Object::new(shape, Material::default())
-            }],
-            lines: Vec::new(),
-            lights: Vec::new(),
-            camera: Camera::framing((-half * scale, half * scale), 1.0),
-            background: LinearRgb::WHITE,
-        };
-        let settings =
-            RenderSettings { size: [size; 2], samples: Samples::Four, ..RenderSettings::default() };
-        let drawn = render(&scene, &settings).map_err(|error| ReportError::Encoder(error.to_string()))?;
-        Ok(Some(drawn.into()))
-    }
+/// A mesh with each vertex in the colour of the error of its normal; `None` for an empty mesh.
+fn error_picture(mesh: &Mesh, normals: &NormalField, errors: &[Option<Radians>]) -> Result<Option<Picture>> {
+    let Some((low, high)) = mesh.bounds() else { return Ok(None) };
+    // Scaled to about unit size around the origin.
+    let (centre, half) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);
+    let scale = unit_scale(half.max_element());
+    let colours = errors.iter().map(|error| error.map_or(UNKNOWN, colour)).collect();
+    let scene = Scene {
+        objects: vec![Object {
+            paint: Paint::Given(Cow::Owned(colours)),
+            transform: DMat4::from_scale(DVec3::splat(scale)) * DMat4::from_translation(-centre),
+            ..Object::new(Shape::Mesh { mesh, normals }, Material::default())
+        }],
+        lines: Vec::new(),
+        lights: Vec::new(),
+        camera: Camera::framing((-half * scale, half * scale), 1.0),
+        background: LinearRgb::WHITE,
+    };
+    let settings = RenderSettings { size: [SIDE; 2], samples: Samples::Four, ..RenderSettings::default() };
+    let drawn = render(&scene, &settings).map_err(|error| ReportError::Encoder(error.to_string()))?;
+    Ok(Some(drawn.into()))
 }
 
 fn colour(angle: Radians) -> LinearRgb {

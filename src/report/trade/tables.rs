@@ -23,18 +23,6 @@ fn degrees(x: f64, digits: usize) -> String {
     if x < 1e-9 { "exact".into() } else { significant_digits(x, digits) }
 }
 
-/// A table of weights with a row for each tiling that has cells.
-fn by_tiling(caption: &str, cells: impl Fn(Tiling) -> Vec<String>) -> Table {
-    let mut table = by_weight(caption, &["mesh"]);
-    for tiling in Tiling::ALL {
-        let cells = cells(tiling);
-        if !cells.is_empty() {
-            table.push(std::iter::once(tiling.name().to_owned()).chain(cells));
-        }
-    }
-    table
-}
-
 /// The rms error of each weight on each class of meshes, the median over its surfaces; a star marks the best sum of faces.
 pub fn class_table(trade: &Trade) -> Table {
     let columns = ["mesh", "surfaces"].into_iter().chain(Weight::ALL.map(Weight::name)).chain(["spread"]);
@@ -74,17 +62,19 @@ pub fn frontier_table(trade: &Trade) -> Table {
 
 /// The order of convergence of each weight on each class of meshes: the median over its surfaces.
 pub fn order_table(trade: &Trade) -> Table {
-    by_tiling("Order of convergence over three halvings, median over surfaces", |tiling| {
-        let cases: Vec<_> = trade.vertex.iter().filter(|case| case.tiling == tiling).collect();
+    let mut table = by_weight("Order of convergence over three halvings, median over surfaces", &["mesh"]);
+    for tiling in Tiling::ALL {
+        let cases = || trade.vertex.iter().filter(|case| case.tiling == tiling);
         let order = |weight: Weight| {
-            let methods =
-                cases.iter().flat_map(|case| &case.methods).filter(|method| method.weight == weight);
-            let mut orders: Vec<f64> = methods.filter_map(|method| method.order).collect();
+            let mut orders: Vec<f64> = cases().filter_map(|case| case.method(weight)?.order).collect();
             orders.sort_by(f64::total_cmp);
             orders.get(orders.len() / 2).map_or("exact".into(), |order| format!("{order:.2}"))
         };
-        if cases.is_empty() { Vec::new() } else { Weight::ALL.map(order).to_vec() }
-    })
+        if cases().next().is_some() {
+            table.push(std::iter::once(tiling.name().to_owned()).chain(Weight::ALL.map(order)));
+        }
+    }
+    table
 }
 
 /// Every surface in every tiling: errors on the quoted mesh, to the digits that the reference prints.

@@ -104,12 +104,7 @@ impl Prism {
         faces.push(&(0..sides as u32).rev().map(|i| 2 * i).collect::<Vec<_>>());
         let storage = if matches!(stored, Stored::Single) { Storage::F32 } else { Storage::F64 };
         let positions = (0..2 * sides).map(corner).collect();
-        let mesh = MeshBuilder {
-            positions: Positions::rounded(positions, storage),
-            faces,
-            ..MeshBuilder::default()
-        };
-        let mesh = mesh.build().expect("a good mesh");
+        let mesh = Mesh::new(Positions::rounded(positions, storage), faces).expect("a good mesh");
         let topology = Topology::by_index(mesh.faces(), mesh.vertex_count());
         Self { sides, mesh, topology }
     }

@@ -237,12 +237,9 @@ fn measure_non_finite(bad: f32) -> Measured {
         };
         wrong += (0..positions.len()).filter(is_wrong).count();
     }
-    let builder = MeshBuilder {
-        positions: positions.iter().map(|p| p.as_dvec3()).collect(),
-        faces: Faces::triangles(triangles.as_flattened().to_vec()),
-        ..MeshBuilder::default()
-    };
-    wrong += usize::from(!matches!(builder.build(), Err(MeshError::NonFinite { vertex: MIDDLE, .. })));
+    let points: Vec<DVec3> = positions.iter().map(|p| p.as_dvec3()).collect();
+    let mesh = Mesh::new(points, Faces::triangles(triangles.as_flattened().to_vec()));
+    wrong += usize::from(!matches!(mesh, Err(MeshError::NonFinite { vertex: MIDDLE, .. })));
 
     let around = |vertex: usize| -> Vec<[Vec3; 2]> {
         let turned =

@@ -73,10 +73,7 @@ pub(super) fn faithful(triangles: &[Triangle]) -> Vec<([f32; 3], bool)> {
 
 /// Triangles of `f32` positions as a mesh.
 pub(super) fn indexed(positions: &[Vec3], triangles: &[[u32; 3]]) -> Mesh {
-    let builder = MeshBuilder {
-        positions: positions.iter().map(|p| p.to_array()).collect(),
-        faces: Faces::triangles(triangles.as_flattened().to_vec()),
-        ..MeshBuilder::default()
-    };
-    builder.build().expect("positions that are finite")
+    let positions: Vec<[f32; 3]> = positions.iter().map(Vec3::to_array).collect();
+    let faces = Faces::triangles(triangles.as_flattened().to_vec());
+    Mesh::new(positions, faces).expect("positions that are finite")
 }

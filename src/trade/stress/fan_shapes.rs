@@ -184,13 +184,13 @@ fn spoke(vertex: u32, sides: u32) -> DVec3 {
 /// Radius 1 and height 2, each side cut in two.
 fn cylinder(sides: u32, turn: DQuat, store: fn(f64) -> f64) -> Mesh {
     let place = |v: u32| turn * (spoke(v, sides) + 2.0 * f64::from(v % 2) * DVec3::Z);
-    let positions = (0..2 * sides).map(|v| DVec3::from(place(v).to_array().map(store))).collect();
+    let positions: Vec<DVec3> = (0..2 * sides).map(|v| DVec3::from(place(v).to_array().map(store))).collect();
     let side = |i: u32| {
         let [a, b] = [2 * i, (2 * i + 2) % (2 * sides)];
         [a, b, b + 1, a, b + 1, a + 1]
     };
     let faces = Faces::triangles((0..sides).flat_map(side).collect());
-    MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().expect("a good mesh")
+    Mesh::new(positions, faces).expect("a good mesh")
 }
 
 /// The two other corners of each triangle at a vertex.

@@ -12,8 +12,8 @@ struct Scene {
     normal: Vec3,
     exponent: u32,
     reflection: Reflection,
-    /// Whether light and viewer are infinitely far away, in these directions.
-    far: bool,
+    /// How the light fades; `None` if light and viewer are infinitely far away, in these directions.
+    attenuation: Option<Attenuation>,
     /// Whether the true highlight is 0, whatever the formula says.
     dark: bool,
 }
@@ -22,33 +22,30 @@ impl Scene {
     /// Light and viewer in these directions, infinitely far away; then the normal.
     fn far(vectors: [DVec3; 3], exponent: u32, reflection: Reflection) -> Self {
         let [light, view, normal] = vectors.map(|v| v.as_vec3());
-        Self { light, view, normal, exponent, reflection, far: true, dark: false }
+        Self { light, view, normal, exponent, reflection, attenuation: None, dark: false }
     }
 
     /// Light and viewer at these points; then the normal.
     fn near(vectors: [DVec3; 3], exponent: u32, reflection: Reflection) -> Self {
-        Self { far: false, ..Self::far(vectors, exponent, reflection) }
+        Self { attenuation: Some(Attenuation::None), ..Self::far(vectors, exponent, reflection) }
     }
 
     fn without_highlight(self) -> Self {
         Self { dark: true, ..self }
     }
 
-    /// The red light that the point reflects.
-    fn shade<R: Real>(&self, material: &Material) -> f64 {
-        let [light, view] = [self.light, self.view].map(|v| v.as_dvec3());
-        let (light, viewer) = if self.far {
-            let light = Light::Directional { towards: light, colour: LinearRgb::WHITE };
-            (light, Viewer::Towards(view))
-        } else {
-            let attenuation = Attenuation::None;
-            (Light::Point { position: light, colour: LinearRgb::WHITE, attenuation }, Viewer::At(view))
+    /// The red light that the point reflects; `None` if it is refused.
+    fn shade<R: Real>(&self, material: &Material) -> Option<f64> {
+        let ([light, view], colour) = ([self.light, self.view].map(|v| v.as_dvec3()), LinearRgb::WHITE);
+        let (light, viewer) = match self.attenuation {
+            None => (Light::Directional { towards: light, colour }, Viewer::Towards(view)),
+            Some(attenuation) => (Light::Point { position: light, colour, attenuation }, Viewer::At(view)),
         };
         let settings = ShadeSettings { viewer, ..ShadeSettings::default() };
         let shader = Shader::<R>::new(&[light], material, &settings).expect("numbers that make sense");
         let normal = self.normal.to_array().map(|x| R::of(f64::from(x)));
         let point = SurfacePoint { position: [R::ZERO; 3], normal };
-        shader.shade(&point).map_or(f64::NAN, |[red, ..]| red.to_f64())
+        shader.shade(&point).ok().map(|[red, ..]| red.to_f64())
     }
 
     fn highlights(&self) -> [f64; 2] {
@@ -59,11 +56,11 @@ impl Scene {
             reflection: self.reflection,
             ..Material::default()
         };
-        [self.shade::<f64>(&material), self.shade::<f32>(&material)]
+        [self.shade::<f64>(&material), self.shade::<f32>(&material)].map(|red| red.unwrap_or(f64::NAN))
     }
 
-    /// Diffuse light, in double and in single precision.
-    fn diffuse(&self) -> [f64; 2] {
+    /// Diffuse light, in double and in single precision; `None` if it is refused.
+    fn diffuse(&self) -> [Option<f64>; 2] {
         let white = Reflectance::Merged(LinearRgb::WHITE);
         let material = Material { diffuse: white, specular: Reflectance::NONE, ..Material::default() };
         [self.shade::<f64>(&material), self.shade::<f32>(&material)]
@@ -242,8 +239,9 @@ fn grazing() -> StressCase {
             let scene = Scene::far([light, DVec3::Z, normal], 1, Reflection::Blinn);
             let truth = scene.true_diffuse();
             let error = |found: f64| small(&(big(found) - &truth).abs());
+            let diffuse = scene.diffuse().map(|found| found.unwrap_or(f64::NAN));
             let [double, single] =
-                scene.diffuse().map(|found| if found < 0.0 { f64::INFINITY } else { error(found) });
+                diffuse.map(|found| if found < 0.0 { f64::INFINITY } else { error(found) });
             [double, single, error(f64::from(scene.normal.dot(plain::unit(light.as_vec3()))))]
         }))
     })
@@ -284,8 +282,9 @@ fn measure_near(distance: f64) -> Measured {
         let lamp = (DVec3::new(x, y, 1.0).normalize() * distance).as_vec3();
         let truth = truth(lamp);
         let relative = |found: f64| small(&((big(found) - &truth).abs() / &truth));
-        measured.faithful.add(Outcome::number(shade::<f64>(lamp).unwrap_or(f64::NAN), relative));
-        match shade::<f32>(lamp) {
+        let [double, single] = at_lamp(lamp).diffuse();
+        measured.faithful.add(Outcome::number(double.unwrap_or(f64::NAN), relative));
+        match single {
             Some(found) => fast.add(relative(found)),
             None => measured.declined += 1,
         }
@@ -295,19 +294,10 @@ fn measure_near(distance: f64) -> Measured {
     Measured { fast: Some(fast), plain: Some(plain), ..measured }
 }
 
-/// The light on the point at the origin with the normal +z; `None` if it is refused.
-fn shade<R: Real>(lamp: Vec3) -> Option<f64> {
-    let light = Light::Point {
-        position: lamp.as_dvec3(),
-        colour: LinearRgb::WHITE,
-        attenuation: Attenuation::InverseSquare,
-    };
-    let white = Reflectance::Merged(LinearRgb::WHITE);
-    let material = Material { diffuse: white, specular: Reflectance::NONE, ..Material::default() };
-    let shader = Shader::<R>::new(&[light], &material, &ShadeSettings::default());
-    let point = SurfacePoint { position: [R::ZERO; 3], normal: [R::ZERO, R::ZERO, R::ONE] };
-    let [red, ..] = shader.expect("numbers that make sense").shade(&point).ok()?;
-    Some(red.to_f64())
+/// A lamp whose light fades with the square of the distance, before a point with the normal +z.
+fn at_lamp(lamp: Vec3) -> Scene {
+    let scene = Scene::near([lamp.as_dvec3(), DVec3::Z, DVec3::Z], 1, Reflection::Blinn);
+    Scene { attenuation: Some(Attenuation::InverseSquare), ..scene }
 }
 
 /// cos/d² = z/d³.
@@ -318,11 +308,11 @@ fn truth(lamp: Vec3) -> Big {
 }
 
 fn measure_at_light() -> Measured {
-    let wrong = |colour: Option<f64>| Worst::wrong(usize::from(colour.is_some()));
+    let [faithful, fast] = at_lamp(Vec3::ZERO).diffuse().map(|red| Worst::wrong(usize::from(red.is_some())));
     Measured {
         samples: 1,
-        faithful: wrong(shade::<f64>(Vec3::ZERO)),
-        fast: Some(wrong(shade::<f32>(Vec3::ZERO))),
+        faithful,
+        fast: Some(fast),
         declined: 0,
         plain: Some([f64::from(plain::unit(Vec3::ZERO).z / 0.0)].into_iter().collect()),
         definition: Worst::not_a_number(1),

@@ -1,11 +1,10 @@
 //! The names that the cases of every group use.
 
-pub(super) use super::case::Group;
-pub(super) use super::case::{Bound, StressCase, Unit};
+pub(super) use super::case::{Bound, Group, StressCase, Unit};
 pub(super) use super::measured::{Measured, Outcome, Worst};
 pub(super) use super::plain;
 pub(super) use super::random::{rotation, signed, vector};
-pub(super) use crate::mesh::{Faces, Mesh, MeshBuilder, Storage};
+pub(super) use crate::mesh::{Faces, Mesh, Storage};
 pub(super) use crate::normals::{
     Crease, FaultReason, NormalField, NormalRecipe, Precision, Scratch, Slivers, Weight, compute,
     face_normals,

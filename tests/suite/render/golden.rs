@@ -144,7 +144,7 @@ impl Stage {
             }
             sheet.push(first);
         }
-        encode_png(&panels(&sheet).unwrap(), Transfer::Srgb).unwrap()
+        encode_png(&panels(&sheet).unwrap(), None, Transfer::Srgb).unwrap()
     }
 }
 

@@ -35,7 +35,7 @@ fn every_scene_draws_and_its_probes_agree_with_its_picture() {
         }
         assert!(probed > 10, "{name}: {probed}");
         if let Some(folder) = std::env::var_os("CREASE_PICTURES") {
-            let file = encode_png(&image.into(), settings.transfer).unwrap();
+            let file = encode_png(&image.into(), None, settings.transfer).unwrap();
             let name = format!("{}.png", name.replace('/', "-"));
             fs::write(std::path::Path::new(&folder).join(name), file).unwrap();
         }
