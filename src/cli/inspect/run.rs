@@ -6,7 +6,7 @@ use super::symptoms;
 use super::text::{self, Layout};
 use crate::cli::common::console::{Console, HELP, Style, Verbosity, escaped};
 use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
-use crate::cli::common::input::{Input, Source, check_root, expand};
+use crate::cli::common::input::{Input, Source, expand};
 use crate::cli::common::ledger::{self, Ledger, Work, skipped};
 use crate::cli::common::options::Color;
 use crate::cli::common::output::{Target, is_same_file, resolve_parent, stem};
@@ -111,7 +111,7 @@ fn one(job: &Job, shared: &Shared<'_>) -> Recorded<(InspectReport, Outcome)> {
         return ((report, Outcome { is_grave, lacks_normals: false }), Ok(()));
     }
     let log = ReadLog::default();
-    let read = ReadOptions { log: log.clone(), ..job.read() };
+    let read = ReadOptions { log: log.clone(), ..job.args.companions.read_options(false) };
     let result = shared.ledger.retried(&job.input.source, || {
         report = InspectReport::new(&job.input.source);
         guarded(|| inspect(job, &read, shared.progress, &mut report))
@@ -291,25 +291,16 @@ struct Job {
 }
 
 impl Job {
-    fn read(&self) -> ReadOptions {
-        ReadOptions {
-            root: self.args.root.clone(),
-            allowed_extensions: self.args.allow_extension.clone(),
-            ..ReadOptions::default()
-        }
-    }
-
     /// All options that affect the result, as text.
     fn options(&self) -> String {
-        let InspectArgs { format, root, allow_extension, against, pictures, findings, thresholds, .. } =
-            &*self.args;
+        let InspectArgs { format, companions, against, pictures, findings, thresholds, .. } = &*self.args;
         let findings = (findings.severity, &findings.ignore, &findings.only, findings.places);
-        format!("{:?}", (format, root, allow_extension, against, pictures, findings, thresholds))
+        format!("{:?}", (format, companions, against, pictures, findings, thresholds))
     }
 }
 
 fn jobs(args: &InspectArgs) -> Result<Vec<Job>, Failure> {
-    check_root(args.root.as_ref())?;
+    args.companions.check().map_err(Failure::usage)?;
     let found = args.batch.inputs(|| expand(&args.inputs, args.recursive, None))?;
     let options = [
         ("--html", args.pictures.html.is_some()),

@@ -2,11 +2,11 @@
 
 use super::args::{HardEdge, Merging, NormalsArgs, RecipeArgs};
 use crate::cli::common::failure::Failure;
-use crate::cli::common::input::{Input, Source, check_root, expand};
+use crate::cli::common::input::{Input, Source, expand};
 use crate::cli::common::output::{Target, resolve_parent};
 use crate::cli::common::stream::file_target;
 use crate::cli::line_options::with_line;
-use crease::io::{Emit, Format, Merge, NonFinite, ReadOptions, WriteOptions};
+use crease::io::{Emit, Format, Merge, ReadOptions, WriteOptions};
 use crease::normals::{Crease, HardEdges, NormalRecipe, Scope};
 use crease::pipeline::Task;
 use std::collections::BTreeMap;
@@ -54,7 +54,7 @@ impl Request {
                 "one of --output, --out-dir and --in-place is required\nhelp: --dry-run and --emit face --json need none",
             );
         }
-        check_root(args.output.root.as_ref())?;
+        args.output.companions.check().map_err(Failure::usage)?;
         let found = args
             .batch
             .inputs(|| expand(&args.inputs, args.output.recursive, args.output.out_dir.as_deref()))?;
@@ -90,7 +90,7 @@ impl Settings {
     fn new(args: NormalsArgs) -> Self {
         Self {
             task: task(&args),
-            read: read_options(&args),
+            read: args.output.companions.read_options(args.mesh.force),
             write: WriteOptions {
                 emit: args.normals.emit,
                 tangents: args.gltf.tangents,
@@ -149,15 +149,6 @@ fn task(args: &NormalsArgs) -> Task {
         flip: args.mesh.flip,
         degenerate: args.mesh.degenerate,
         edge_counts: args.run.json || args.run.verbose,
-    }
-}
-
-fn read_options(args: &NormalsArgs) -> ReadOptions {
-    ReadOptions {
-        root: args.output.root.clone(),
-        allowed_extensions: args.output.allow_extension.clone(),
-        non_finite: if args.mesh.force { NonFinite::DropFaces } else { NonFinite::Refuse },
-        ..ReadOptions::default()
     }
 }
 

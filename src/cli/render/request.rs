@@ -5,7 +5,7 @@ use super::values::{Background, FileKind, HiddenLines, Variant};
 use crate::cli::common::choice::Choose;
 use crate::cli::common::input::Source;
 use crate::cli::common::output::{Target, is_same_file};
-use crease::io::{Format, NonFinite, ReadOptions};
+use crease::io::Format;
 use crease::normals::{Crease, When};
 use crease::raster::{Bits, LoadOptions, NormalSettings, RenderSettings, SceneObject, SceneShape, Shading};
 use crease::report::panels_size;
@@ -71,12 +71,7 @@ impl<'a> Request<'a> {
                 },
                 when: args.normals.when.or(is_computed.then(When::default)),
                 from_elsewhere: args.scene.camera.is_some(),
-                read: ReadOptions {
-                    root: args.output.root.clone(),
-                    allowed_extensions: args.output.allow_extension.clone(),
-                    non_finite: if args.output.force { NonFinite::DropFaces } else { NonFinite::Refuse },
-                    ..ReadOptions::default()
-                },
+                read: args.output.companions.read_options(args.output.force),
                 ..LoadOptions::default()
             },
             target,
