@@ -3,14 +3,15 @@
 use super::args::{HardEdge, Merging, NormalsArgs, RecipeArgs};
 use crate::cli::common::failure::Failure;
 use crate::cli::common::input::{Input, Source, expand};
-use crate::cli::common::output::{Target, resolve_parent};
+use crate::cli::common::output::{Target, is_same_file};
+use crate::cli::common::overwriting::Files;
 use crate::cli::common::stream::file_target;
 use crate::cli::line_options::with_line;
 use crease::io::{Emit, Format, Merge, ReadOptions, WriteOptions};
 use crease::normals::{Crease, HardEdges, NormalRecipe, Scope};
 use crease::pipeline::Task;
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 pub struct Request {
@@ -80,7 +81,7 @@ impl Request {
             }
             jobs.push(job(input, settings).map_err(|failure| input.refused(failure))?);
         }
-        check_collisions(&jobs, args.output.in_place)?;
+        check_outputs(&jobs, args.output.in_place).map_err(Failure::usage)?;
         jobs.retain(|job| args.batch.takes(&job.input.source));
         Ok(Request { jobs })
     }
@@ -222,31 +223,15 @@ fn in_place_target(input: &Input, format: Option<Format>, to: Option<Format>) ->
 }
 
 /// No two outputs may be one file, and none may be an input unless that is what was asked for.
-fn check_collisions(jobs: &[Job], in_place: bool) -> Result<(), Failure> {
-    let real = |path: &Path| path.canonicalize().ok();
-    let mut inputs = BTreeMap::new();
-    for path in jobs.iter().filter_map(|job| job.input.source.path()) {
-        inputs.extend(real(path).map(|real| (real, path)));
-    }
-    let mut outputs: BTreeMap<PathBuf, &Path> = BTreeMap::new();
+fn check_outputs(jobs: &[Job], in_place: bool) -> Result<(), String> {
+    let mut files = Files::read(jobs.iter().filter_map(|job| job.input.source.path()));
     for job in jobs {
         let (Some(Target::File(target)), Source::File(source)) = (&job.target, &job.input.source) else {
             continue;
         };
-        if let Some(other) = outputs.insert(resolve_parent(target), source) {
-            let (first, second) = (other.display(), source.display());
-            return usage(format!(
-                "{first} and {second} would both be written to {}\nhelp: run them one after the other with different outputs",
-                target.display()
-            ));
-        }
-        let place = real(target);
-        let is_own = in_place && place == real(source);
-        if !is_own && let Some(input) = place.and_then(|real| inputs.get(&real).copied()) {
-            return usage(format!(
-                "this would overwrite the input {}\nhelp: name another output, or use --in-place",
-                input.display()
-            ));
+        files.write(target, source.display().to_string())?;
+        if !(in_place && is_same_file(source, target)) {
+            files.check(target)?;
         }
     }
     Ok(())
