@@ -11,12 +11,9 @@ use crease::io::{Emit, Format, Merge, ReadOptions, WriteOptions};
 use crease::normals::{Crease, HardEdges, NormalRecipe, Scope};
 use crease::pipeline::Task;
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::path::PathBuf;
 use std::sync::Arc;
-
-pub struct Request {
-    pub jobs: Vec<Job>,
-}
 
 #[derive(Clone, Debug)]
 pub struct Job {
@@ -45,46 +42,36 @@ pub struct Settings {
     pub rows: bool,
 }
 
-impl Request {
-    /// Checks the options, also against existing files.
-    pub fn resolve(args: &NormalsArgs) -> Result<Self, Failure> {
-        let settings = Arc::new(Settings::new(args.clone()));
-        // A manifest may name its outputs.
-        if !has_destination(args) && !settings.rows && !args.output.dry_run && args.batch.manifest.is_none() {
-            return usage(
-                "one of --output, --out-dir and --in-place is required\nhelp: --dry-run and --emit face --json need none",
-            );
-        }
-        args.output.companions.check().map_err(Failure::usage)?;
-        let found = args
-            .batch
-            .inputs(|| expand(&args.inputs, args.output.recursive, args.output.out_dir.as_deref()))?;
-        if args.output.output.is_some() && found.len() > 1 {
-            return usage(format!(
-                "--output takes one input, not {}\nhelp: --out-dir takes several",
-                found.len()
-            ));
-        }
-        let mut of_lines: BTreeMap<&[String], Arc<Settings>> = BTreeMap::new();
-        let mut jobs = Vec::with_capacity(found.len());
-        for input in &found {
-            let known = match &input.options[..] {
-                [] => Some(&settings),
-                options => of_lines.get(options),
-            };
-            let settings = match known {
-                Some(known) => known.clone(),
-                None => Arc::new(Settings::new(with_line("normals", input)?)),
-            };
-            if !input.options.is_empty() {
-                of_lines.insert(&input.options, settings.clone());
-            }
-            jobs.push(job(input, settings).map_err(|failure| input.refused(failure))?);
-        }
-        check_outputs(&jobs, args.output.in_place).map_err(Failure::usage)?;
-        jobs.retain(|job| args.batch.takes(&job.input.source));
-        Ok(Request { jobs })
+/// The jobs of a command line, whose options are checked, also against existing files.
+pub fn jobs(args: &NormalsArgs) -> Result<Vec<Job>, Failure> {
+    let settings = Arc::new(Settings::new(args.clone()));
+    // A manifest may name its outputs.
+    if !has_destination(args) && !settings.rows && !args.output.dry_run && args.batch.manifest.is_none() {
+        return usage(
+            "one of --output, --out-dir and --in-place is required\nhelp: --dry-run and --emit face --json need none",
+        );
     }
+    args.output.companions.check().map_err(Failure::usage)?;
+    let found =
+        args.batch.inputs(|| expand(&args.inputs, args.output.recursive, args.output.out_dir.as_deref()))?;
+    if args.output.output.is_some() && found.len() > 1 {
+        return usage(format!(
+            "--output takes one input, not {}\nhelp: --out-dir takes several",
+            found.len()
+        ));
+    }
+    let mut of_lines = BTreeMap::from([(&[][..], settings)]);
+    let mut jobs = Vec::with_capacity(found.len());
+    for input in &found {
+        let settings = match of_lines.entry(&input.options) {
+            Entry::Occupied(known) => known.get().clone(),
+            Entry::Vacant(free) => free.insert(Arc::new(Settings::new(with_line("normals", input)?))).clone(),
+        };
+        jobs.push(job(input, settings).map_err(|failure| input.refused(failure))?);
+    }
+    check_outputs(&jobs, args.output.in_place).map_err(Failure::usage)?;
+    jobs.retain(|job| args.batch.takes(&job.input.source));
+    Ok(jobs)
 }
 
 impl Settings {

@@ -90,11 +90,7 @@ impl FileReport {
 /// The report for people: one line a decision, then totals.
 pub fn text(report: &Report, style: Style) -> String {
     let Some(plan) = &report.plan else { return String::new() };
-    let mut out = style.paint(Style::BOLD, &escaped(&report.input));
-    if let Some(output) = &report.output {
-        out = format!("{out} -> {}", style.paint(Style::BOLD, &escaped(output)));
-    }
-    out.push('\n');
+    let mut out = style.title(&report.input, report.output.as_deref()) + "\n";
     if plan.decisions.is_empty() {
         let unchanged = match plan.is_cheapest {
             true => "nothing can be omitted within the tolerance",

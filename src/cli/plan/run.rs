@@ -67,7 +67,7 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
     };
     // Refused before the search.
     for_output(args, base, text.clone())?;
-    let progress = Progress::of_share(console, "planning");
+    let progress = Progress::of_steps(console);
     let advance = |step| progress.plan(step);
     let planned = match args.html.as_ref().or(args.picture.as_ref()) {
         None => plan(&text, base, &loading, &options, &advance).map(|plan| (plan, None)),
