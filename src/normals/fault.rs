@@ -1,4 +1,5 @@
 //! Why elements have fallback normals, and how often.
+use crate::num::names;
 
 /// Why a face or a corner has no normal of its own, but a documented unit fallback.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -18,18 +19,9 @@ pub enum FaultReason {
     Unreferenced,
 }
 
-impl FaultReason {
-    /// The name used in reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            FaultReason::ZeroArea => "ZeroArea",
-            FaultReason::BelowStorage => "BelowStorage",
-            FaultReason::CancellingFan => "CancellingFan",
-            FaultReason::NonFinite => "NonFinite",
-            FaultReason::OutOfRange => "OutOfRange",
-            FaultReason::Unreferenced => "Unreferenced",
-        }
-    }
+names! { FaultReason:
+    ZeroArea = "ZeroArea", BelowStorage = "BelowStorage", CancellingFan = "CancellingFan",
+    NonFinite = "NonFinite", OutOfRange = "OutOfRange", Unreferenced = "Unreferenced",
 }
 
 /// One fault at one element (a face, a corner or a vertex, by the list that it is in).

@@ -1,7 +1,7 @@
 //! The recipe: everything that determines a normal, and nothing that must not change it.
 
 use crate::mesh::Weld;
-use crate::num::Degrees;
+use crate::num::{Degrees, names};
 
 /// How much each face counts in the mean at a corner. With edges e1, e2 from the corner, the interior angle α
 /// between them and the unit face normal n̂, the mean is the unit vector of Σ w n̂.
@@ -36,20 +36,12 @@ pub enum Weight {
     Best,
 }
 
-impl Weight {
-    /// All weights.
-    pub const ALL: [Weight; 9] = [
-        Weight::Uniform,
-        Weight::Area,
-        Weight::Angle,
-        Weight::AngleArea,
-        Weight::Max,
-        Weight::Edge,
-        Weight::Quadric,
-        Weight::Jet,
-        Weight::Best,
-    ];
+names! { Weight:
+    Uniform = "uniform", Area = "area", Angle = "angle", AngleArea = "angle-area", Max = "max",
+    Edge = "edge", Quadric = "quadric", Jet = "jet", Best = "best",
+}
 
+impl Weight {
     /// Those that sum face normals, in the order of [`ALL`](Self::ALL).
     pub const SUMS: [Weight; 6] =
         [Weight::Uniform, Weight::Area, Weight::Angle, Weight::AngleArea, Weight::Max, Weight::Edge];
@@ -58,21 +50,6 @@ impl Weight {
     /// takes a mesh with its topology.
     pub fn is_fit(self) -> bool {
         !Self::SUMS.contains(&self)
-    }
-
-    /// The name used on the command line and in reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Weight::Uniform => "uniform",
-            Weight::Area => "area",
-            Weight::Angle => "angle",
-            Weight::AngleArea => "angle-area",
-            Weight::Max => "max",
-            Weight::Edge => "edge",
-            Weight::Quadric => "quadric",
-            Weight::Jet => "jet",
-            Weight::Best => "best",
-        }
     }
 }
 

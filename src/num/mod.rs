@@ -18,6 +18,8 @@ mod exact;
 mod lanes;
 // Linear least squares by Householder's QR decomposition, eight at a time.
 mod least_squares;
+// Names of the variants of enumerations.
+mod names;
 // Reproducible numbers to test with.
 #[cfg(any(test, feature = "stress"))]
 pub(crate) mod numbers;
@@ -59,6 +61,7 @@ pub(crate) use exact::ExactSum;
 pub(crate) use lanes::{Arithmetic, Eight, EightLanes, LANES, Lanes, OneLane, Rows, Scalars, Truth, Vectors};
 pub(crate) use least_squares::{Column, LeastSquares, Pivoting, ROWS, least_squares};
 pub(crate) use list::{List, list};
+pub(crate) use names::names;
 #[cfg(test)]
 pub(crate) use numbers as test_numbers;
 #[cfg(feature = "stress")]

@@ -1,11 +1,12 @@
 //! What may be left out of a scene: the choices for an object and for a light, each ordered from expensive to cheap.
 
 use crate::normals::{Precision, Weight};
+use crate::num::names;
 use crate::raster::{Interpolation, Shading, StoredFormat};
 use crate::shade::{Attenuation, Light};
 use std::fmt;
 
-/// What a plan may change.
+/// What a plan may change, in the order in which ties are broken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Axis {
@@ -33,37 +34,10 @@ pub enum Axis {
     Antialiasing,
 }
 
-impl Axis {
-    /// All but antialiasing, in the order in which ties are broken.
-    pub const ALL: [Self; 10] = [
-        Self::Shading,
-        Self::Weight,
-        Self::Creases,
-        Self::Precision,
-        Self::Storage,
-        Self::Interpolation,
-        Self::Reflection,
-        Self::Tessellation,
-        Self::TwoSided,
-        Self::Lights,
-    ];
-
-    /// The name on the command line and in reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Shading => "shading",
-            Self::Weight => "weight",
-            Self::Creases => "creases",
-            Self::Precision => "precision",
-            Self::Storage => "storage",
-            Self::Interpolation => "interpolation",
-            Self::Reflection => "reflection",
-            Self::Tessellation => "tessellation",
-            Self::TwoSided => "two-sided",
-            Self::Lights => "lights",
-            Self::Antialiasing => "antialiasing",
-        }
-    }
+names! { Axis:
+    Shading = "shading", Weight = "weight", Creases = "creases", Precision = "precision",
+    Storage = "storage", Interpolation = "interpolation", Reflection = "reflection",
+    Tessellation = "tessellation", TwoSided = "two-sided", Lights = "lights", Antialiasing = "antialiasing",
 }
 
 /// Which terms of a material are evaluated.

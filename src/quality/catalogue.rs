@@ -2,7 +2,7 @@
 //!
 //! `crease inspect --explain` and the pages of reports read from here.
 
-use crate::num::three_digits;
+use crate::num::{names, three_digits};
 use crate::quality::element::{Element, Severity};
 use crate::text::{Catalogue, Text, catalogue};
 
@@ -21,16 +21,8 @@ pub enum Family {
     Shading,
 }
 
-impl Family {
-    /// The heading used in reports.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Family::Stored => "stored normals",
-            Family::Smoothing => "smoothing",
-            Family::Geometry => "geometry",
-            Family::Shading => "shading risk",
-        }
-    }
+names! { Family:
+    Stored = "stored normals", Smoothing = "smoothing", Geometry = "geometry", Shading = "shading risk",
 }
 
 /// The entry of a kind of finding.

@@ -1,5 +1,6 @@
 //! How much a finding matters, and what it counts.
 
+use crate::num::names;
 use serde::Serialize;
 
 /// How much a finding matters.
@@ -14,19 +15,7 @@ pub enum Severity {
     Error,
 }
 
-impl Severity {
-    /// All severities, from the least.
-    pub const ALL: [Severity; 3] = [Severity::Note, Severity::Warning, Severity::Error];
-
-    /// The name used on the command line and in reports.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Severity::Note => "note",
-            Severity::Warning => "warning",
-            Severity::Error => "error",
-        }
-    }
-}
+names! { Severity: Note = "note", Warning = "warning", Error = "error" }
 
 /// What a finding counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
@@ -46,22 +35,14 @@ pub enum Element {
     Mesh,
 }
 
+names! { Element:
+    Corner = "corner", Face = "face", Edge = "edge", Vertex = "vertex", Node = "node", Mesh = "mesh",
+}
+
 impl Element {
     pub(crate) const COUNT: usize = Element::Mesh as usize + 1;
 
     pub(crate) const fn has_area(self) -> bool {
         matches!(self, Element::Corner | Element::Face | Element::Mesh)
-    }
-
-    /// The name used in reports, in the singular.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Element::Corner => "corner",
-            Element::Face => "face",
-            Element::Edge => "edge",
-            Element::Vertex => "vertex",
-            Element::Node => "node",
-            Element::Mesh => "mesh",
-        }
     }
 }

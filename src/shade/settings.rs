@@ -1,7 +1,7 @@
 //! The settings of lighting: viewer, guards, depth cue, terminator, tone rule.
 
 use super::error::{Place, Result};
-use crate::num::Real;
+use crate::num::{Real, names};
 use glam::DVec3;
 use serde::Deserialize;
 
@@ -176,15 +176,9 @@ pub enum ToneRule {
     DivideByMax,
 }
 
-impl ToneRule {
-    /// The name used in scenes and on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            ToneRule::Clamp => "clamp",
-            ToneRule::DivideByMax => "max",
-        }
-    }
+names! { ToneRule: Clamp = "clamp", DivideByMax = "max" }
 
+impl ToneRule {
     /// The colour, each component in 0…1.
     ///
     /// ```

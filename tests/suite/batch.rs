@@ -491,7 +491,7 @@ fn pictures_are_drawn_from_a_list_until_a_mesh_of_a_scene_changes() {
     assert_eq!(drawn(), [1, 1]);
     fs::write(work.path().join("list"), "in/0000.obj\nin/0000.obj\n").unwrap();
     let (status, _, errors) = run_verb(work.path(), &args);
-    assert!(status == 2 && errors.contains("is the picture of two inputs"), "{status}: {errors}");
+    assert!(status == 2 && errors.contains("would both be written to"), "{status}: {errors}");
 }
 
 /// Killed at any moment, a batch leaves whole outputs and a journal that the next run goes on from. With `CREASE_LONG`, 2000 files

@@ -4,11 +4,12 @@ use crate::cli::common::console::Console;
 use crate::cli::common::failure::Failure;
 use crate::cli::common::output::Target;
 use crate::cli::common::progress::Progress;
+use crate::cli::render::draw::turn_of;
 use crease::artefact::{Experiment, Language, Outcome, Setup};
 use crease::num::Transfer;
 use crease::report::{
-    Animation, Picture, ReportError, chart_plot, encode_png, experiment_page, experiment_sheet, index_page,
-    page_name, picture_name, svg_file,
+    Picture, ReportError, chart_plot, encode_png, experiment_page, experiment_sheet, index_page, page_name,
+    picture_name, svg_file,
 };
 use rayon::prelude::*;
 use std::path::Path;
@@ -33,14 +34,14 @@ pub fn write_all(runs: &[Run], folder: &Path, language: Language) -> Result<Vec<
     for files in made? {
         let mut paths = Vec::new();
         for (name, bytes) in files {
-            paths.push(write(&folder.join(name), bytes)?);
+            paths.push(Target::File(folder.join(name)).store(bytes)?);
         }
         stored.push(paths);
     }
     if in_gallery {
         let found: Vec<_> = runs.iter().map(|run| (run.experiment, &run.outcome)).collect();
         let index = index_page(&found, language)?;
-        write(&folder.join("index.html"), index.into_bytes())?;
+        Target::File(folder.join("index.html")).store(index.into_bytes())?;
     }
     Ok(stored)
 }
@@ -63,10 +64,6 @@ fn files(run: &Run, language: Language, in_gallery: bool) -> Result<Vec<File>, R
     Ok(files)
 }
 
-/// Hundredths of a second that an animation takes, and the shortest frame that viewers play.
-const WHOLE: u16 = 400;
-const SHORTEST: u16 = 2;
-
 pub fn animate(run: &Run, path: &Path, frames: u16, console: &Console) -> Result<String, Failure> {
     let progress = Progress::of_count(console, "drawing", "frames", frames.into());
     let draw = |number: u32| {
@@ -76,14 +73,8 @@ pub fn animate(run: &Run, path: &Path, frames: u16, console: &Console) -> Result
     };
     let images: Vec<_> = (0..u32::from(frames)).into_par_iter().map(draw).collect::<Result<_, _>>()?;
     drop(progress);
-    let animation = Animation { frames: images.len(), hundredths: (WHOLE / frames).max(SHORTEST) };
+    let animation = turn_of(frames);
     let mut bytes = Vec::new();
     animation.write_gif(&mut bytes, |number| Ok::<_, ReportError>(Picture::from(images[number].clone())))?;
-    write(path, bytes)
-}
-
-fn write(path: &Path, bytes: Vec<u8>) -> Result<String, Failure> {
-    let target = Target::File(path.to_owned());
-    target.store(bytes)?;
-    Ok(target.name())
+    Ok(Target::File(path.to_owned()).store(bytes)?)
 }

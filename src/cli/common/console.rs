@@ -50,6 +50,12 @@ impl Style {
     pub fn paint(self, colour: &str, text: &str) -> String {
         if self.0 { format!("\x1b[{colour}m{text}\x1b[0m") } else { text.to_owned() }
     }
+
+    /// The first line of a report: the input, and the output if there is one.
+    pub fn title(self, input: &str, output: Option<&str>) -> String {
+        let bold = |name| self.paint(Self::BOLD, &escaped(name));
+        output.map_or_else(|| bold(input), |output| format!("{} -> {}", bold(input), bold(output)))
+    }
 }
 
 impl Console {

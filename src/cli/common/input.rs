@@ -52,13 +52,6 @@ fn read_stdin(limits: &Limits, mut arrived: impl FnMut(u64)) -> Result<Vec<u8>, 
     Err(fail(Problem::Limit, found, "split the file"))
 }
 
-pub fn check_root(root: Option<&PathBuf>) -> Result<(), Failure> {
-    match root.filter(|root| !root.is_dir()) {
-        Some(root) => Err(Failure::usage(format!("--root {} is not a folder", root.display()))),
-        None => Ok(()),
-    }
-}
-
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Input {
     pub source: Source,

@@ -2,11 +2,12 @@
 
 use super::choice::choices;
 use clap::Args;
-use crease::io::Format;
+use crease::io::{Format, NonFinite, ReadOptions};
 use crease::mesh::{Confidence, UpAxis};
 use crease::normals::{Crease, Weight, When};
 use crease::num::{Degrees, LinearRgb, Srgb8};
 use glam::DVec3;
+use std::path::PathBuf;
 
 #[derive(Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Running and reporting")]
@@ -27,6 +28,36 @@ impl RunArgs {
         if let Some(threads) = self.threads {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
             pool.expect("the pool has not been used yet");
+        }
+    }
+}
+
+/// Files that an input refers to.
+#[derive(Args, Clone, Debug)]
+pub struct CompanionArgs {
+    #[arg(long, value_name = "DIR")]
+    root: Option<PathBuf>,
+    #[arg(long, value_name = "NAME")]
+    allow_extension: Vec<String>,
+}
+
+impl CompanionArgs {
+    /// How an input is read; `force` drops faces that are not finite.
+    pub fn read_options(&self, force: bool) -> ReadOptions {
+        ReadOptions {
+            root: self.root.clone(),
+            allowed_extensions: self.allow_extension.clone(),
+            non_finite: if force { NonFinite::DropFaces } else { NonFinite::Refuse },
+            ..ReadOptions::default()
+        }
+    }
+
+    /// # Errors
+    /// If the root is no folder.
+    pub fn check(&self) -> Result<(), String> {
+        match self.root.as_ref().filter(|root| !root.is_dir()) {
+            Some(root) => Err(format!("--root {} is not a folder", root.display())),
+            None => Ok(()),
         }
     }
 }

@@ -19,8 +19,10 @@ use tempfile::NamedTempFile;
 pub type Target = Stream;
 
 impl Target {
-    pub fn store(&self, bytes: Vec<u8>) -> Result<()> {
-        Store::default().store(Written { bytes, ..Written::default() }, self).map(drop)
+    /// Stores a file without companions, and returns its name.
+    pub fn store(&self, bytes: Vec<u8>) -> Result<String> {
+        Store::default().store(Written { bytes, ..Written::default() }, self)?;
+        Ok(self.name())
     }
 }
 

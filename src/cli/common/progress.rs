@@ -56,15 +56,9 @@ impl Progress {
         if count < 2 { Self::hidden() } else { Self::new(console, COUNT, count).with_words(doing, things) }
     }
 
-    /// For one thing whose share done is reported.
-    pub fn of_share(console: &Console, doing: &'static str) -> Self {
-        let progress = Self::new(console, STEPS, 1000);
-        progress.bar.set_message(doing);
-        progress
-    }
-
     /// The share done of a search, from 0 to 1, and its best plan so far.
     pub fn plan(&self, step: plan::Progress) {
+        self.bar.set_length(1000);
         self.bar.set_position((1000.0 * step.share) as u64);
         self.bar.set_message(format!("planning, best {:.0} %", 100.0 * step.best));
     }
@@ -74,7 +68,7 @@ impl Progress {
         Self::new(console, ONE, 1).with_words(doing, thing)
     }
 
-    /// A bar over the steps of a measurement, stage by stage.
+    /// A bar over the steps of a measurement or of a search, which says what is done.
     pub fn of_steps(console: &Console) -> Self {
         Self::new(console, STEPS, 1)
     }

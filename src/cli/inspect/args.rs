@@ -4,7 +4,7 @@ use crate::cli::common::batch::BatchArgs;
 use crate::cli::common::choice::{choices, one_of};
 use crate::cli::common::console::HELP;
 use crate::cli::common::nearest::did_you_mean;
-use crate::cli::common::options::{RunArgs, confidence};
+use crate::cli::common::options::{CompanionArgs, RunArgs, confidence};
 use clap::Args;
 use crease::io::Format;
 use crease::mesh::Confidence;
@@ -25,10 +25,8 @@ pub struct InspectArgs {
     pub recursive: bool,
     #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>())]
     pub format: Option<Format>,
-    #[arg(long, value_name = "DIR")]
-    pub root: Option<PathBuf>,
-    #[arg(long, value_name = "NAME")]
-    pub allow_extension: Vec<String>,
+    #[command(flatten)]
+    pub companions: CompanionArgs,
     #[arg(long, value_name = "FILE")]
     pub against: Option<PathBuf>,
 

@@ -28,6 +28,12 @@ pub struct InspectReport {
     /// Kinds and paths of the pages and pictures that were written.
     #[serde(skip)]
     pub written: Vec<(&'static str, String)>,
+    /// Something is as grave as `--fail-on`.
+    #[serde(skip)]
+    pub is_grave: bool,
+    /// Pictures were drawn of a file with faces in which no normals are stored.
+    #[serde(skip)]
+    pub lacks_normals: bool,
     /// How many elements have each finding, as an earlier run found.
     #[serde(skip)]
     pub before: BTreeMap<String, u64>,

@@ -6,10 +6,11 @@ use super::symptoms;
 use super::text::Layout;
 use crate::cli::common::console::{Console, HELP, Style, Verbosity, escaped};
 use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
-use crate::cli::common::input::{Input, Source, check_root, expand};
-use crate::cli::common::ledger::{self, Ledger, Work, skipped};
+use crate::cli::common::input::{Input, Source, expand};
+use crate::cli::common::ledger::{Ledger, Outcome, Work, skipped};
 use crate::cli::common::options::Color;
-use crate::cli::common::output::{Target, is_same_file, resolve_parent, stem};
+use crate::cli::common::output::{Target, stem};
+use crate::cli::common::overwriting::Files;
 use crate::cli::common::progress::{FileProgress, Stage};
 use crate::cli::common::report::SKIPPED;
 use crate::cli::common::run_batch::{Recorded, Shared, run_batch};
@@ -22,8 +23,8 @@ use crease::quality::catalogue::{Kind, entries};
 use crease::quality::{Diagnosis, Severity, Thresholds, compare, diagnose};
 use crease::report::{After, DiagnosisPage, HeatMap, encode_png, heat_map};
 use crease::text::Language;
-use std::collections::{BTreeMap, HashMap, HashSet};
-use std::path::{Path, PathBuf};
+use std::collections::{BTreeMap, HashMap};
+use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -78,18 +79,17 @@ fn run(jobs: &[Job], args: &InspectArgs, console: &Console) -> Exit {
         Err(failure) => return refused("inspect", &failure, console),
     };
     let mut has_findings = false;
-    let exit =
-        run_batch(console, &args.batch, &ledger, jobs, source, one, |job, (report, outcome), batch| {
-            has_findings |= !report.findings.is_empty();
-            batch.count(&report.input.path, &report.head);
-            if outcome.is_grave {
-                batch.exit = Exit::Findings;
-            }
-            if outcome.lacks_normals {
-                console.note(&format!("{}: {NO_DEVIATION}", report.input.path));
-            }
-            print(&report, &job.args, jobs.len() > 1, console);
-        });
+    let exit = run_batch(console, &args.batch, &ledger, jobs, source, one, |job, report, batch| {
+        has_findings |= !report.findings.is_empty();
+        batch.count(&report.input.path, &report.head);
+        if report.is_grave {
+            batch.exit = Exit::Findings;
+        }
+        if report.lacks_normals {
+            console.note(&format!("{}: {NO_DEVIATION}", report.input.path));
+        }
+        print(&report, &job.args, jobs.len() > 1, console);
+    });
     if has_findings && jobs.len() > 1 && console.verbosity == Verbosity::Normal {
         console.text(|| "-v lists the findings of each file\n".to_owned());
     }
@@ -101,20 +101,20 @@ fn source(job: &Job) -> (&Source, Option<Format>) {
 }
 
 /// Inspects an input unless an earlier run has, and records it.
-fn one(job: &Job, shared: &Shared<'_>) -> Recorded<(InspectReport, Outcome)> {
+fn one(job: &Job, shared: &Shared<'_>) -> Recorded<InspectReport> {
     let mut report = InspectReport::new(&job.input.source);
     let start = Instant::now();
     let work = Work { verb: "inspect", input: &job.input, output: None, options: job.options() };
     if let Some(entry) = shared.ledger.done_before(&work) {
         report.head.status = SKIPPED;
         let worst = Severity::ALL.into_iter().find(|it| Some(it.name()) == entry.verdict.as_deref());
-        let is_grave = job.args.findings.fail_on.is_some_and(|least| worst >= Some(least));
+        report.is_grave = job.args.findings.fail_on.is_some_and(|least| worst >= Some(least));
         report.verdict = worst;
         report.before = entry.findings;
-        return ((report, Outcome { is_grave, lacks_normals: false }), Ok(()));
+        return (report, Ok(()));
     }
     let log = ReadLog::default();
-    let read = ReadOptions { log: log.clone(), ..job.read() };
+    let read = ReadOptions { log: log.clone(), ..job.args.companions.read_options(false) };
     let result = shared.ledger.retried(&job.input.source, || {
         report = InspectReport::new(&job.input.source);
         guarded(|| inspect(job, &read, shared.progress, &mut report))
@@ -125,7 +125,7 @@ fn one(job: &Job, shared: &Shared<'_>) -> Recorded<(InspectReport, Outcome)> {
     for FindingReport { finding, .. } in &report.findings {
         *findings.entry(finding.kind.id().to_owned()).or_default() += finding.count;
     }
-    let done = ledger::Outcome {
+    let done = Outcome {
         bytes: report.input.bytes.unwrap_or_default(),
         error: result.as_ref().err(),
         read: log.files().into_iter().collect(),
@@ -133,14 +133,13 @@ fn one(job: &Job, shared: &Shared<'_>) -> Recorded<(InspectReport, Outcome)> {
         findings,
         verdict: report.verdict.map(|worst| worst.name().to_owned()),
         seconds: report.seconds.total,
-        ..ledger::Outcome::default()
+        ..Outcome::default()
     };
     let recorded = shared.ledger.record(&work, done);
-    let outcome = result.unwrap_or_default();
-    if outcome.is_grave {
+    if report.is_grave {
         report.head.status = "findings";
     }
-    ((report, outcome), recorded)
+    (report, recorded)
 }
 
 /// Reads, diagnoses and draws.
@@ -149,7 +148,7 @@ fn inspect(
     read: &ReadOptions,
     progress: &FileProgress<'_>,
     report: &mut InspectReport,
-) -> Result<Outcome, Failure> {
+) -> Result<(), Failure> {
     let (source, args) = (&job.input.source, &*job.args);
     let thresholds = &args.thresholds.resolve(args.findings.places);
     progress.stage(Stage::Read);
@@ -187,20 +186,12 @@ fn inspect(
     report.hidden = keep_wanted(&mut diagnosis, wanted);
     report.fill(&diagnosis);
     draw(&loaded, (&diagnosis, thresholds), after.as_ref(), report, args)?;
-    let is_grave = args.findings.fail_on.is_some_and(|least| diagnosis.worst() >= Some(least));
+    report.is_grave = args.findings.fail_on.is_some_and(|least| diagnosis.worst() >= Some(least));
     let of_angles = matches!(args.pictures.heatmap_of, Some(HeatMapOf::Deviation | HeatMapOf::Weight(_)));
     let has_pictures = args.pictures.html.is_some() || of_angles;
     let has_faces = loaded.parts.iter().any(|part| part.mesh.face_count() > 0);
-    Ok(Outcome { is_grave, lacks_normals: has_pictures && has_faces && !has_normals(&loaded) })
-}
-
-/// What came of an input that was read.
-#[derive(Default)]
-struct Outcome {
-    /// Something is as grave as `--fail-on`.
-    is_grave: bool,
-    /// Pictures were drawn of a file with faces in which no normals are stored.
-    lacks_normals: bool,
+    report.lacks_normals = has_pictures && has_faces && !has_normals(&loaded);
+    Ok(())
 }
 
 fn has_normals(loaded: &Loaded) -> bool {
@@ -229,8 +220,7 @@ fn draw(
             sight: *view,
         };
         let page = page.html(loaded, diagnosis).map_err(Failure::input)?;
-        Target::of(path).store(page.into_bytes())?;
-        report.written.push(("page", Target::of(path).name()));
+        report.written.push(("page", Target::of(path).store(page.into_bytes())?));
     }
     if let Some(path) = heatmap {
         let (mut one, mut shown) = (None, diagnosis);
@@ -247,8 +237,8 @@ fn draw(
             None => HeatMap::Findings,
         };
         let picture = heat_map(loaded, (shown, thresholds), of, *view, SIDE).map_err(Failure::input)?;
-        Target::of(path).store(encode_png(&picture, None, Transfer::Srgb).map_err(Failure::input)?)?;
-        report.written.push(("picture", Target::of(path).name()));
+        let png = encode_png(&picture, None, Transfer::Srgb).map_err(Failure::input)?;
+        report.written.push(("picture", Target::of(path).store(png)?));
     }
     Ok(())
 }
@@ -294,25 +284,16 @@ struct Job {
 }
 
 impl Job {
-    fn read(&self) -> ReadOptions {
-        ReadOptions {
-            root: self.args.root.clone(),
-            allowed_extensions: self.args.allow_extension.clone(),
-            ..ReadOptions::default()
-        }
-    }
-
     /// All options that affect the result, as text.
     fn options(&self) -> String {
-        let InspectArgs { format, root, allow_extension, against, pictures, findings, thresholds, .. } =
-            &*self.args;
+        let InspectArgs { format, companions, against, pictures, findings, thresholds, .. } = &*self.args;
         let findings = (findings.severity, &findings.ignore, &findings.only, findings.places);
-        format!("{:?}", (format, root, allow_extension, against, pictures, findings, thresholds))
+        format!("{:?}", (format, companions, against, pictures, findings, thresholds))
     }
 }
 
 fn jobs(args: &InspectArgs) -> Result<Vec<Job>, Failure> {
-    check_root(args.root.as_ref())?;
+    args.companions.check().map_err(Failure::usage)?;
     let found = args.batch.inputs(|| expand(&args.inputs, args.recursive, None))?;
     let options = [
         ("--html", args.pictures.html.is_some()),
@@ -339,52 +320,30 @@ fn jobs(args: &InspectArgs) -> Result<Vec<Job>, Failure> {
         *number += 1;
         jobs.push(Job { number: *number, args, input });
     }
-    let mut outputs = HashSet::new();
-    let sources: Vec<Source> = jobs.iter().map(|job| job.input.source.clone()).collect();
+    let sources = || jobs.iter().map(|job| &job.input.source);
+    let compared = jobs.iter().filter_map(|job| job.args.against.as_deref());
+    let mut files = Files::read(sources().filter_map(Source::path).chain(compared));
     for Job { input, args, .. } in &jobs {
         let refused = |message: String| input.refused(Failure::usage(message));
         if args.against.as_deref().map(Source::of) == Some(Source::Standard)
-            && sources.contains(&Source::Standard)
+            && sources().any(|source| *source == Source::Standard)
         {
             return Err(refused(
                 "standard input can be read only once\nhelp: name one of the two files".into(),
             ));
         }
-        let pictures: Vec<&PathBuf> = args.pictures.paths().collect();
-        if !pictures.is_empty() {
-            check_outputs(&sources, args).map_err(refused)?;
+        for path in args.pictures.paths() {
+            let written = files.check(path).and_then(|()| files.write(path, input.source.name()));
+            written.map_err(refused)?;
         }
-        if let Some(twice) = pictures.iter().find(|path| !outputs.insert(resolve_parent(path))) {
-            let twice = twice.display();
-            return Err(refused(format!("{twice} is written for two inputs\nhelp: name two outputs")));
+        let is_png = |path: &Path| path.extension().is_some_and(|name| name.eq_ignore_ascii_case("png"));
+        let heat_map = args.pictures.heatmap.as_ref();
+        if let Some(path) = heat_map.filter(|path| Target::of(path) != Target::Standard && !is_png(path)) {
+            let path = path.display();
+            let found = format!("--heatmap writes a PNG, not {path}\nhelp: use a name that ends in .png");
+            return Err(refused(found));
         }
     }
     jobs.retain(|job| args.batch.takes(&job.input.source));
     Ok(jobs)
-}
-
-/// No picture may be written over an input, nor over the other picture.
-fn check_outputs(sources: &[Source], args: &InspectArgs) -> Result<(), String> {
-    let inputs: Vec<&Path> = sources.iter().filter_map(Source::path).chain(args.against.as_deref()).collect();
-    let PictureArgs { html, heatmap, .. } = &args.pictures;
-    let is_file = |path: &Path| Target::of(path) != Target::Standard;
-    for output in [html, heatmap].into_iter().flatten().filter(|path| is_file(path)) {
-        if let Some(input) = inputs.iter().find(|input| is_same_file(input, output)) {
-            return Err(format!(
-                "this would overwrite the input {}\nhelp: name another output",
-                input.display()
-            ));
-        }
-    }
-    let is_png = |path: &Path| path.extension().is_some_and(|name| name.eq_ignore_ascii_case("png"));
-    match (html, heatmap) {
-        (Some(html), Some(heatmap)) if resolve_parent(html) == resolve_parent(heatmap) => Err(format!(
-            "--html and --heatmap would both be written to {}\nhelp: name two outputs",
-            html.display()
-        )),
-        (_, Some(path)) if is_file(path) && !is_png(path) => {
-            Err(format!("--heatmap writes a PNG, not {}\nhelp: use a name that ends in .png", path.display()))
-        }
-        _ => Ok(()),
-    }
 }

@@ -2,7 +2,7 @@
 
 use crate::cli::common::batch::BatchArgs;
 use crate::cli::common::choice::{Choose, as_name, choices, one_of, written_formats};
-use crate::cli::common::options::{RunArgs, confidence, crease_angle};
+use crate::cli::common::options::{CompanionArgs, RunArgs, confidence, crease_angle};
 use clap::{ArgGroup, Args};
 use crease::io::{Emit, Format, MaterialFallback, MeshCompression, NormalFormat, TangentPolicy};
 use crease::mesh::{Confidence, Orient, UpAxis, Weld};
@@ -47,10 +47,8 @@ pub struct OutputArgs {
     pub to: Option<Format>,
     #[arg(short, long)]
     pub recursive: bool,
-    #[arg(long, value_name = "DIR")]
-    pub root: Option<PathBuf>,
-    #[arg(long, value_name = "NAME")]
-    pub allow_extension: Vec<String>,
+    #[command(flatten)]
+    pub companions: CompanionArgs,
     #[arg(long)]
     pub dry_run: bool,
     #[arg(long)]

@@ -2,20 +2,18 @@
 
 use super::args::{HardEdge, Merging, NormalsArgs, RecipeArgs};
 use crate::cli::common::failure::Failure;
-use crate::cli::common::input::{Input, Source, check_root, expand};
-use crate::cli::common::output::{Target, resolve_parent};
+use crate::cli::common::input::{Input, Source, expand};
+use crate::cli::common::output::{Target, is_same_file};
+use crate::cli::common::overwriting::Files;
 use crate::cli::common::stream::file_target;
 use crate::cli::line_options::with_line;
-use crease::io::{Emit, Format, Merge, NonFinite, ReadOptions, WriteOptions};
+use crease::io::{Emit, Format, Merge, ReadOptions, WriteOptions};
 use crease::normals::{Crease, HardEdges, NormalRecipe, Scope};
 use crease::pipeline::Task;
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::collections::btree_map::Entry;
+use std::path::PathBuf;
 use std::sync::Arc;
-
-pub struct Request {
-    pub jobs: Vec<Job>,
-}
 
 #[derive(Clone, Debug)]
 pub struct Job {
@@ -44,53 +42,43 @@ pub struct Settings {
     pub rows: bool,
 }
 
-impl Request {
-    /// Checks the options, also against existing files.
-    pub fn resolve(args: &NormalsArgs) -> Result<Self, Failure> {
-        let settings = Arc::new(Settings::new(args.clone()));
-        // A manifest may name its outputs.
-        if !has_destination(args) && !settings.rows && !args.output.dry_run && args.batch.manifest.is_none() {
-            return usage(
-                "one of --output, --out-dir and --in-place is required\nhelp: --dry-run and --emit face --json need none",
-            );
-        }
-        check_root(args.output.root.as_ref())?;
-        let found = args
-            .batch
-            .inputs(|| expand(&args.inputs, args.output.recursive, args.output.out_dir.as_deref()))?;
-        if args.output.output.is_some() && found.len() > 1 {
-            return usage(format!(
-                "--output takes one input, not {}\nhelp: --out-dir takes several",
-                found.len()
-            ));
-        }
-        let mut of_lines: BTreeMap<&[String], Arc<Settings>> = BTreeMap::new();
-        let mut jobs = Vec::with_capacity(found.len());
-        for input in &found {
-            let known = match &input.options[..] {
-                [] => Some(&settings),
-                options => of_lines.get(options),
-            };
-            let settings = match known {
-                Some(known) => known.clone(),
-                None => Arc::new(Settings::new(with_line("normals", input)?)),
-            };
-            if !input.options.is_empty() {
-                of_lines.insert(&input.options, settings.clone());
-            }
-            jobs.push(job(input, settings).map_err(|failure| input.refused(failure))?);
-        }
-        check_collisions(&jobs, args.output.in_place)?;
-        jobs.retain(|job| args.batch.takes(&job.input.source));
-        Ok(Request { jobs })
+/// The jobs of a command line, whose options are checked, also against existing files.
+pub fn jobs(args: &NormalsArgs) -> Result<Vec<Job>, Failure> {
+    let settings = Arc::new(Settings::new(args.clone()));
+    // A manifest may name its outputs.
+    if !has_destination(args) && !settings.rows && !args.output.dry_run && args.batch.manifest.is_none() {
+        return usage(
+            "one of --output, --out-dir and --in-place is required\nhelp: --dry-run and --emit face --json need none",
+        );
     }
+    args.output.companions.check().map_err(Failure::usage)?;
+    let found =
+        args.batch.inputs(|| expand(&args.inputs, args.output.recursive, args.output.out_dir.as_deref()))?;
+    if args.output.output.is_some() && found.len() > 1 {
+        return usage(format!(
+            "--output takes one input, not {}\nhelp: --out-dir takes several",
+            found.len()
+        ));
+    }
+    let mut of_lines = BTreeMap::from([(&[][..], settings)]);
+    let mut jobs = Vec::with_capacity(found.len());
+    for input in &found {
+        let settings = match of_lines.entry(&input.options) {
+            Entry::Occupied(known) => known.get().clone(),
+            Entry::Vacant(free) => free.insert(Arc::new(Settings::new(with_line("normals", input)?))).clone(),
+        };
+        jobs.push(job(input, settings).map_err(|failure| input.refused(failure))?);
+    }
+    check_outputs(&jobs, args.output.in_place).map_err(Failure::usage)?;
+    jobs.retain(|job| args.batch.takes(&job.input.source));
+    Ok(jobs)
 }
 
 impl Settings {
     fn new(args: NormalsArgs) -> Self {
         Self {
             task: task(&args),
-            read: read_options(&args),
+            read: args.output.companions.read_options(args.mesh.force),
             write: WriteOptions {
                 emit: args.normals.emit,
                 tangents: args.gltf.tangents,
@@ -149,15 +137,6 @@ fn task(args: &NormalsArgs) -> Task {
         flip: args.mesh.flip,
         degenerate: args.mesh.degenerate,
         edge_counts: args.run.json || args.run.verbose,
-    }
-}
-
-fn read_options(args: &NormalsArgs) -> ReadOptions {
-    ReadOptions {
-        root: args.output.root.clone(),
-        allowed_extensions: args.output.allow_extension.clone(),
-        non_finite: if args.mesh.force { NonFinite::DropFaces } else { NonFinite::Refuse },
-        ..ReadOptions::default()
     }
 }
 
@@ -231,31 +210,15 @@ fn in_place_target(input: &Input, format: Option<Format>, to: Option<Format>) ->
 }
 
 /// No two outputs may be one file, and none may be an input unless that is what was asked for.
-fn check_collisions(jobs: &[Job], in_place: bool) -> Result<(), Failure> {
-    let real = |path: &Path| path.canonicalize().ok();
-    let mut inputs = BTreeMap::new();
-    for path in jobs.iter().filter_map(|job| job.input.source.path()) {
-        inputs.extend(real(path).map(|real| (real, path)));
-    }
-    let mut outputs: BTreeMap<PathBuf, &Path> = BTreeMap::new();
+fn check_outputs(jobs: &[Job], in_place: bool) -> Result<(), String> {
+    let mut files = Files::read(jobs.iter().filter_map(|job| job.input.source.path()));
     for job in jobs {
         let (Some(Target::File(target)), Source::File(source)) = (&job.target, &job.input.source) else {
             continue;
         };
-        if let Some(other) = outputs.insert(resolve_parent(target), source) {
-            let (first, second) = (other.display(), source.display());
-            return usage(format!(
-                "{first} and {second} would both be written to {}\nhelp: run them one after the other with different outputs",
-                target.display()
-            ));
-        }
-        let place = real(target);
-        let is_own = in_place && place == real(source);
-        if !is_own && let Some(input) = place.and_then(|real| inputs.get(&real).copied()) {
-            return usage(format!(
-                "this would overwrite the input {}\nhelp: name another output, or use --in-place",
-                input.display()
-            ));
+        files.write(target, source.display().to_string())?;
+        if !(in_place && is_same_file(source, target)) {
+            files.check(target)?;
         }
     }
     Ok(())

@@ -3,7 +3,7 @@
 use super::args::NormalsArgs;
 use super::conversion::{Conversion, axes_note, conversion};
 use super::json::{Part, Report};
-use super::request::{Job, Request, Settings};
+use super::request::{self, Job, Settings};
 use super::text;
 use crate::cli::common::console::{Console, Verbosity, escaped};
 use crate::cli::common::failure::{Exit, Failure, guarded};
@@ -24,9 +24,9 @@ use std::time::Instant;
 
 pub fn main(args: &NormalsArgs, color: Color) -> Exit {
     let console = Console::new(&args.run, color, args.output.output.as_deref());
-    let prepared = Request::resolve(args)
-        .and_then(|request| Ok((request, Ledger::open(&args.batch, args.output.dry_run, args.output.sync)?)));
-    let (Request { jobs }, ledger) = match prepared {
+    let prepared = request::jobs(args)
+        .and_then(|jobs| Ok((jobs, Ledger::open(&args.batch, args.output.dry_run, args.output.sync)?)));
+    let (jobs, ledger) = match prepared {
         Ok(prepared) => prepared,
         Err(failure) => return refused("normals", &failure, &console),
     };

@@ -73,11 +73,7 @@ pub fn block(report: &Report, console: &Console) -> String {
 }
 
 fn title(report: &Report, style: Style) -> String {
-    let mut title = style.paint(Style::BOLD, &escaped(&report.input.path));
-    if let Some(path) = report.output.as_ref().and_then(|output| output.path.as_ref()) {
-        let _ = write!(title, " -> {}", style.paint(Style::BOLD, &escaped(path)));
-    }
-    title
+    style.title(&report.input.path, report.output.as_ref().and_then(|output| output.path.as_deref()))
 }
 
 fn sum(parts: &[Part], of: impl Fn(&PartOutcome) -> usize) -> usize {

@@ -1,10 +1,11 @@
 //! `crease plan --apply`: mesh files as planned.
 
 use super::args::{self as options, PlanArgs};
-use super::file_report::FileReport;
+use super::report::FileReport;
 use crate::cli::common::console::HELP;
 use crate::cli::common::failure::Failure;
 use crate::cli::common::output::{Store, Target, folder_of, is_same_file};
+use crate::cli::common::overwriting::Files;
 use crease::io::{self, Format, Loaded, OutputContent, ReadOptions, WriteOptions};
 use crease::normals::When;
 use crease::pipeline::{Task, revise};
@@ -62,16 +63,7 @@ pub fn refusal(args: &PlanArgs) -> Option<String> {
     if !Format::from_path(target).is_some_and(Format::is_gltf) {
         return Some(format!("--apply writes glTF, not {name}{HELP}name a .glb or .gltf file"));
     }
-    if is_same_file(args.scene(), target) {
-        return Some(format!(
-            "this would overwrite the input {}{HELP}name another output",
-            args.scene().display()
-        ));
-    }
     let output = args.output.as_deref()?;
-    if output.as_os_str() != "-" && absolute(output).ok() == absolute(target).ok() {
-        return Some(format!("{name} cannot be both the mesh and the scene{HELP}name another output"));
-    }
     mesh_name(output, target).is_none().then(|| not_below(target))
 }
 
@@ -218,19 +210,14 @@ fn free_path(folder: &Path, input: &Path, taken: &mut BTreeSet<PathBuf>) -> Path
 
 /// No output may be an input, or a file that an input refers to.
 fn check_inputs(scene: &Path, files: &[AppliedFile]) -> Result<(), Failure> {
-    let inputs = || {
-        let of_files = files.iter().flat_map(|file| file.companions.iter().chain([&file.input]));
-        of_files.map(PathBuf::as_path).chain([scene])
-    };
+    let of_files = files.iter().flat_map(|file| file.companions.iter().chain([&file.input]));
+    let inputs = Files::read(of_files.map(PathBuf::as_path).chain([scene]));
     for file in files {
         let folder = folder_of(&file.home.path);
         let new = file.written.companions.iter().filter(|it| matches!(it.content, OutputContent::Bytes(_)));
         let outputs = new.map(|companion| folder.join(&companion.name)).chain([file.home.path.clone()]);
         for output in outputs {
-            if let Some(input) = inputs().find(|input| is_same_file(input, &output)) {
-                let message = format!("this would overwrite the input {}", input.display());
-                return Err(Failure::usage(format!("{message}{HELP}name another output")));
-            }
+            inputs.check(&output).map_err(Failure::usage)?;
         }
     }
     Ok(())

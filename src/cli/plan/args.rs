@@ -61,9 +61,10 @@ pub struct PlanArgs {
 choices! { Minimise: "work" => Work, "bytes" => Bytes, "vertices" => Vertices }
 
 /// What pictures are compared with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Reference {
+    #[default]
     Declared,
     Accurate,
 }

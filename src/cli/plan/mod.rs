@@ -4,8 +4,6 @@
 mod apply;
 /// Options.
 pub mod args;
-/// The report on a planned mesh file.
-mod file_report;
 /// The report as JSON and as text.
 mod report;
 /// Reading the scene, planning, storing the planned scene.

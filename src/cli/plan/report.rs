@@ -1,18 +1,18 @@
 //! The report of `crease plan` as JSON and as text.
 
 use super::args::{PlanArgs, Reference};
-use super::file_report::FileReport;
 use crate::cli::common::console::{Style, escaped};
 use crate::cli::common::numbers::{change, count, row, size};
 use crate::cli::common::report::Head;
+use crease::io::Note;
 use crease::num::{six_digits, three_digits};
-use crease::plan::{Axis, Decision, End, Metric, Minimise, Place, Plan, limit};
+use crease::plan::{Axis, Decision, End, FileSize, Metric, Minimise, Place, Plan, limit};
 use serde::Serialize;
 
 /// The choices, the formulas of bounds, and how costs are counted.
 pub const EXPLANATION: &str = include_str!("explanation.txt");
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Default, Serialize)]
 pub struct Report {
     #[serde(flatten)]
     pub head: Head,
@@ -47,6 +47,16 @@ pub struct DrawSeconds {
     pub planned: f64,
 }
 
+/// A planned file and its input.
+#[derive(Debug, Serialize)]
+pub struct FileReport {
+    pub input: String,
+    pub output: String,
+    pub before: FileSize,
+    pub after: FileSize,
+    pub notes: Vec<Note>,
+}
+
 impl Report {
     pub fn new(args: &PlanArgs) -> Self {
         Self {
@@ -57,26 +67,30 @@ impl Report {
             reference: args.reference,
             light_cone: args.light_cone.unwrap_or(0.0),
             minimise: args.minimise(),
-            plan: None,
-            output: None,
-            page: None,
-            picture: None,
             most_seconds: args.seconds,
-            draw_seconds: None,
-            files: Vec::new(),
-            seconds: 0.0,
+            ..Self::default()
         }
+    }
+}
+
+impl FileReport {
+    pub fn rows(&self, out: &mut String) {
+        let sizes = |of: fn(&FileSize) -> u64| (of(&self.before), of(&self.after));
+        let file = change(sizes(|it| it.file_bytes), size);
+        row(out, "file", &format!("{} -> {}: {file}", escaped(&self.input), escaped(&self.output)));
+        let data = [
+            change(sizes(|it| it.vertices), |count| format!("{count} vertices")),
+            format!("their data {}", change(sizes(|it| it.vertex_bytes), size)),
+            format!("indices {}", change(sizes(|it| it.index_bytes), size)),
+        ];
+        row(out, "data", &data.join("; "));
     }
 }
 
 /// The report for people: one line a decision, then totals.
 pub fn text(report: &Report, style: Style) -> String {
     let Some(plan) = &report.plan else { return String::new() };
-    let mut out = style.paint(Style::BOLD, &escaped(&report.input));
-    if let Some(output) = &report.output {
-        out = format!("{out} -> {}", style.paint(Style::BOLD, &escaped(output)));
-    }
-    out.push('\n');
+    let mut out = style.title(&report.input, report.output.as_deref()) + "\n";
     if plan.decisions.is_empty() {
         let unchanged = match plan.is_cheapest {
             true => "nothing can be omitted within the tolerance",

@@ -7,7 +7,8 @@ use crate::cli::common::command_line;
 use crate::cli::common::console::{Console, HELP, escaped};
 use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
 use crate::cli::common::options::Color;
-use crate::cli::common::output::{Target, is_same_file, resolve_parent};
+use crate::cli::common::output::{Target, resolve_parent};
+use crate::cli::common::overwriting::Files;
 use crate::cli::common::progress::Progress;
 use crate::cli::usage::usage_error;
 use crease::io::shell_word;
@@ -15,7 +16,7 @@ use crease::num::Transfer;
 use crease::plan::{PlanError, most_accurate, plan, plan_with_evidence, scene_text, with_mesh_names};
 use crease::raster::{LoadOptions, SceneFile, render};
 use crease::report::{PlanPage, encode_png, plan_page, plan_sheet};
-use std::path::{Path, PathBuf, absolute};
+use std::path::Path;
 use std::time::Instant;
 
 pub fn main(args: &PlanArgs, color: Color) -> Exit {
@@ -25,20 +26,14 @@ pub fn main(args: &PlanArgs, color: Color) -> Exit {
         console.report(EXPLANATION);
         return exit_code(Ok(Exit::Done), &console);
     }
-    if args.files().any(|output| is_same_file(args.scene(), output)) {
-        usage_error(
-            "plan",
-            format!("this would overwrite the input {}\nhelp: name another output", args.scene().display()),
-        );
-    }
-    if let Some(message) = apply::refusal(args) {
+    let mut files = Files::read([args.scene()]);
+    let mut outputs = args.files().chain(&args.apply);
+    let checked = outputs.try_for_each(|path| {
+        files.check(path)?;
+        files.write(path, String::new())
+    });
+    if let Some(message) = checked.err().or_else(|| apply::refusal(args)) {
         usage_error("plan", message);
-    }
-    let files: Vec<PathBuf> =
-        args.files().map(|path| absolute(path).unwrap_or_else(|_| path.clone())).collect();
-    if let Some(at) = (1..files.len()).find(|&at| files[..at].contains(&files[at])) {
-        let name = files[at].display();
-        usage_error("plan", format!("two outputs would be written to {name}\nhelp: name a file for each"));
     }
     args.run.use_threads();
     let start = Instant::now();
@@ -72,7 +67,7 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
     };
     // Refused before the search.
     for_output(args, base, text.clone())?;
-    let progress = Progress::of_share(console, "planning");
+    let progress = Progress::of_steps(console);
     let advance = |step| progress.plan(step);
     let planned = match args.html.as_ref().or(args.picture.as_ref()) {
         None => plan(&text, base, &loading, &options, &advance).map(|plan| (plan, None)),
@@ -91,9 +86,7 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
     report.files = apply::store(args, &source, &mut planned)?;
     if let Some(path) = apply::scene_output(args) {
         planned.text = for_output(args, base, planned.text)?;
-        let target = Target::of(&path);
-        report.output = Some(target.name());
-        target.store(planned.text.clone().into_bytes())?;
+        report.output = Some(Target::of(&path).store(planned.text.clone().into_bytes())?);
     }
     if let Some(evidence) = evidence {
         let about = PlanPage {
@@ -106,13 +99,12 @@ fn run(args: &PlanArgs, console: &Console, report: &mut Report) -> Result<Exit, 
         };
         if let Some(path) = &args.html {
             let page = plan_page(&planned, &evidence, &about).map_err(Failure::input)?;
-            Target::of(path).store(page.into_bytes())?;
-            report.page = Some(Target::of(path).name());
+            report.page = Some(Target::of(path).store(page.into_bytes())?);
         }
         if let Some(path) = &args.picture {
             let sheet = plan_sheet(&planned, &evidence, &about).map_err(Failure::input)?;
-            Target::of(path).store(encode_png(&sheet, None, Transfer::Srgb).map_err(Failure::input)?)?;
-            report.picture = Some(Target::of(path).name());
+            let png = encode_png(&sheet, None, Transfer::Srgb).map_err(Failure::input)?;
+            report.picture = Some(Target::of(path).store(png)?);
         }
     }
     report.plan = Some(planned);

@@ -4,8 +4,7 @@ use super::fields::{self, CameraChange, TypedMaterial};
 use super::values::{self, Background, FileKind, GuardSwitch, HiddenLines, ReflectionChoice, Shown, Variant};
 use crate::cli::common::batch::BatchArgs;
 use crate::cli::common::choice::one_of;
-use crate::cli::common::options::{RunArgs, crease_angle};
-use crate::cli::common::options::{colour, not_negative, vector};
+use crate::cli::common::options::{CompanionArgs, RunArgs, colour, crease_angle, not_negative, vector};
 use clap::Args;
 use crease::io::Format;
 use crease::mesh::UpAxis;
@@ -49,10 +48,8 @@ pub struct PictureArgs {
     pub format: Option<Format>,
     #[arg(long, value_name = "FORMAT", value_parser = one_of::<FileKind>())]
     pub to: Option<FileKind>,
-    #[arg(long, value_name = "DIR")]
-    pub root: Option<PathBuf>,
-    #[arg(long, value_name = "NAME")]
-    pub allow_extension: Vec<String>,
+    #[command(flatten)]
+    pub companions: CompanionArgs,
     #[arg(long)]
     pub force: bool,
     #[arg(long, value_name = "WxH", value_parser = values::size)]

@@ -12,13 +12,13 @@ use crate::cli::common::failure::{Exit, Failure, guarded};
 use crate::cli::common::input::{Input, Source};
 use crate::cli::common::ledger::{Ledger, Outcome, Work, skipped};
 use crate::cli::common::options::{Color, RunArgs};
-use crate::cli::common::output::{Target, resolve_parent};
+use crate::cli::common::output::Target;
+use crate::cli::common::overwriting::Files;
 use crate::cli::common::report::SKIPPED;
 use crate::cli::common::run_batch::{Recorded, Shared, run_batch};
 use crate::cli::line_options::with_line;
 use crate::cli::usage::refused;
 use crease::io::{Format, ReadLog};
-use std::collections::HashSet;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -70,22 +70,13 @@ type Job<'a> = (&'a Input, Request<'a>);
 
 /// What is drawn for each. Each picture has a place of its own, which is no input.
 fn jobs(all: &[(Input, RenderArgs)]) -> Result<Vec<Job<'_>>, Failure> {
-    let inputs: HashSet<PathBuf> =
-        all.iter().filter_map(|(input, _)| input.source.path()).map(resolve_parent).collect();
-    let mut outputs = HashSet::new();
+    let mut files = Files::read(all.iter().filter_map(|(input, _)| input.source.path()));
     let mut jobs = Vec::with_capacity(all.len());
     for (input, args) in all {
         let refused = |why: String| input.refused(Failure::usage(why));
         let mut request = Request::resolve(args).map_err(refused)?;
         if let Some(Target::File(path)) = &request.target {
-            let place = resolve_parent(path);
-            let taken = |why| Err(refused(format!("{} {why}\nhelp: name another output", path.display())));
-            if inputs.contains(&place) {
-                return taken("is an input of this batch");
-            }
-            if !outputs.insert(place) {
-                return taken("is the picture of two inputs");
-            }
+            files.check(path).and_then(|()| files.write(path, input.source.name())).map_err(refused)?;
         }
         request.load.read.log = ReadLog::default();
         jobs.push((input, request));

@@ -4,7 +4,7 @@ use super::draw::Drawing;
 use super::request::Request;
 use super::values::FileKind;
 use crate::cli::common::choice::Choose;
-use crate::cli::common::console::{Style, escaped};
+use crate::cli::common::console::Style;
 use crate::cli::common::numbers::{count, count_of, row, seconds, size};
 use crate::cli::common::output::Target;
 use crate::cli::common::report::{Head, InputReport};
@@ -16,7 +16,6 @@ use crease::shade::Guards;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
-use std::fmt::Write;
 
 #[derive(Default, Serialize)]
 pub struct Report {
@@ -141,11 +140,7 @@ pub fn line(report: &Report, style: Style) -> String {
 }
 
 fn title(report: &Report, style: Style) -> String {
-    let mut out = style.paint(Style::BOLD, &escaped(&report.input.path));
-    if let Some(output) = &report.output {
-        let _ = write!(out, " -> {}", style.paint(Style::BOLD, &escaped(&output.path)));
-    }
-    out
+    style.title(&report.input.path, report.output.as_ref().map(|output| &*output.path))
 }
 
 pub fn block(report: &Report, style: Style) -> String {

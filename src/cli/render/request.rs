@@ -4,8 +4,9 @@ use super::args::RenderArgs;
 use super::values::{Background, FileKind, HiddenLines, Variant};
 use crate::cli::common::choice::Choose;
 use crate::cli::common::input::Source;
-use crate::cli::common::output::{Target, is_same_file};
-use crease::io::{Format, NonFinite, ReadOptions};
+use crate::cli::common::output::Target;
+use crate::cli::common::overwriting::Files;
+use crease::io::Format;
 use crease::normals::{Crease, When};
 use crease::raster::{Bits, LoadOptions, NormalSettings, RenderSettings, SceneObject, SceneShape, Shading};
 use crease::report::panels_size;
@@ -41,13 +42,8 @@ impl<'a> Request<'a> {
             return usage(format!("{} is a folder\nhelp: name one file to draw", input.display()));
         }
         let (target, file) = target(args)?;
-        if let (Source::File(input), Some(Target::File(output))) = (&source, &target)
-            && is_same_file(input, output)
-        {
-            return usage(format!(
-                "this would overwrite the input {}\nhelp: name another output",
-                input.display()
-            ));
+        if let Some(Target::File(output)) = &target {
+            Files::read(source.path()).check(output)?;
         }
         if target.is_none() && args.output.probe.is_none() && !args.run.json {
             return usage("--output is required\nhelp: --probe and --json need none");
@@ -71,12 +67,7 @@ impl<'a> Request<'a> {
                 },
                 when: args.normals.when.or(is_computed.then(When::default)),
                 from_elsewhere: args.scene.camera.is_some(),
-                read: ReadOptions {
-                    root: args.output.root.clone(),
-                    allowed_extensions: args.output.allow_extension.clone(),
-                    non_finite: if args.output.force { NonFinite::DropFaces } else { NonFinite::Refuse },
-                    ..ReadOptions::default()
-                },
+                read: args.output.companions.read_options(args.output.force),
                 ..LoadOptions::default()
             },
             target,

@@ -3,7 +3,7 @@
 use super::args::SurfaceArgs;
 use super::request::Request;
 use crate::cli::common::choice::Choose;
-use crate::cli::common::console::{Style, escaped};
+use crate::cli::common::console::Style;
 use crate::cli::common::numbers::{count, count_of, face_kinds, size};
 use crate::cli::common::report::{Head, MeshOutput};
 use crease::io::Note;
@@ -65,11 +65,9 @@ impl SurfaceReport {
             0 => "closed".to_owned(),
             open => format!("open at {}", count(open, "edge")),
         };
-        let path = output.path.as_deref().unwrap_or_default();
         format!(
-            "{} -> {}\n  mesh     {}, {}, {sides}, Euler number {}\n  output   {}, {}\n",
-            style.paint(Style::BOLD, self.surface),
-            style.paint(Style::BOLD, &escaped(path)),
+            "{}\n  mesh     {}, {}, {sides}, Euler number {}\n  output   {}, {}\n",
+            style.title(self.surface, output.path.as_deref()),
             count_of(mesh.vertices, "vertex", "vertices"),
             face_kinds([mesh.triangles, mesh.quads, mesh.polygons]),
             mesh.euler,

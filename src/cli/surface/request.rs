@@ -40,22 +40,16 @@ impl Request {
     }
 }
 
-/// Takes options of a shape and remembers which ones a surface has.
-struct Taken {
-    names: Vec<&'static str>,
-}
-
-impl Taken {
-    fn take<T>(&mut self, name: &'static str, typed: Option<T>, default: T) -> T {
-        self.names.push(name);
-        typed.unwrap_or(default)
-    }
+/// The value of an option, and its name among those that a surface has.
+fn take<T>(taken: &mut Vec<&'static str>, name: &'static str, typed: Option<T>, default: T) -> T {
+    taken.push(name);
+    typed.unwrap_or(default)
 }
 
 /// The surface. An option that it does not have is refused.
 fn surface(kind: Kind, shape: &ShapeArgs) -> Result<Surface, String> {
-    let mut taken = Taken { names: Vec::new() };
-    let surface = surface_with(kind, shape, &mut taken);
+    let mut has = Vec::new();
+    let surface = surface_with(kind, shape, &mut has);
     let typed = [
         ("--radius", shape.radius.is_some()),
         ("--height", shape.height.is_some()),
@@ -66,7 +60,7 @@ fn surface(kind: Kind, shape: &ShapeArgs) -> Result<Surface, String> {
         ("--semi-axes", shape.semi_axes.is_some()),
         ("--roundness", shape.roundness.is_some()),
     ];
-    let (name, has) = (kind.choice(), &taken.names);
+    let name = kind.choice();
     if matches!(kind, Kind::Wave | Kind::MonkeySaddle) && shape.size.is_some_and(|[w, h]| w != h) {
         return Err(format!("{name} has only one --size"));
     }
@@ -79,8 +73,12 @@ fn surface(kind: Kind, shape: &ShapeArgs) -> Result<Surface, String> {
     }
 }
 
-fn surface_with(kind: Kind, shape: &ShapeArgs, taken: &mut Taken) -> Result<Surface, SurfaceError> {
-    let mut size = || taken.take("--size", shape.size, Plane::default().size().to_array());
+fn surface_with(
+    kind: Kind,
+    shape: &ShapeArgs,
+    taken: &mut Vec<&'static str>,
+) -> Result<Surface, SurfaceError> {
+    let mut size = || take(taken, "--size", shape.size, Plane::default().size().to_array());
     Ok(match kind {
         Kind::Plane => {
             let [width, height] = size();
@@ -88,36 +86,38 @@ fn surface_with(kind: Kind, shape: &ShapeArgs, taken: &mut Taken) -> Result<Surf
         }
         Kind::Wave => Surface::Wave(Wave::new(size()[0])?),
         Kind::MonkeySaddle => Surface::MonkeySaddle(MonkeySaddle::new(size()[0])?),
-        Kind::Sphere => Sphere::new(taken.take("--radius", shape.radius, Sphere::default().radius()))?.into(),
+        Kind::Sphere => {
+            Sphere::new(take(taken, "--radius", shape.radius, Sphere::default().radius()))?.into()
+        }
         Kind::Ellipsoid => {
             let usual = Ellipsoid::default().semi_axes();
-            Ellipsoid::new(taken.take("--semi-axes", shape.semi_axes, usual))?.into()
+            Ellipsoid::new(take(taken, "--semi-axes", shape.semi_axes, usual))?.into()
         }
         Kind::Cylinder => {
             let usual = Cylinder::default();
-            let radius = taken.take("--radius", shape.radius, usual.radius());
-            Cylinder::new(radius, taken.take("--height", shape.height, usual.height()))?.into()
+            let radius = take(taken, "--radius", shape.radius, usual.radius());
+            Cylinder::new(radius, take(taken, "--height", shape.height, usual.height()))?.into()
         }
         Kind::Cone => {
             let usual = Cone::default();
-            let radius = taken.take("--radius", shape.radius, usual.radius());
-            Cone::new(radius, taken.take("--height", shape.height, usual.height()))?.into()
+            let radius = take(taken, "--radius", shape.radius, usual.radius());
+            Cone::new(radius, take(taken, "--height", shape.height, usual.height()))?.into()
         }
         Kind::Torus => {
             let usual = Torus::default();
-            let major = taken.take("--major", shape.major, usual.major());
-            Torus::new(major, taken.take("--minor", shape.minor, usual.minor()))?.into()
+            let major = take(taken, "--major", shape.major, usual.major());
+            Torus::new(major, take(taken, "--minor", shape.minor, usual.minor()))?.into()
         }
         Kind::Catenoid => {
             let usual = Catenoid::default();
-            let waist = taken.take("--waist", shape.waist, usual.waist());
-            let height = taken.take("--height", shape.height, usual.height());
+            let waist = take(taken, "--waist", shape.waist, usual.waist());
+            let height = take(taken, "--height", shape.height, usual.height());
             Surface::Catenoid(Catenoid::new(waist, height)?)
         }
         Kind::Superquadric => {
             let usual = Superquadric::default();
-            let semi_axes = taken.take("--semi-axes", shape.semi_axes, usual.semi_axes());
-            let [north, east] = taken.take("--roundness", shape.roundness, usual.roundness());
+            let semi_axes = take(taken, "--semi-axes", shape.semi_axes, usual.semi_axes());
+            let [north, east] = take(taken, "--roundness", shape.roundness, usual.roundness());
             Surface::Superquadric(Superquadric::new(semi_axes, north, east)?)
         }
         Kind::Bezier => Surface::Patch(Box::default()),

@@ -86,9 +86,7 @@ fn measure(
             let name = format!("{}.svg", drawing.name);
             Target::File(folder.join(name)).store(drawing.svg.into_bytes())?;
         }
-        let target = Target::File(folder.join(PAGE));
-        report.output = Some(target.name());
-        target.store(page.into_bytes())?;
+        report.output = Some(Target::File(folder.join(PAGE)).store(page.into_bytes())?);
     }
     Ok(Exit::Done)
 }

@@ -3,7 +3,7 @@
 use crate::mesh::{Column, ColumnIndex, Mesh, NONE};
 use crate::normals::fault::{FaultReason, Faults};
 use crate::normals::field::NormalField;
-use crate::num::UnitVec3;
+use crate::num::{UnitVec3, names};
 use glam::DVec3;
 use rustc_hash::FxHashMap;
 
@@ -43,17 +43,7 @@ pub enum Broken {
     Length,
 }
 
-impl Broken {
-    /// The name used in reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Broken::NotFinite => "NotFinite",
-            Broken::Zero => "Zero",
-            Broken::AgainstFace => "AgainstFace",
-            Broken::Length => "Length",
-        }
-    }
-}
+names! { Broken: NotFinite = "NotFinite", Zero = "Zero", AgainstFace = "AgainstFace", Length = "Length" }
 
 /// Stored normals with some replaced; see [`Selection`](crate::normals::Selection).
 pub(super) struct Replacement {

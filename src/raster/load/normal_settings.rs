@@ -4,7 +4,7 @@ use crate::io::NormalFormat;
 use crate::mesh::Mesh;
 use crate::normals::encoding::{Encoding, Octahedral, Rounding, Snorm};
 use crate::normals::{Crease, NormalField, NormalRecipe, Precision, Scope, Weight, When, compute};
-use crate::num::{Degrees, Radians};
+use crate::num::{Degrees, Radians, names};
 use serde::Deserialize;
 
 /// What a scene states about the normals of an object; `None` is left to the recipe of [`LoadOptions`](crate::raster::LoadOptions).
@@ -39,21 +39,9 @@ pub enum StoredFormat {
     Oct8,
 }
 
+names! { StoredFormat: F32 = "f32", I16 = "i16", Oct12 = "oct12", I8 = "i8", Oct8 = "oct8" }
+
 impl StoredFormat {
-    /// All of them, the largest first.
-    pub const ALL: [Self; 5] = [Self::F32, Self::I16, Self::Oct12, Self::I8, Self::Oct8];
-
-    /// The name in scene files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::F32 => "f32",
-            Self::I16 => "i16",
-            Self::I8 => "i8",
-            Self::Oct12 => "oct12",
-            Self::Oct8 => "oct8",
-        }
-    }
-
     /// Makes the normals of vertices what the storage gives back.
     pub(crate) fn round(self, field: &mut NormalField) {
         if let Some(format) = self.in_gltf() {

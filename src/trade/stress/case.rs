@@ -1,6 +1,7 @@
 //! The groups of the catalogue, a case, and its result.
 
 use super::measured::{Measured, Worst};
+use crate::num::names;
 use crate::text::{Catalogue, Language, catalogue};
 use crate::trade::described::described;
 
@@ -72,18 +73,11 @@ pub enum Unit {
     Wrong,
 }
 
-impl Unit {
-    /// The name used in reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Unit::Ulps => "ulps",
-            Unit::Degrees => "degrees",
-            Unit::Relative => "relative",
-            Unit::Absolute => "absolute",
-            Unit::Wrong => "wrong",
-        }
-    }
+names! { Unit:
+    Ulps = "ulps", Degrees = "degrees", Relative = "relative", Absolute = "absolute", Wrong = "wrong",
+}
 
+impl Unit {
     /// The smallest visible error: half a step of an 8-bit picture. A white surface changes by that much when its
     /// normal turns by asin(1/510) = 0.1123°, which is ten thousand ulps; one wrong pixel or edge is visible.
     pub fn visible(self) -> f64 {
