@@ -5,7 +5,7 @@ use crate::cli::args::Verb;
 use crate::cli::common::failure::Failure;
 use crate::cli::common::output::{Store, Target, folder_of, stem};
 use crate::cli::common::stream::file_target;
-use crate::cli::normals::request::Request;
+use crate::cli::normals::request;
 use crate::command_line::Line;
 use crate::errors::{failure, read_error, usage};
 use crate::threads::interruptible;
@@ -237,7 +237,7 @@ fn requested(line: &Line) -> Result<(Task, WriteOptions, Option<f64>), Failure> 
     let Verb::Normals(args) = line.parse().map_err(Failure::usage)? else {
         unreachable!("the verb is normals")
     };
-    let jobs = Request::resolve(&args)?.jobs;
+    let jobs = request::jobs(&args)?;
     let settings = &jobs.first().expect("the line has an input").settings;
     Ok((settings.task.clone(), settings.write.clone(), settings.merge_distance))
 }

@@ -15,7 +15,7 @@ use crate::cli::render::{changes, draw, request};
 use crate::command_line::Line;
 use crate::errors::failure;
 use crate::threads::{Stop, interruptible};
-use crease::io::{self, ReadOptions};
+use crease::io;
 use crease::plan::{PlanError, most_accurate, scene_text, with_size};
 use crease::quality::diagnose;
 use crease::raster::{Image, LoadOptions, Pixels, load};
@@ -44,12 +44,7 @@ fn diagnosis(path: &Path, line: &Line, stop: &Stop) -> Result<String, Failure> {
     let Verb::Inspect(args) = line.parse().map_err(Failure::usage)? else {
         unreachable!("the verb is inspect")
     };
-    let read = ReadOptions {
-        root: args.root.clone(),
-        allowed_extensions: args.allow_extension.clone(),
-        ..ReadOptions::default()
-    };
-    let loaded = io::read(path, args.format, &read)?.without_source();
+    let loaded = io::read(path, args.format, &args.companions.read_options(false))?.without_source();
     let thresholds = args.thresholds.resolve(args.findings.places);
     let mut diagnosis = diagnose(&loaded, &thresholds, &|_| stop.check());
     let mut report = InspectReport::new(&Source::File(path.to_path_buf()));

@@ -63,7 +63,7 @@ fn the_page_of_a_fault_is_whole() {
     for finding in &diagnosis.findings {
         assert!(distinct.contains(finding.kind.id()), "{}", finding.kind.id());
     }
-    assert!(page.contains(&Kind::Flipped.entry().meaning().get(Language::English)));
+    assert!(page.contains(Kind::Flipped.entry().meaning().get(Language::English)));
     assert!(page.contains("crease normals 'a &lt;torus&gt;.obj'"));
 }
 

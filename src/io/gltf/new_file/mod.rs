@@ -1,5 +1,7 @@
 //! A new glTF file from meshes.
 
+// Images and textures of its materials.
+mod textures;
 // Its materials.
 mod materials;
 // Its meshes and primitives.
@@ -24,13 +26,13 @@ use crate::io::{
 use crate::mesh::{Column, Mesh, NONE, PositionsRef, Storage};
 use glam::DVec3;
 use gltf::json::mesh as mode;
-use materials::NewTextures;
 use pieces::{Group, groups, pieces};
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 use std::fmt::Write as _;
 use tangents::new_tangents;
+use textures::NewTextures;
 
 /// Writes a new `.glb` or `.gltf`: one mesh and one node a part, or an object of a part; one primitive a material.
 ///
