@@ -66,6 +66,22 @@ def test_failures_are_counted_and_wrong_options_refused(work, capsys):
         batch.run("list", "out")
 
 
+def test_a_journal_has_one_writer(work):
+    if not batch.fcntl:
+        pytest.skip("no locks on this system")
+    with batch.open_journal("journal"):
+        with pytest.raises(ValueError, match="another run writes the journal journal"):
+            batch.run("list", "out", workers=1, journal="journal")
+        words = ["normals", "--manifest", "list", "--out-dir", "out", "--journal", "journal"]
+        done = subprocess.run([sys.executable, "-m", "crease_normals", *words], capture_output=True, text=True)
+        assert done.returncode == 2 and "another run writes the journal" in done.stderr
+    assert not os.path.exists("out")
+    # Half a line of a stopped run is ended before the next entry.
+    (work / "journal").write_text('{"output": "x", "sta')
+    assert batch.run("list", "out", workers=1, journal="journal")["done"] == 40
+    assert len([json.loads(line) for line in open("journal").readlines()[1:]]) == 40
+
+
 def test_a_table_is_written_as_parquet(work):
     parquet = pytest.importorskip("pyarrow.parquet")
     batch.run("list", "out", table="table.parquet")

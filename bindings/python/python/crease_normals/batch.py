@@ -20,8 +20,13 @@ import tempfile
 from collections import Counter
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from pathlib import Path, PurePosixPath
-from typing import Any, Callable, Iterable, Iterator, NamedTuple, Optional
+from typing import IO, Any, Callable, Iterable, Iterator, NamedTuple, Optional
 from urllib.parse import unquote
+
+try:
+    import fcntl
+except ImportError:
+    fcntl = None  # Windows: the journal has no lock.
 
 # Options of the program that the driver sets or that would omit outputs.
 FIXED = {"--manifest", "--shard", "--journal", "--dry-run", "--out-dir", "--in-place", "-o", "--output", "--json"}
@@ -290,18 +295,36 @@ def on_ray(all_chunks: Iterator[Chunk], address: str, retries: int) -> Iterator[
         yield from ready()
 
 
-def read_journal(path: Optional[str]) -> dict[str, dict[str, Any]]:
-    """The last entry for each output. Lines that a stopped run left incomplete are skipped."""
+def open_journal(path: str) -> IO[str]:
+    """The journal, at its end, made if there is none. It is locked until it is closed, as by the program.
+
+    Raises ValueError if another run writes it."""
+    file = open(path, "a+", encoding="utf-8", errors="replace")
+    if fcntl:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            file.close()
+            raise ValueError(f"another run writes the journal {path}; name a journal for each run") from None
+        except OSError:
+            pass  # A file system without locks.
+    return file
+
+
+def read_entries(file: IO[str]) -> dict[str, dict[str, Any]]:
+    """The last entry for each output. Lines that a stopped run left incomplete are skipped, and the last one is ended."""
     entries: dict[str, dict[str, Any]] = {}
-    if path and os.path.exists(path):
-        with open(path, encoding="utf-8", errors="replace") as file:
-            for line in file:
-                try:
-                    entry = json.loads(line)
-                except ValueError:
-                    continue
-                if isinstance(entry, dict):
-                    entries[entry.get("output", "")] = entry
+    file.seek(0)
+    line = ""
+    for line in file:
+        try:
+            entry = json.loads(line)
+        except ValueError:
+            continue
+        if isinstance(entry, dict):
+            entries[entry.get("output", "")] = entry
+    if line and not line.endswith("\n"):
+        file.write("\n")
     return entries
 
 
@@ -337,21 +360,16 @@ def run(
     """Runs a batch and counts the files by outcome: "done", "failed", "skipped" (the journal has them, and nothing has changed).
 
     `ray` is the address of a cluster ("auto", "local" for a new one, or host:port); without it, `workers` local processes run.
-    `journal` is a file to which entries are added; `table` receives a row for each input.
+    `journal` is a file to which entries are added, by one run at a time; `table` receives a row for each input.
 
     Raises ValueError for wrong manifests and options, OSError for files that cannot be read or written."""
     options = list(options or [])
     jobs = read_manifest(manifest, out, options)
-    known = read_journal(journal)
+    file = open_journal(journal) if journal else None
+    known = read_entries(file) if file else {}
     parts = chunks(jobs, chunk, known, options)
     results = on_ray(parts, ray, retries) if ray else on_processes(parts, workers or os.cpu_count() or 1, retries)
     counts: Counter[str] = Counter()
-    file = open(journal, "a+", encoding="utf-8") if journal else None
-    if file and file.tell() > 0:
-        # A stopped run may have left half a line.
-        file.seek(0)
-        if not file.read().endswith("\n"):
-            file.write("\n")
     try:
         for part, result in results:
             if isinstance(result, ValueError):
