@@ -5,13 +5,14 @@ use crate::num::Degrees;
 use crate::quality::angles::{SAME, degrees_between};
 use crate::quality::estimate::crease_angle::{EdgeSample, exact_separating_angle, separating_angle};
 use crate::quality::estimate::means::PoleCache;
-use crate::quality::estimate::means::{MEANS, Smoothness, Sums, equal_creases, sums};
+use crate::quality::estimate::means::{Factors, MEANS, Smoothness, Sums, equal_creases, sums};
 use crate::quality::estimate::quadrics::Patch;
 use crate::quality::estimate::recipe::{EXACT, Estimate, LEFT, NEARLY_ALL, REPRODUCED, SAMPLE};
 use crate::quality::estimate::rotation::{are_spread, robust_rotation, rotation_angle};
 use crate::quality::input::part::Part;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// The most corners that quadrics are fitted at.
 const FITTED: usize = 2048;
@@ -29,6 +30,7 @@ pub(crate) struct Sample<'a> {
     corners: Vec<u32>,
     normals: Vec<DVec3>,
     edges: Vec<EdgeSample>,
+    factors: Arc<Factors>,
 }
 
 /// The fit of a rule about edges to a sample, with the best weighting for it.
@@ -83,7 +85,13 @@ impl<'a> Sample<'a> {
         let unit = |&corner: &u32| part.stored_unit(corner as usize).expect("the sample has directions");
         let normals = corners.par_iter().map(unit).collect();
         let edges = corners.par_iter().filter_map(|&corner| EdgeSample::at(part, corner)).collect();
-        (!corners.is_empty()).then_some(Self { part, corners, normals, edges })
+        (!corners.is_empty()).then(|| Self {
+            part,
+            corners,
+            normals,
+            edges,
+            factors: Arc::new(Factors::of(part, SAMPLE)),
+        })
     }
 
     pub(crate) fn best(&self) -> Fit {
@@ -140,7 +148,7 @@ impl<'a> Sample<'a> {
 
     fn by_rule(&self, rule: Smoothness<'_>, rotated_back: bool) -> Fit {
         let poles = PoleCache::default();
-        let sums = |&corner: &u32| sums(self.part, corner, rule, &poles);
+        let sums = |&corner: &u32| sums((self.part, &self.factors), corner, rule, &poles);
         let sums: Vec<Sums> = self.corners.par_iter().map(sums).collect();
         let rotation = |weight| if rotated_back { robust_rotation(&self.pairs(&sums, weight)) } else { None };
         // Weightings differ by little and in all directions: any of them gives the rotation.
@@ -215,6 +223,7 @@ impl<'a> Sample<'a> {
             corners: usable().map(|i| self.corners[i]).collect(),
             normals: usable().map(|i| self.normals[i]).collect(),
             edges: self.edges.clone(),
+            factors: self.factors.clone(),
         };
         if few.corners.is_empty() {
             return None;

@@ -6,6 +6,7 @@ use crate::quality::angles::degrees_between;
 use crate::quality::estimate::crease_angle::equal_angles;
 use crate::quality::input::part::Part;
 use glam::DVec3;
+use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use std::sync::{Mutex, PoisonError};
 
@@ -42,12 +43,41 @@ impl<'a> Smoothness<'a> {
     }
 }
 
+/// The factors of the face normals at all corners by each weighting, so that rules about edges share them; none if there are too
+/// many.
+pub(crate) struct Factors(Vec<Option<[f64; MEANS.len()]>>);
+
+impl Factors {
+    /// Of all corners, if they are no more than `most`.
+    pub(crate) fn of(part: &Part<'_>, most: usize) -> Self {
+        let count = part.mesh.faces().corner_count();
+        let count = if count <= most { count as u32 } else { 0 };
+        Self((0..count).into_par_iter().map(|corner| factors(part, corner)).collect())
+    }
+
+    fn at(&self, part: &Part<'_>, corner: u32) -> Option<[f64; MEANS.len()]> {
+        self.0.get(corner as usize).copied().unwrap_or_else(|| factors(part, corner))
+    }
+}
+
+/// The factors at a corner; `None` if the face has no direction.
+fn factors(part: &Part<'_>, corner: u32) -> Option<[f64; MEANS.len()]> {
+    let term = CornerTerm::at(part, corner)?;
+    let angle = term.angle();
+    Some(MEANS.map(|weight| term.factor(weight, || angle)))
+}
+
 /// The sums over the faces that are reached from a corner without crossing a sharp edge.
-pub(crate) fn sums(part: &Part<'_>, corner: u32, rule: Smoothness<'_>, poles: &PoleCache<Sums>) -> Sums {
+pub(crate) fn sums(
+    (part, known): (&Part<'_>, &Factors),
+    corner: u32,
+    rule: Smoothness<'_>,
+    poles: &PoleCache<Sums>,
+) -> Sums {
     let add = |sums: &mut Sums, corner| {
-        let Some(face) = CornerTerm::at(part, corner) else { return };
-        let angle = face.angle();
-        sums.iter_mut().zip(MEANS).for_each(|(sum, weight)| *sum += face.by(weight, || angle));
+        let Some(factors) = known.at(part, corner) else { return };
+        let normal = part.face_normal(part.face_of(corner as usize));
+        sums.iter_mut().zip(factors).for_each(|(sum, factor)| *sum += normal * factor);
     };
     let short = || {
         let mut sums = Sums::default();
@@ -112,7 +142,7 @@ pub(crate) fn equal_creases(
 
 /// What the face of a corner adds to the sum by a weighting; zero if the face has no direction.
 pub(crate) fn term(part: &Part<'_>, corner: u32, weight: Weight) -> DVec3 {
-    CornerTerm::at(part, corner).map_or(DVec3::ZERO, |term| term.by(weight, || term.angle()))
+    CornerTerm::at(part, corner).map_or(DVec3::ZERO, |term| term.by(weight))
 }
 
 /// The same if the two triangles of a quadrilateral have its normal.
@@ -123,7 +153,7 @@ pub(crate) fn term_of_quadrilateral(part: &Part<'_>, corner: u32, weight: Weight
         let sum: DVec3 = [face, other].map(|face| part.area[face] * part.face_normal(face)).iter().sum();
         term.normal = sum.normalize_or(term.normal);
     }
-    term.by(weight, || term.angle())
+    term.by(weight)
 }
 
 /// The other triangle of a quadrilateral abcd, as programs cut it: next to each other in the file are abc and acd, or abd and
@@ -164,19 +194,23 @@ impl CornerTerm {
         angle_between(self.ahead, self.behind).0
     }
 
-    /// The face normal times its weight. The angle costs most and is computed only where it counts.
-    fn by(&self, weight: Weight, angle: impl FnOnce() -> f64) -> DVec3 {
+    /// The face normal times its weight.
+    fn by(&self, weight: Weight) -> DVec3 {
+        self.normal * self.factor(weight, || self.angle())
+    }
+
+    /// The weight of the face. The angle costs most and is computed only where it counts.
+    fn factor(&self, weight: Weight, angle: impl FnOnce() -> f64) -> f64 {
         let edges = || self.ahead.length() * self.behind.length();
-        self.normal
-            * match weight {
-                Weight::Area => self.area,
-                Weight::Uniform => 1.0,
-                Weight::AngleArea => angle() * self.area,
-                Weight::Max => libm::sin(angle()) / edges(),
-                Weight::Edge => 1.0 / edges(),
-                // The weighting by angles is the mean that is closest to a fit.
-                Weight::Angle | Weight::Quadric | Weight::Jet | Weight::Best => angle(),
-            }
+        match weight {
+            Weight::Area => self.area,
+            Weight::Uniform => 1.0,
+            Weight::AngleArea => angle() * self.area,
+            Weight::Max => libm::sin(angle()) / edges(),
+            Weight::Edge => 1.0 / edges(),
+            // The weighting by angles is the mean that is closest to a fit.
+            Weight::Angle | Weight::Quadric | Weight::Jet | Weight::Best => angle(),
+        }
     }
 }
 
