@@ -36,8 +36,7 @@ impl<'a> Files<'a> {
     /// If it is another output too.
     pub fn write(&mut self, output: &Path, of: String) -> Result<(), String> {
         let Some(other) = self.outputs.insert(resolve_parent(output), of.clone()) else { return Ok(()) };
-        let both =
-            if other == of { "two outputs would".into() } else { format!("{other} and {of} would both") };
-        Err(format!("{both} be written to {}\nhelp: name a file for each", output.display()))
+        let both = if other == of { "two outputs".into() } else { format!("{other} and {of}") };
+        Err(format!("{both} would both be written to {}\nhelp: name a file for each", output.display()))
     }
 }

@@ -218,7 +218,7 @@ fn check_outputs(jobs: &[Job], in_place: bool) -> Result<(), String> {
         };
         files.write(target, source.display().to_string())?;
         if !(in_place && is_same_file(source, target)) {
-            files.check(target)?;
+            files.check(target).map_err(|why| format!("{why}, or use --in-place"))?;
         }
     }
     Ok(())

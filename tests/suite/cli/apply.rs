@@ -135,7 +135,7 @@ fn impossible_requests_are_refused() {
         (&[&mesh, "--apply", &at(&folder, "out")], "--apply writes glTF"),
         (&[&mesh, "--apply", "-"], "--apply writes no stream"),
         (&[&mesh, "--apply", &path(folder.path())], "is a folder"),
-        (&[&mesh, "--apply", &out, "-o", &out], "two outputs would be written"),
+        (&[&mesh, "--apply", &out, "-o", &out], "two outputs would both be written"),
         (
             &[&mesh, "--apply", &out, "-o", &at(&folder, "below/planned.toml")],
             "the planned scene cannot refer to",
