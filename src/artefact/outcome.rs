@@ -139,7 +139,7 @@ pub enum Range {
 
 impl Range {
     /// Whether a number is in the range; NaN never is.
-    pub(super) fn contains(self, found: f64) -> bool {
+    pub fn contains(self, found: f64) -> bool {
         match self {
             Range::Near { value, tolerance } => (found - value).abs() <= tolerance,
             Range::AtMost { at_most } => (0.0..=at_most).contains(&found),

@@ -1,4 +1,5 @@
 //! Why elements have fallback normals, and how often.
+
 use crate::num::names;
 
 /// Why a face or a corner has no normal of its own, but a documented unit fallback.

@@ -15,6 +15,7 @@ pub enum Severity {
     Error,
 }
 
+// From the least severe.
 names! { Severity: Note = "note", Warning = "warning", Error = "error" }
 
 /// What a finding counts.

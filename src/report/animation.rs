@@ -215,7 +215,7 @@ impl Animation {
             (None, ColourCount::default(), Vec::new(), Self::KEPT);
         for number in 0..self.frames {
             let picture = draw(number)?;
-            picture.check("GIF", Self::LARGEST)?;
+            picture.check("GIF", Self::LARGEST, None)?;
             let (found, first) = (picture.size, *first.get_or_insert(picture.size));
             if found != first {
                 return Err(ReportError::Frame { number: number + 1, found, first }.into());

@@ -109,8 +109,8 @@ impl Picture {
         self.set_codes(index, codes);
     }
 
-    /// Whether there are as many pixels as the size says, and sides that a format has room for.
-    pub(super) fn check(&self, format: &'static str, largest: u32) -> Result<()> {
+    /// Whether there are as many pixels and opacities as the size says, and sides that a format has room for.
+    pub(super) fn check(&self, format: &'static str, largest: u32, opacity: Option<&[f32]>) -> Result<()> {
         let [width, height] = self.size;
         if !self.size.iter().all(|side| (1..=largest).contains(side)) {
             return Err(ReportError::Size { format, largest, width, height });
@@ -120,7 +120,11 @@ impl Picture {
             Pixels::Sixteen(list) => list.len(),
         };
         let expected = width as usize * height as usize;
-        if found == expected { Ok(()) } else { Err(ReportError::Pixels(width, height, found)) }
+        let mut counts = opacity.map(<[f32]>::len).into_iter().chain([found]);
+        match counts.find(|&count| count != expected) {
+            Some(count) => Err(ReportError::Pixels(width, height, count)),
+            None => Ok(()),
+        }
     }
 }
 
@@ -142,7 +146,7 @@ const DIRECT: &str = "Codes are the computed numbers themselves: no transfer cur
 /// # Errors
 /// Sizes that do not fit the pixels or the format.
 pub fn encode_png(picture: &Picture, opacity: Option<&[f32]>, transfer: Transfer) -> Result<Vec<u8>> {
-    picture.check("PNG", LARGEST)?;
+    picture.check("PNG", LARGEST, opacity)?;
     let mut file = Vec::new();
     write(picture, opacity, transfer, &mut file).map_err(|error| ReportError::Encoder(error.to_string()))?;
     Ok(file)
@@ -160,7 +164,7 @@ const JPEG_QUALITY: u8 = 92;
 /// # Errors
 /// Sizes that do not fit the pixels or the format.
 pub fn encode_jpeg(picture: &Picture) -> Result<Vec<u8>> {
-    picture.check("JPEG", LARGEST_JPEG)?;
+    picture.check("JPEG", LARGEST_JPEG, None)?;
     let mut file = Vec::new();
     let encoder = JpegEncoder::new_with_quality(&mut file, JPEG_QUALITY);
     encode_by(encoder, picture, picture.clone().into_eight_bits().as_flattened(), ExtendedColorType::Rgb8)?;
@@ -173,7 +177,7 @@ pub fn encode_jpeg(picture: &Picture) -> Result<Vec<u8>> {
 /// # Errors
 /// Sizes that do not fit the pixels or the format.
 pub fn encode_webp(picture: &Picture, opacity: Option<&[f32]>) -> Result<Vec<u8>> {
-    picture.check("WebP", LARGEST_WEBP)?;
+    picture.check("WebP", LARGEST_WEBP, opacity)?;
     let mut file = Vec::new();
     let (encoder, pixels) = (WebPEncoder::new_lossless(&mut file), picture.clone().into_eight_bits());
     match opacity {
@@ -269,10 +273,10 @@ mod tests {
     #[test]
     fn sizes_are_checked() {
         let picture = Picture { size: [2, 2], pixels: Pixels::Eight(vec![[0; 3]; 3]) };
-        assert!(matches!(picture.check("PNG", 100), Err(ReportError::Pixels(2, 2, 3))));
+        assert!(matches!(picture.check("PNG", 100, None), Err(ReportError::Pixels(2, 2, 3))));
         let wide = Picture::filled([7, 1], false, [0.0; 3]);
-        assert!(matches!(wide.check("GIF", 6), Err(ReportError::Size { .. })));
-        assert!(wide.check("GIF", 7).is_ok());
+        assert!(matches!(wide.check("GIF", 6, None), Err(ReportError::Size { .. })));
+        assert!(wide.check("GIF", 7, None).is_ok());
     }
 
     fn has_chunk(file: &[u8], name: &[u8; 4]) -> bool {
@@ -317,5 +321,8 @@ mod tests {
     fn wrong_sizes_are_refused() {
         let empty = Picture { size: [0, 4], pixels: Pixels::Eight(Vec::new()) };
         assert!(matches!(encode_png(&empty, None, Transfer::Srgb), Err(ReportError::Size { .. })));
+        let few = Some(&[1.0][..]);
+        let refused = [encode_png(&sample(false), few, Transfer::Srgb), encode_webp(&sample(true), few)];
+        assert!(refused.iter().all(|file| matches!(file, Err(ReportError::Pixels(.., 1)))));
     }
 }

@@ -9,6 +9,9 @@ use crate::num::{LinearRgb, Transfer};
 /// The picture that two pictures of the same size show before black and before white.
 ///
 /// Pixels that are equal in both are opaque and keep their codes.
+///
+/// # Panics
+/// If the second picture is smaller than the first.
 pub fn cut_out(on_black: Picture, on_white: &Picture, transfer: Transfer) -> CutOut {
     let (mut picture, mut opacity) = (on_black, Vec::new());
     let full = f64::from(picture.full());

@@ -26,8 +26,8 @@ pub mod numbers;
 pub mod options;
 /// Files and standard output, written whole or not at all.
 pub mod output;
-/// Inputs and outputs that are one file.
-pub mod overwriting;
+/// Outputs that would replace an input or another output.
+pub mod output_conflicts;
 /// Progress bars.
 pub mod progress;
 /// Members that JSON reports share.

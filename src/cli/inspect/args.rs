@@ -62,14 +62,16 @@ impl PictureArgs {
     }
 }
 
-/// The options that need an input file.
-const NOT_TO_EXPLAIN: [&str; 12] = [
+/// Options and groups of options that concern an input.
+const OF_INPUTS: [&str; 14] = [
     "inputs",
-    "manifest",
     "recursive",
+    "format",
+    "CompanionArgs",
     "against",
-    "html",
-    "heatmap",
+    "PictureArgs",
+    "ThresholdArgs",
+    "BatchArgs",
     "fail_on",
     "severity",
     "ignore",
@@ -91,10 +93,10 @@ pub struct FindingArgs {
     pub only: Vec<Kind>,
     #[arg(long, value_name = "N")]
     pub places: Option<usize>,
-    #[arg(long, value_name = "WORD", num_args = 1.., conflicts_with_all = NOT_TO_EXPLAIN)]
+    #[arg(long, value_name = "WORD", num_args = 1.., conflicts_with_all = OF_INPUTS)]
     pub explain: Vec<String>,
     #[arg(long, value_name = "LANG", default_value = "en", value_parser = one_of::<Language>(),
-          requires = "explain", conflicts_with_all = NOT_TO_EXPLAIN)]
+          requires = "explain", conflicts_with_all = ["inputs", "manifest"])]
     pub lang: Language,
 }
 

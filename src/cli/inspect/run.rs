@@ -1,6 +1,7 @@
 //! Runs `crease inspect`: checks of the command line, then all inputs.
 
 use super::args::{FindingArgs, HeatMapOf, InspectArgs, PictureArgs};
+use super::explanation;
 use super::json::{Against, Counts, FindingReport, InspectReport, SkippedReport};
 use super::symptoms;
 use super::text::Layout;
@@ -10,11 +11,10 @@ use crate::cli::common::input::{Input, Source, expand};
 use crate::cli::common::ledger::{Ledger, Outcome, Work, skipped};
 use crate::cli::common::options::Color;
 use crate::cli::common::output::{Target, stem};
-use crate::cli::common::overwriting::Files;
+use crate::cli::common::output_conflicts::Files;
 use crate::cli::common::progress::{FileProgress, Stage};
 use crate::cli::common::report::SKIPPED;
 use crate::cli::common::run_batch::{Recorded, Shared, run_batch};
-use crate::cli::inspect::explanation;
 use crate::cli::line_options::with_line;
 use crate::cli::usage::{refused, usage_error};
 use crease::io::{Format, Loaded, ReadLog, ReadOptions};

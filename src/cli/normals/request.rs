@@ -4,7 +4,7 @@ use super::args::{HardEdge, Merging, NormalsArgs, RecipeArgs};
 use crate::cli::common::failure::Failure;
 use crate::cli::common::input::{Input, Source, expand};
 use crate::cli::common::output::{Target, is_same_file};
-use crate::cli::common::overwriting::Files;
+use crate::cli::common::output_conflicts::Files;
 use crate::cli::common::stream::file_target;
 use crate::cli::line_options::with_line;
 use crease::io::{Emit, Format, Merge, ReadOptions, WriteOptions};

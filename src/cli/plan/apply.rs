@@ -5,7 +5,7 @@ use super::report::FileReport;
 use crate::cli::common::console::HELP;
 use crate::cli::common::failure::Failure;
 use crate::cli::common::output::{Store, Target, folder_of, is_same_file};
-use crate::cli::common::overwriting::Files;
+use crate::cli::common::output_conflicts::Files;
 use crease::io::{self, Format, Loaded, OutputContent, ReadOptions, WriteOptions};
 use crease::normals::When;
 use crease::pipeline::{Task, revise};

@@ -8,7 +8,7 @@ use crate::cli::common::console::{Console, HELP, escaped};
 use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
 use crate::cli::common::options::Color;
 use crate::cli::common::output::{Target, resolve_parent};
-use crate::cli::common::overwriting::Files;
+use crate::cli::common::output_conflicts::Files;
 use crate::cli::common::progress::Progress;
 use crate::cli::usage::usage_error;
 use crease::io::shell_word;

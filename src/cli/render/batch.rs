@@ -13,7 +13,7 @@ use crate::cli::common::input::{Input, Source};
 use crate::cli::common::ledger::{Ledger, Outcome, Work, skipped};
 use crate::cli::common::options::{Color, RunArgs};
 use crate::cli::common::output::Target;
-use crate::cli::common::overwriting::Files;
+use crate::cli::common::output_conflicts::Files;
 use crate::cli::common::report::SKIPPED;
 use crate::cli::common::run_batch::{Recorded, Shared, run_batch};
 use crate::cli::line_options::with_line;

@@ -5,7 +5,7 @@ use super::values::{Background, FileKind, HiddenLines, Variant};
 use crate::cli::common::choice::Choose;
 use crate::cli::common::input::Source;
 use crate::cli::common::output::Target;
-use crate::cli::common::overwriting::Files;
+use crate::cli::common::output_conflicts::Files;
 use crease::io::Format;
 use crease::normals::{Crease, When};
 use crease::raster::{Bits, LoadOptions, NormalSettings, RenderSettings, SceneObject, SceneShape, Shading};

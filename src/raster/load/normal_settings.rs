@@ -39,6 +39,7 @@ pub enum StoredFormat {
     Oct8,
 }
 
+// The largest first.
 names! { StoredFormat: F32 = "f32", I16 = "i16", Oct12 = "oct12", I8 = "i8", Oct8 = "oct8" }
 
 impl StoredFormat {

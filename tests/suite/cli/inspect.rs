@@ -274,7 +274,9 @@ fn every_finding_is_explained() {
     let fitting = inspect(&["--explain", "faceted", "--lang", "pt"]);
     assert!(text(&fitting.stdout).contains("faceted-normals: normais de face em uma forma suave"));
     assert_eq!(code(&inspect(&["--lang", "pt", "part.obj"])), 2, "reports are in English");
-    assert_eq!(code(&inspect(&["--explain", "all", "--json"])), 2);
+    for other in ["--json", "--seam=3", "--view=1,0,0", "--root=.", "--manifest=list"] {
+        assert_eq!(code(&inspect(&["--explain", "all", other])), 2, "{other}");
+    }
 }
 
 #[test]

@@ -19,6 +19,7 @@ import sys
 import tempfile
 from collections import Counter
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from contextlib import nullcontext
 from pathlib import Path, PurePosixPath
 from typing import IO, Any, Callable, Iterable, Iterator, NamedTuple, Optional
 from urllib.parse import unquote
@@ -365,12 +366,11 @@ def run(
     Raises ValueError for wrong manifests and options, OSError for files that cannot be read or written."""
     options = list(options or [])
     jobs = read_manifest(manifest, out, options)
-    file = open_journal(journal) if journal else None
-    known = read_entries(file) if file else {}
-    parts = chunks(jobs, chunk, known, options)
-    results = on_ray(parts, ray, retries) if ray else on_processes(parts, workers or os.cpu_count() or 1, retries)
     counts: Counter[str] = Counter()
-    try:
+    with open_journal(journal) if journal else nullcontext() as file:
+        known = read_entries(file) if file else {}
+        parts = chunks(jobs, chunk, known, options)
+        results = on_ray(parts, ray, retries) if ray else on_processes(parts, workers or os.cpu_count() or 1, retries)
         for part, result in results:
             if isinstance(result, ValueError):
                 raise result
@@ -386,9 +386,6 @@ def run(
             if file:
                 file.flush()
             counts["skipped"] += len(part.jobs) - len(result)
-    finally:
-        if file:
-            file.close()
     if table:
         write_table(table, [known[job.output] for job in jobs if job.output in known])
     return counts
