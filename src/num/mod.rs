@@ -25,6 +25,8 @@ mod names;
 pub(crate) mod numbers;
 // Lists of a fixed length in files.
 mod list;
+// Loops on all threads, compiled once.
+pub(crate) mod parallel;
 // xⁿ by arithmetic alone: no call in the loop, the same bits on every machine, many at once.
 mod power;
 // Exact products, with and without a fused multiply-add.
