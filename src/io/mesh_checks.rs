@@ -2,8 +2,8 @@
 
 use super::{Format, Limits, NonFinite, Note, Part, Place, Problem, ReadError, ReadOptions, WriteError};
 use crate::mesh::{Columns, Faces, Mesh, MeshBuilder, MeshError, PositionsRef};
+use crate::num::parallel;
 use glam::DVec3;
-use rayon::prelude::*;
 
 pub(super) const DROP_ADVICE: &str = "correct it, or drop the faces at such vertices with `crease normals --force` (`crease render --force` draws the others)";
 pub(super) const DAMAGED: &str = "the file is damaged; export it again";
@@ -74,7 +74,8 @@ fn repeating(faces: &Faces) -> usize {
         sorted.sort_unstable();
         sorted.len() > 3 && sorted.windows(2).any(|pair| pair[0] == pair[1])
     };
-    (0..faces.len()).into_par_iter().map_init(Vec::new, repeats).filter(|&repeats| repeats).count()
+    let repeating = parallel::map_with(faces.len(), Vec::new, repeats);
+    repeating.into_iter().filter(|&repeats| repeats).count()
 }
 
 /// What a mesh may have: its name, the formats that cannot store it, and whether columns have it.
@@ -124,8 +125,9 @@ pub(super) fn needs_f64(mesh: &Mesh) -> bool {
 /// A warning if rounding to `f32` moves vertices far compared with the size of the model: usually by at most 2⁻²⁵ of it.
 pub(super) fn displacement_note(mesh: &Mesh) -> Option<Note> {
     let PositionsRef::F64(points) = mesh.positions() else { return None };
-    let moved = points.par_iter().map(|p| p.distance(p.as_vec3().as_dvec3()));
-    let largest = moved.reduce(|| 0.0, f64::max);
+    let moved = |p: &DVec3| p.distance(p.as_vec3().as_dvec3());
+    let largest = parallel::ranges(points.len(), |range| points[range].iter().map(moved).fold(0.0, f64::max));
+    let largest = largest.into_iter().fold(0.0, f64::max);
     let size = mesh.bounds().map_or(0.0, |(low, high)| low.distance(high));
     (size > 0.0 && largest > size / f64::from(1 << 20)).then(|| {
         let text = format!(

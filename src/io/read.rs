@@ -3,8 +3,8 @@
 use super::mesh_checks::{check_size, face_notes};
 use super::text::without_byte_order_mark;
 use super::{Format, Limits, Loaded, Place, Problem, ReadError, ReadOptions, gltf, obj, ply, stl, threemf};
+use crate::num::parallel;
 #[cfg(unix)]
-use rayon::prelude::*;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
@@ -88,9 +88,8 @@ fn read_length(path: &Path, length: u64) -> std::io::Result<Vec<u8>> {
     };
     let file = fs::File::open(path)?;
     let mut bytes = vec![0; length];
-    let pieces = bytes.par_chunks_mut(PIECE).enumerate();
-    let read = pieces.map(|(number, piece)| file.read_exact_at(piece, (number * PIECE) as u64));
-    match read.collect::<std::io::Result<()>>() {
+    let read = |number: usize, piece: &mut [u8]| file.read_exact_at(piece, (number * PIECE) as u64);
+    match parallel::map_chunks(&mut bytes, PIECE, read).into_iter().collect::<std::io::Result<()>>() {
         Err(error) if error.kind() == ErrorKind::UnexpectedEof => return fs::read(path),
         result => result?,
     }

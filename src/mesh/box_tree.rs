@@ -1,7 +1,9 @@
 //! Axis-aligned boxes, and a tree of them for queries that concern few of many items.
 
+use crate::num::parallel;
 use glam::DVec3;
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// An axis-aligned box.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,20 +52,24 @@ const BRANCH: usize = 4;
 
 impl BoxTree {
     /// A tree of the items 0..count.
-    pub(crate) fn build(count: usize, bounds: impl Fn(u32) -> Bounds + Sync) -> Self {
-        let all = (0..count as u32).into_par_iter().map(&bounds).reduce(|| Bounds::EMPTY, Bounds::union);
+    pub(crate) fn build(count: usize, bounds: &(dyn Fn(u32) -> Bounds + Sync)) -> Self {
+        let union =
+            |items: Range<usize>| items.map(|item| bounds(item as u32)).fold(Bounds::EMPTY, Bounds::union);
+        let all = parallel::ranges(count, union).into_iter().fold(Bounds::EMPTY, Bounds::union);
         let size = all.high - all.low;
-        let mut order: Vec<(u64, u32)> = (0..count as u32)
-            .into_par_iter()
-            .map(|item| (morton((bounds(item).middle() - all.low) / size), item))
-            .collect();
+        let mut order = parallel::map(count, |item| {
+            let item = item as u32;
+            (morton((bounds(item).middle() - all.low) / size), item)
+        });
         order.par_sort_unstable();
         let items: Vec<u32> = order.into_iter().map(|(_, item)| item).collect();
-        let run = |run: &[u32]| run.iter().map(|&item| bounds(item)).fold(Bounds::EMPTY, Bounds::union);
-        let mut levels: Vec<Vec<Bounds>> = vec![items.par_chunks(BRANCH).map(run).collect()];
+        let run = |run: Range<usize>| {
+            items[run].iter().map(|&item| bounds(item)).fold(Bounds::EMPTY, Bounds::union)
+        };
+        let mut levels: Vec<Vec<Bounds>> = vec![parallel::blocks(count, BRANCH, run)];
         while let Some(below) = levels.last().filter(|level| level.len() > 1) {
-            let run = |run: &[Bounds]| run.iter().copied().fold(Bounds::EMPTY, Bounds::union);
-            let level = below.par_chunks(BRANCH).map(run).collect();
+            let run = |run: Range<usize>| below[run].iter().copied().fold(Bounds::EMPTY, Bounds::union);
+            let level = parallel::blocks(below.len(), BRANCH, run);
             levels.push(level);
         }
         Self { items, levels }
@@ -138,7 +144,7 @@ mod tests {
                     Bounds { low, high: low + 0.1 * DVec3::new(random(), random(), random()) }
                 })
                 .collect();
-            let tree = BoxTree::build(count, |i| boxes[i as usize]);
+            let tree = BoxTree::build(count, &|i| boxes[i as usize]);
             let probe = Bounds { low: DVec3::splat(0.4), high: DVec3::splat(0.6) };
             let scan: Vec<u32> = (0..count as u32).filter(|&i| boxes[i as usize].overlaps(probe)).collect();
             let mut found = Vec::new();

@@ -6,7 +6,7 @@
 use super::faces::{FacesRef, is_collapsed, next_in_triangle, previous_in_triangle};
 use super::link::{Link, PackedLink};
 use super::rings::{Rings, Scatter};
-use rayon::prelude::*;
+use crate::num::parallel;
 
 /// No vertex: a half-edge that collapsed, or the padding of a short ring.
 const NOWHERE: u32 = u32::MAX;
@@ -41,11 +41,9 @@ impl<'a> EdgeMatcher<'a> {
 
     /// The link of every half-edge.
     pub(super) fn links(&self, rings: &Rings) -> Scatter {
-        const CHUNK: usize = 2048;
         let links = Scatter::new(self.faces.corners().len(), 0);
-        let chunks = rings.len().div_ceil(CHUNK);
-        (0..chunks).into_par_iter().for_each(|chunk| {
-            for vertex in chunk * CHUNK..((chunk + 1) * CHUNK).min(rings.len()) {
+        parallel::ranges(rings.len(), |vertices| {
+            for vertex in vertices {
                 self.match_ring(vertex as u32, rings.at(vertex), |half_edge, link| {
                     links.set(half_edge, PackedLink::new(link).0);
                 });

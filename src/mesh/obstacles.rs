@@ -23,7 +23,7 @@ impl<'a> Obstacles<'a> {
         let middle = Bounds { low, high }.middle();
         let scale = unit_scale((high - middle).max(middle - low).max_element());
         let place = |vertex: u32| (mesh.position(vertex) - middle) * scale;
-        let tree = BoxTree::build(mesh.face_count(), |face| {
+        let tree = BoxTree::build(mesh.face_count(), &|face| {
             Bounds::of(mesh.faces().face(face as usize).iter().map(|&vertex| place(vertex)))
         });
         Self { mesh, tree, middle, scale }

@@ -4,8 +4,8 @@ use super::columns::{ColumnIndex, Columns, NONE};
 use super::faces::Faces;
 use super::link::MAX_CORNERS;
 use super::positions::{Positions, PositionsRef, Storage};
+use crate::num::parallel;
 use glam::DVec3;
-use rayon::prelude::*;
 use std::sync::Arc;
 
 /// A polygon mesh: positions, faces of three corners or more, and optional [`Columns`].
@@ -216,7 +216,7 @@ impl MeshBuilder {
         {
             return Err(MeshError::TooFewCorners { face, corners: self.faces.range(face).len() });
         }
-        if let Some(corner) = self.faces.corners().par_iter().position_first(|&v| v as usize >= count) {
+        if let Some(corner) = parallel::position(self.faces.corners(), |&v| v as usize >= count) {
             let face = self.faces.ranges().position(|range| range.contains(&corner)).unwrap_or(0);
             return Err(MeshError::VertexOutOfRange { face, vertex: self.faces.corners()[corner], count });
         }

@@ -1,5 +1,6 @@
 //! Positions of vertices in the precision that they came in.
 
+use crate::num::parallel;
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -192,8 +193,8 @@ impl<'a> PositionsRef<'a> {
     /// The first vertex whose position is not finite.
     pub(crate) fn first_non_finite(self) -> Option<usize> {
         match self {
-            Self::F32(points) => points.par_iter().position_first(|p| !p.iter().all(|x| x.is_finite())),
-            Self::F64(points) => points.par_iter().position_first(|p| !p.is_finite()),
+            Self::F32(points) => parallel::position(points, |p| !p.iter().all(|x| x.is_finite())),
+            Self::F64(points) => parallel::position(points, |p| !p.is_finite()),
         }
     }
 }

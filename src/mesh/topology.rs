@@ -8,6 +8,7 @@ use super::edge_matching::EdgeMatcher;
 use super::faces::{Faces, FacesRef, next_in_triangle, previous_in_triangle};
 use super::link::{Link, PackedLink};
 use super::rings::{Rings, Scatter};
+use crate::num::parallel;
 use rayon::prelude::*;
 
 /// Edges and fans of a mesh, made from its faces; positions matter only for welding.
@@ -55,12 +56,10 @@ impl Topology {
             non_manifold: 0,
             ambiguous: 0,
         };
-        let mut crowded: Vec<(u32, u32)> = (0..faces.corners().len() as u32)
-            .into_par_iter()
-            .filter(|&h| topology.links.get(h) == PackedLink::NON_MANIFOLD.0)
-            .map(|h| topology.ends(faces.corners(), h))
-            .map(|(a, b)| (a.min(b), a.max(b)))
-            .collect();
+        let is_crowded = |h| topology.links.get(h) == PackedLink::NON_MANIFOLD.0;
+        let crowded = parallel::filter(faces.corners().len(), is_crowded).into_iter();
+        let ends = crowded.map(|h| topology.ends(faces.corners(), h));
+        let mut crowded: Vec<(u32, u32)> = ends.map(|(a, b)| (a.min(b), a.max(b))).collect();
         crowded.par_sort_unstable();
         crowded.dedup();
         topology.non_manifold = crowded.len();

@@ -4,10 +4,10 @@ mod polygon;
 mod quad;
 
 use super::polygon_mesh::Mesh;
+use crate::num::parallel;
 use crate::num::unit_scale;
 use glam::DVec3;
 use polygon::{Budget, Unfit};
-use rayon::prelude::*;
 
 /// The faces of a mesh as triangles.
 ///
@@ -85,10 +85,10 @@ fn cut_polygons(mesh: &Mesh) -> Vec<Option<Vec<[u32; 3]>>> {
         gather(mesh, face, points);
         polygon::cut(normalise(points), budget)
     };
-    let first = polygons.par_iter().map_init(Vec::new, |points, &face| {
+    let first = parallel::map_with(polygons.len(), Vec::new, |points, i| {
+        let face = polygons[i];
         cut(face, &mut Budget::own(mesh.faces().range(face).len()), points)
     });
-    let first: Vec<_> = first.collect();
     // Polygons that exceed their own budget use the common one, in order, so that the result does not depend on the
     // number of threads.
     let (mut common, mut points) = (Budget::common(), Vec::new());

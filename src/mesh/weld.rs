@@ -13,6 +13,7 @@ use super::positions::PositionsRef;
 use super::rings::Rings;
 use super::topology::Topology;
 use super::vertices::merge::first_at_place;
+use crate::num::parallel;
 use glam::DVec3;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
@@ -56,13 +57,12 @@ impl Topology {
     fn find_edges_without_length(&mut self, mesh: &Mesh) {
         let (corners, positions) = (mesh.faces().corners(), mesh.positions());
         let targets = &mesh.columns().morph_targets;
-        let has_no_length = |&half_edge: &u32| {
+        let has_no_length = |half_edge: u32| {
             let (tail, head) = self.ends(corners, half_edge);
             let stays = |target: &Vec<DVec3>| target[tail as usize] == target[head as usize];
             tail != head && positions.at(tail) == positions.at(head) && targets.iter().all(stays)
         };
-        let found: Vec<u32> = (0..corners.len() as u32).into_par_iter().filter(has_no_length).collect();
-        for half_edge in found {
+        for half_edge in parallel::filter(corners.len(), has_no_length) {
             self.without_length.resize(corners.len(), false);
             self.without_length[half_edge as usize] = true;
             self.mark_welded(mesh, half_edge);
@@ -82,8 +82,7 @@ impl Topology {
             return 0;
         }
         let corners = mesh.faces().corners();
-        let is_open = |&h: &u32| self.links.get(h) == PackedLink::BOUNDARY.0;
-        let open: Vec<u32> = (0..corners.len() as u32).into_par_iter().filter(is_open).collect();
+        let open = parallel::filter(corners.len(), |h| self.links.get(h) == PackedLink::BOUNDARY.0);
         if open.is_empty() {
             return 0;
         }
@@ -163,7 +162,7 @@ fn join(mesh: &Mesh, topology: &Topology, open: &[u32], weld: Weld) -> Joined {
         all
     });
 
-    let lower: Vec<u32> = long.par_iter().map(|&h| classes(h)[0].min(classes(h)[1])).collect();
+    let lower = parallel::map_each(&long, |&h| classes(h)[0].min(classes(h)[1]));
     let rows = Rings::build(&lower, rim.len());
     drop(lower);
     let set = |half_edge: u32, link: Link| topology.links.set(half_edge, PackedLink::new(link).0);
@@ -192,8 +191,11 @@ fn join(mesh: &Mesh, topology: &Topology, open: &[u32], weld: Weld) -> Joined {
         }
         ambiguous
     };
-    let ambiguous = (0..rim.len()).into_par_iter().map_init(Vec::new, at_class).sum();
-    Joined { wide_clusters, ambiguous }
+    let ambiguous = parallel::ranges(rim.len(), |classes| {
+        let mut row = Vec::new();
+        classes.map(|class| at_class(&mut row, class)).sum::<usize>()
+    });
+    Joined { wide_clusters, ambiguous: ambiguous.into_iter().sum() }
 }
 
 /// Of the edges of a face that has only two distinct positions, those of one direction without a partner of the other

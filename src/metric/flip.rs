@@ -3,8 +3,8 @@
 
 use super::pairs::{MetricError, same_size};
 use crate::num::CompensatedSum;
+use crate::num::parallel;
 use crate::raster::Image;
-use rayon::prelude::*;
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 /// The viewing conditions of the paper, in pixels per degree: a screen 0.7 m wide with 3840 pixels, seen from 0.7 m.
@@ -71,19 +71,19 @@ impl Perceived {
         let (linear, size) = (linear(image)?, image.size);
         let plane = |of: &(dyn Fn([f64; 3]) -> f64 + Sync)| Plane {
             width: size[0] as usize,
-            values: linear.par_iter().map(|&colour| of(colour)).collect(),
+            values: parallel::map_each(&linear, |&colour| of(colour)),
         };
         let blurred: [Plane; 3] = std::array::from_fn(|channel| {
             let of = plane(&|colour| opponent(colour)[channel]);
             of.blurred(SENSITIVITY[channel], pixels_per_degree)
         });
-        let lab = (0..linear.len()).into_par_iter().map(|pixel| {
+        let lab = parallel::map(linear.len(), |pixel| {
             let colour = from_opponent(blurred.each_ref().map(|plane| plane.values[pixel]));
             hunt_lab(colour.map(|component| component.clamp(0.0, 1.0)))
         });
         let luminance = plane(&|colour| relative(colour)[1]);
         let [edges, points] = luminance.features(0.5 * FEATURE_WIDTH * pixels_per_degree);
-        Ok(Self { lab: lab.collect(), edges, points })
+        Ok(Self { lab, edges, points })
     }
 
     /// Compares two pictures of one size.
@@ -96,7 +96,7 @@ impl Perceived {
             libm::pow(colour, 1.0 - (FRAC_1_SQRT_2 * feature).sqrt())
         };
         let pixels = self.lab.len().min(other.lab.len());
-        let map: Vec<f64> = (0..pixels).into_par_iter().map(value).collect();
+        let map = parallel::map(pixels, value);
         let mut sum = CompensatedSum::default();
         map.iter().for_each(|&value| sum += value);
         Flip { mean: sum.value() / map.len().max(1) as f64, map }
@@ -130,7 +130,7 @@ impl Plane {
                 });
                 taps.sum()
             };
-            (0..values.len()).into_par_iter().map(at).collect()
+            parallel::map(values.len(), at)
         };
         let rows = pass(&self.values, along_rows, true);
         Self { width: self.width, values: pass(&rows, along_columns, false) }

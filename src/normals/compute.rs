@@ -22,8 +22,8 @@ use crate::normals::sums::request::{SlotState, SumRequest, Sums};
 use crate::normals::sums::single_precision::single_sums;
 use crate::normals::sums::weighted_sums::weighted_sums;
 use crate::num::Degrees;
+use crate::num::parallel;
 use glam::DVec3;
-use rayon::prelude::*;
 
 /// Computes the normals of a mesh.
 ///
@@ -70,7 +70,7 @@ pub fn compute_observed(
     if needs_faces {
         shape.find_faces(mesh);
     }
-    let all_counted = shape.faces.state.par_iter().all(|&state| state == FaceState::Counted);
+    let all_counted = parallel::all(&shape.faces.state, |&state| state == FaceState::Counted);
     let plain =
         (is_plain && all_counted).then(|| of_triangles(mesh, recipe, &shape.faces, extras.edge_counts));
     if let Some(grouping) = plain.flatten() {
@@ -346,13 +346,13 @@ struct Fits {
 /// Sums over explicit lists of corners: the cone rule, where a face counts in several groups.
 fn gather_sums(request: &SumRequest, members: &SlotCorners) -> Sums {
     let table = TermTable::new(request);
-    let slots = (0..request.slots as u32).into_par_iter();
-    let (unit, state) = slots.map_init(Vec::new, |terms, slot| table.mean(members.row(slot), terms)).unzip();
+    let mean = |terms: &mut Vec<_>, slot: usize| table.mean(members.row(slot as u32), terms);
+    let (unit, state) = parallel::map_with(request.slots, Vec::new, mean).into_iter().unzip();
     Sums { unit, state }
 }
 
 fn near_cancellation(states: &[SlotState], groups: &SmoothGroups) -> NearCancellation {
-    if states.par_iter().all(|state| state.near_cancellation().is_none()) {
+    if parallel::all(states, |state| state.near_cancellation().is_none()) {
         return NearCancellation::default();
     }
     let entries = 0..groups.entry_vertex.len() as u32;

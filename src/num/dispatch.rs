@@ -48,14 +48,14 @@ pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
 #[cfg(target_arch = "x86_64")]
 #[inline(never)]
 fn portable<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run(Plain::<f64, super::product::Split>::new())
+    kernel.run(Plain::<f64, super::lanes::product::Split>::new())
 }
 
 /// Runs a kernel with the fused multiply-add that every CPU of this target has.
 #[cfg(target_arch = "aarch64")]
 #[inline]
 pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run(Plain::<f64, super::product::Fused>::new())
+    kernel.run(Plain::<f64, super::lanes::product::Fused>::new())
 }
 
 /// Runs a kernel with SIMD128, if the program is compiled for it.
@@ -66,12 +66,12 @@ pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     if let Some(arch) = super::lanes::Simd128::new() {
         return kernel.run(arch);
     }
-    kernel.run(Plain::<f64, super::product::Split>::new())
+    kernel.run(Plain::<f64, super::lanes::product::Split>::new())
 }
 
 /// Runs a kernel without fused multiply-add, which this target may not have.
 #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32")))]
 #[inline]
 pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run(Plain::<f64, super::product::Split>::new())
+    kernel.run(Plain::<f64, super::lanes::product::Split>::new())
 }

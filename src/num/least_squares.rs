@@ -256,7 +256,7 @@ fn in_order<A: Lanes>(
 mod tests {
     use super::super::dispatch::{Kernel, dispatch};
     use super::super::lanes::Plain;
-    use super::super::product::Split;
+    use super::super::lanes::product::Split;
     use super::super::test_numbers::Numbers;
     use super::*;
 

@@ -25,10 +25,10 @@ mod names;
 pub(crate) mod numbers;
 // Lists of a fixed length in files.
 mod list;
+// Loops on all threads, compiled once.
+pub(crate) mod parallel;
 // xⁿ by arithmetic alone: no call in the loop, the same bits on every machine, many at once.
 mod power;
-// Exact products, with and without a fused multiply-add.
-mod product;
 // The two precisions of generic formulas.
 mod real;
 // Powers of two that bring numbers to a size at which products neither overflow nor vanish.
@@ -58,14 +58,14 @@ pub(crate) use corner_angle::{corner_angle, triangle_angles};
 pub(crate) use digits::{Nine, NineEach, superscript};
 pub(crate) use dispatch::{Kernel, dispatch};
 pub(crate) use exact::ExactSum;
+#[cfg(feature = "stress")]
+pub(crate) use lanes::product::difference_of_products;
+pub(crate) use lanes::product::{Product, Split, cross};
 pub(crate) use lanes::{Arithmetic, Eight, EightLanes, LANES, Lanes, OneLane, Rows, Scalars, Truth, Vectors};
 pub(crate) use least_squares::{Column, LeastSquares, Pivoting, ROWS, least_squares};
 pub(crate) use list::{List, list};
 pub(crate) use names::names;
 #[cfg(test)]
 pub(crate) use numbers as test_numbers;
-#[cfg(feature = "stress")]
-pub(crate) use product::difference_of_products;
-pub(crate) use product::{Product, Split, cross};
 pub(crate) use sum::two_difference;
 pub(crate) use unit::{PLAIN_SQUARES, direction, exponent, power_of_two, scale, squared_length};

@@ -6,8 +6,8 @@ use super::task::{Degenerate, Task};
 use crate::io::{Emit, Format, Loaded, Part, PartEdit};
 use crate::mesh::{FaceEdit, Mesh, Orient, Orientation, Orientations, Placed, Topology, cavities, orient};
 use crate::normals::{Extras, FaultReason, Weight, When, compute_observed, select};
+use crate::num::parallel;
 use glam::DVec3;
-use rayon::prelude::*;
 use std::borrow::Cow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -30,23 +30,20 @@ pub fn revise(
     target: Option<Format>,
     done: &(dyn Fn(usize) + Sync),
 ) -> Revision {
-    let (edits, parts) = loaded
-        .parts
-        .par_iter()
-        .zip(find_orientations(loaded, task))
-        .map(|(part, orientation)| {
-            let wants_facets = task.emit == Emit::Face || target == Some(Format::Stl);
-            let faces = FaceCount { all: part.mesh.face_count(), reported: AtomicUsize::new(0), done };
-            let (mut edit, outcome, facets) = revise_part(part, orientation, task, wants_facets, &faces);
-            let same_facets = target == Some(Format::Stl) && loaded.format == Format::Stl && edit.is_empty();
-            edit.face_normals = facets.filter(|_| wants_facets && !same_facets);
-            if task.emit == Emit::Face {
-                edit = PartEdit { normals: None, kept: 0, morph_normals: Vec::new(), ..edit };
-            }
-            faces.share(1, 1);
-            (edit, outcome)
-        })
-        .unzip();
+    let parts = loaded.parts.iter().zip(find_orientations(loaded, task)).collect();
+    let revised = parallel::map_owned(parts, |(part, orientation): (&Part, _)| {
+        let wants_facets = task.emit == Emit::Face || target == Some(Format::Stl);
+        let faces = FaceCount { all: part.mesh.face_count(), reported: AtomicUsize::new(0), done };
+        let (mut edit, outcome, facets) = revise_part(part, orientation, task, wants_facets, &faces);
+        let same_facets = target == Some(Format::Stl) && loaded.format == Format::Stl && edit.is_empty();
+        edit.face_normals = facets.filter(|_| wants_facets && !same_facets);
+        if task.emit == Emit::Face {
+            edit = PartEdit { normals: None, kept: 0, morph_normals: Vec::new(), ..edit };
+        }
+        faces.share(1, 1);
+        (edit, outcome)
+    });
+    let (edits, parts) = revised.into_iter().unzip();
     Revision { edits, parts }
 }
 
@@ -159,7 +156,7 @@ fn find_orientations(loaded: &Loaded, task: &Task) -> Vec<Option<Orientation>> {
         loaded.parts.iter().map(|part| applied(&part.mesh, &without(&part.non_finite_faces))).collect();
     let alone =
         |mesh: &Cow<'_, Mesh>| orient(mesh, &Topology::build(mesh, weld), task.orient, task.confidence);
-    let mut found: Vec<Orientation> = present.par_iter().map(alone).collect();
+    let mut found = parallel::map_each(&present, alone);
     if found.iter().any(|found| found.inside_out + found.rooms > 0) {
         let parts = present.iter().zip(loaded.places());
         let parts: Vec<Placed<'_>> = parts.map(|(mesh, places)| Placed { mesh, places }).collect();

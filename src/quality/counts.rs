@@ -1,9 +1,9 @@
 //! Counting occurrences, in parallel and with the same result at any number of threads.
 
+use crate::num::parallel;
 use crate::quality::catalogue::Kind;
 use crate::quality::element::Severity;
 use crate::quality::spot::Spot;
-use rayon::prelude::*;
 use std::ops::Range;
 
 /// Occurrences of a lower severity, which are mentioned but not counted.
@@ -186,14 +186,11 @@ pub(crate) fn scan<K: Copy + PartialEq + Send>(
     search: impl Fn(Range<usize>, &mut Tallies<K>) + Sync,
 ) -> Tallies<K> {
     const BLOCK: usize = 1 << 14;
-    let blocks: Vec<Tallies<K>> = (0..count.div_ceil(BLOCK))
-        .into_par_iter()
-        .map(|block| {
-            let mut found = Tallies::new(most);
-            search(block * BLOCK..((block + 1) * BLOCK).min(count), &mut found);
-            found
-        })
-        .collect();
+    let blocks = parallel::blocks(count, BLOCK, |block| {
+        let mut found = Tallies::new(most);
+        search(block, &mut found);
+        found
+    });
     let mut all = Tallies::new(most);
     blocks.into_iter().for_each(|found| all.merge(found));
     all

@@ -1,6 +1,7 @@
 //! Lines: wireframes, and lines drawn over the picture or hidden by it.
 
 use crate::mesh::{NormalMatrix, normal_matrix};
+use crate::num::parallel;
 use crate::raster::coverage::setup::TILE;
 use crate::raster::coverage::tile_bins::{TileBox, sort, tiles};
 use crate::raster::coverage::triangles::DrawnObject;
@@ -12,7 +13,6 @@ use crate::raster::view::clip::clip_line;
 use crate::raster::view::project::Points;
 use crate::raster::view::screen_transform::ObjectMap;
 use glam::{DMat3, DMat4, DVec3, Vec3};
-use rayon::prelude::*;
 use std::borrow::Cow;
 
 /// The ends of many lines, which are in one space.
@@ -179,14 +179,15 @@ impl<'a> LineJob<'a> {
             check_style(&lines.style)?;
             sets.push(LineSet::new(job, LineEnds::new(scene, number, &lines.path)?, &lines.style, false));
         }
-        let parts = sets.par_iter().enumerate().map(|(number, set)| {
+        let parts = parallel::map(sets.len(), |number| {
+            let set = &sets[number];
             let found: Vec<_> = (0..set.ends.len())
                 .filter_map(|line| Some((line, set.touched(job, set.segment(job, line)?)?)))
                 .collect();
             let (starts, lines) = sort(&found, tiles(job.view.size));
             (number, starts, lines)
         });
-        Ok(Self { parts: parts.collect(), sets })
+        Ok(Self { parts, sets })
     }
 
     pub(crate) fn is_empty(&self, tile: usize) -> bool {

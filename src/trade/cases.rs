@@ -6,12 +6,12 @@ use super::effort::Effort;
 use crate::mesh::{Link, Mesh, Topology};
 use crate::normals::NormalField;
 use crate::num::Radians;
+use crate::num::parallel;
 use crate::surface::{
     BezierPatch, Catenoid, Cone, Cylinder, Ellipsoid, MonkeySaddle, Pattern, Primitive, Sphere, Superquadric,
     Surface, SurfaceError, Tessellation, Torus, Wave,
 };
 use glam::DVec3;
-use rayon::prelude::*;
 use serde::Serialize;
 
 /// A surface with its name.
@@ -171,9 +171,10 @@ impl SampleMesh {
 
     /// The angle to the truth of every counted entry of a field of this mesh.
     pub(super) fn errors(&self, field: &NormalField) -> Vec<Radians> {
-        let error =
-            |(&normal, &vertex): (&DVec3, &u32)| Some(angle_between(normal, self.truth[vertex as usize]?));
-        field.normals.values.par_iter().zip(&field.entry_vertex).filter_map(error).collect()
+        parallel::filter_map(field.normals.values.len(), |entry| {
+            let truth = self.truth[field.entry_vertex[entry] as usize]?;
+            Some(angle_between(field.normals.values[entry], truth))
+        })
     }
 }
 

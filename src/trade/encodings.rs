@@ -3,12 +3,13 @@
 use super::angles::angle_between;
 use super::effort::{Candidate, Effort, Observer, Progress, fewest_seconds};
 use crate::normals::encoding::Encoding;
+use crate::num::parallel;
 use crate::num::{CompensatedSum, Degrees, Radians, largest_exponent};
 use glam::DVec3;
-use rayon::prelude::*;
 use serde::Serialize;
 use std::f64::consts::TAU;
 use std::hint::black_box;
+use std::ops::Range;
 
 /// Half a step of 8 bits: the largest invisible change of a highlight.
 const HALF_STEP: f64 = 1.0 / 510.0;
@@ -60,11 +61,11 @@ pub fn direction(number: u32) -> DVec3 {
 
 /// The mean and the largest angle, in degrees, between so many directions and what an encoding makes of them.
 pub fn encoding_error(encoding: Encoding, directions: u32) -> (f64, f64) {
-    const CHUNK: u32 = 1 << 14;
-    let of_chunk = |chunk: u32| {
+    const CHUNK: usize = 1 << 14;
+    let of_chunk = |chunk: Range<usize>| {
         let (mut sum, mut max) = (CompensatedSum::default(), 0.0_f64);
-        for number in chunk * CHUNK..((chunk + 1) * CHUNK).min(directions) {
-            let normal = direction(number);
+        for number in chunk {
+            let normal = direction(number as u32);
             let angle = angle_between(normal, encoding.decode(encoding.encode(normal))).0;
             sum += angle;
             max = max.max(angle);
@@ -72,9 +73,8 @@ pub fn encoding_error(encoding: Encoding, directions: u32) -> (f64, f64) {
         (sum, max)
     };
     // Chunks are joined in order, so that the sum does not depend on who made them.
-    let chunks: Vec<_> = (0..directions.div_ceil(CHUNK)).into_par_iter().map(of_chunk).collect();
     let (mut sum, mut max) = (CompensatedSum::default(), 0.0_f64);
-    for (part, largest) in chunks {
+    for (part, largest) in parallel::blocks(directions as usize, CHUNK, of_chunk) {
         sum += part;
         max = max.max(largest);
     }

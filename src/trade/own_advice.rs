@@ -152,13 +152,13 @@ mod tests {
     use super::*;
     use crate::normals::compute_on;
     use crate::num::AngleErrors;
+    use crate::num::parallel;
     use crate::surface::{Plane, Surface};
     use crate::trade::cases::{NamedSurface, SampleMesh, Tiling};
     use crate::trade::cost::Costs;
     use crate::trade::effort::Effort;
     use crate::trade::own::Truth;
     use crate::trade::vertex::recipe;
-    use rayon::prelude::*;
 
     /// All weights that advice depends on. `best` would take as long as the others together.
     const COMPARED: [Weight; 8] = {
@@ -195,11 +195,9 @@ mod tests {
         let pairs = surfaces.iter().flat_map(|surface| Tiling::ALL.map(|tiling| (surface, tiling)));
         let pairs: Vec<_> = pairs.filter(|(surface, tiling)| tiling.fits(&surface.surface)).collect();
         assert_eq!((surfaces.len(), pairs.len()), (12, 100));
-        let found: Vec<_> = pairs
-            .par_iter()
-            .with_max_len(1)
-            .map(|&(surface, tiling)| (surface.name, tiling.name(), outcome(surface, tiling, level).unwrap()))
-            .collect();
+        let found = parallel::map_each(&pairs, |&(surface, tiling)| {
+            (surface.name, tiling.name(), outcome(surface, tiling, level).unwrap())
+        });
         let wrong = found.iter().filter(|(_, _, (_, ratio))| *ratio > TOLERANCE);
         let wrong: Vec<_> = wrong.map(|(surface, tiling, (_, ratio))| (surface, tiling, ratio)).collect();
         let declined = found.iter().filter(|(_, _, (own, _))| own.recommended.is_none());

@@ -6,7 +6,7 @@ use super::effort::{Effort, Observer, Progress};
 use crate::mesh::Mesh;
 use crate::normals::{Crease, NormalField, NormalRecipe, Weight, compute_on};
 use crate::num::Radians;
-use rayon::prelude::*;
+use crate::num::parallel;
 use serde::Serialize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -133,7 +133,7 @@ pub fn vertex_cases(effort: Effort, observe: Observer) -> Vec<VertexCase> {
         observe(Progress { stage: "vertex normals", done, total });
         case
     };
-    pairs.par_iter().with_max_len(1).map(measure).collect()
+    parallel::map_each(&pairs, measure)
 }
 
 impl SampleMesh {
@@ -297,7 +297,7 @@ mod tests {
             let is_close = best <= (1.4 * smallest).max(smallest + 0.002);
             (!is_close).then(|| format!("{} {}: {best} {smallest}", surface.name, tiling.name()))
         };
-        let far: Vec<String> = pairs.par_iter().with_max_len(1).filter_map(is_close).collect();
+        let far: Vec<String> = parallel::map_each(&pairs, is_close).into_iter().flatten().collect();
         assert!(far.is_empty(), "{far:?}");
     }
 }

@@ -78,7 +78,7 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     (
         "rayon",
         &[
-            "mesh", "surface", "io", "normals", "quality", "raster", "pipeline", "metric", "artefact",
+            "num", "mesh", "surface", "io", "normals", "quality", "raster", "pipeline", "metric", "artefact",
             "trade", "cli",
         ],
     ),

@@ -5,7 +5,7 @@ use super::mtl::Materials;
 use super::statements::{Keyword, Statement, pieces, statements_in};
 use crate::io::FileMaterial;
 use crate::io::text::line_and_column;
-use rayon::prelude::*;
+use crate::num::parallel;
 use std::ops::Range;
 use std::sync::OnceLock;
 
@@ -60,8 +60,7 @@ pub struct ObjLines {
 impl ObjLines {
     /// Of a text, as its reader counts: faces of fewer than three corners are skipped.
     pub(super) fn new(text: &[u8]) -> Self {
-        let pieces: Vec<(Self, u64)> =
-            pieces(text).into_par_iter().map(|piece| Self::of_piece(text, piece)).collect();
+        let pieces = parallel::map_owned(pieces(text), |piece| Self::of_piece(text, piece));
         let (mut lines, mut before) = (Self::default(), 0);
         for (piece, count) in pieces {
             lines.faces.append(&piece.faces, before);

@@ -9,7 +9,7 @@ use super::{mtl, piece};
 use crate::io::mesh_checks::check_size;
 use crate::io::text::{line_and_column, line_place, shown};
 use crate::io::{Document, Format, Loaded, Part, Place, Problem, ReadError, ReadOptions};
-use rayon::prelude::*;
+use crate::num::parallel;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::OnceLock;
@@ -64,7 +64,7 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
 /// Parses a batch of pieces on all threads while those parsed before are appended, so that memory holds little more than the mesh.
 fn parse(text: &[u8]) -> Result<Content, ReadError> {
     let parse_all = |pieces: &[Range<usize>]| -> Vec<Result<Content, ReadError>> {
-        pieces.par_iter().map(|piece| piece::parse(text, piece.clone())).collect()
+        parallel::map_each(pieces, |piece| piece::parse(text, piece.clone()))
     };
     let mut content = Content::default();
     let mut parsed = Vec::new();

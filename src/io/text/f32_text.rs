@@ -3,8 +3,8 @@
 use super::numbers::{EXACT_POWERS, float};
 use crate::mesh::Storage;
 use crate::num;
+use crate::num::parallel;
 use glam::DVec3;
-use rayon::prelude::*;
 
 /// How many coordinates must agree: by chance, a double looks like a printed `f32` with a probability of at most one half.
 const ENOUGH: usize = 20;
@@ -24,9 +24,11 @@ const DIGITS: i32 = 6;
 ///
 /// Other numbers with a fixed count of decimals stay unchanged.
 pub fn storage_of_text(parts: &[&[DVec3]]) -> Storage {
-    let all = parts.par_iter().flat_map(|part| part.par_iter());
-    let spellings = all.try_fold(Spellings::default, Spellings::with);
-    let spellings = spellings.try_reduce(Spellings::default, |a, b| Some(a.and(&b)));
+    let of_range = |part: &[DVec3]| part.iter().try_fold(Spellings::default(), Spellings::with);
+    let of_parts =
+        parallel::map_each(parts, |part| parallel::ranges(part.len(), |range| of_range(&part[range])));
+    let mut spellings = of_parts.into_iter().flatten();
+    let spellings = spellings.try_fold(Spellings::default(), |sum, part| Some(sum.and(&part?)));
     let are_singles = |spellings: Spellings| spellings.are_singles();
     if spellings.is_some_and(are_singles) { Storage::F32 } else { Storage::F64 }
 }

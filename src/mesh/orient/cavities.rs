@@ -19,8 +19,8 @@ use crate::mesh::polygon_mesh::Mesh;
 use crate::mesh::topology::Topology;
 use crate::mesh::transform::normal_matrix;
 use crate::mesh::weld::Weld;
+use crate::num::parallel;
 use glam::{DMat3, DMat4, DVec3};
-use rayon::prelude::*;
 
 /// Cost limit of all searches for boxes around a point together, and of each; beyond, a surface is judged by its own mesh.
 const BOX_BUDGET: (usize, usize) = (1 << 24, 1 << 14);
@@ -41,7 +41,7 @@ pub(crate) fn cavities(parts: &[Placed<'_>], weld: Weld) -> Vec<Vec<usize>> {
     if parts.iter().map(|part| part.places.len()).sum::<usize>() < 2 {
         return vec![Vec::new(); parts.len()];
     }
-    let solids: Vec<Solid> = parts.par_iter().map(|part| Solid::new(part.mesh, weld)).collect();
+    let solids = parallel::map_each(parts, |part| Solid::new(part.mesh, weld));
     let mut states: Vec<State<'_>> = solids.iter().map(|solid| State::new(&solid.shells)).collect();
     let mut enclosed = enclosed(parts, &solids, &instances(parts));
     // A shell around another at one placement has less around itself there, in its own mesh or in others.
@@ -185,7 +185,8 @@ fn enclosed(parts: &[Placed<'_>], solids: &[Solid], instances: &[Instance]) -> V
         (0..parts.len()).map(|part| is_entered[part].then(|| solids[part].walls(parts[part].mesh))).collect();
     let rays = boxes.iter().flatten().map(|(_, around)| 24 * around.len()).sum();
     let budget = Walls::budget(walls.iter().flatten(), rays);
-    let places = |(&(part, shell), boxes): (&(usize, usize), &Boxes)| {
+    let places = |question: usize| {
+        let ((part, shell), boxes) = (questions[question], &boxes[question]);
         let probes = probes(parts[part].mesh, solids[part].faces(shell), 1.0);
         let around = |(own, around): &(usize, Vec<u32>)| -> Option<Vec<(usize, usize)>> {
             let mut found = Vec::new();
@@ -206,7 +207,7 @@ fn enclosed(parts: &[Placed<'_>], solids: &[Solid], instances: &[Instance]) -> V
         let depth = solids[part].shells[shell].nest.as_ref().map(|nest| nest.depth);
         Enclosed { part, shell, depth, places }
     };
-    questions.par_iter().zip(&boxes).map(places).collect()
+    parallel::map(questions.len(), places)
 }
 
 /// For each shell in question, as pair of part and shell, its instances with the other instances whose boxes contain it;
@@ -220,7 +221,7 @@ fn boxes_around(
     let mut instances_of = vec![Vec::new(); parts.len()];
     instances.iter().enumerate().for_each(|(number, it)| instances_of[it.part].push(number));
     let count: usize = questions.iter().map(|&(part, _)| instances_of[part].len()).sum();
-    let tree = BoxTree::build(instances.len(), |instance| instances[instance as usize].bounds);
+    let tree = BoxTree::build(instances.len(), &|instance| instances[instance as usize].bounds);
     let budget = (BOX_BUDGET.0 / count.max(1)).min(BOX_BUDGET.1);
     let boxes = |&(part, shell): &(usize, usize)| {
         let face = solids[part].faces(shell)[0];
@@ -243,5 +244,5 @@ fn boxes_around(
         };
         instances_of[part].iter().map(around).collect::<Option<Vec<_>>>().unwrap_or_default()
     };
-    questions.par_iter().map(boxes).collect()
+    parallel::map_each(questions, boxes)
 }

@@ -11,9 +11,9 @@
 use crate::mesh::box_tree::{Bounds, BoxTree};
 use crate::mesh::polygon_mesh::Mesh;
 use crate::mesh::transform::permanent;
+use crate::num::parallel;
 use crate::num::unit_scale;
 use glam::DVec3;
-use rayon::prelude::*;
 
 /// Cost limit of a search for boxes around or in a box; a longer search counts as successful.
 const BOX_BUDGET: usize = 512;
@@ -38,9 +38,8 @@ pub(super) fn nests(
     shells: &[&[u32]],
     is_marked: &[bool],
 ) -> Vec<Option<Nest>> {
-    let bounds: Vec<Bounds> = shells.par_iter().map(|faces| face_bounds(mesh, faces)).collect();
-    let boxes = BoxTree::build(shells.len(), |shell| bounds[shell as usize]);
-    let numbers = || (0..shells.len() as u32).into_par_iter();
+    let bounds = parallel::map_each(shells, |faces| face_bounds(mesh, faces));
+    let boxes = BoxTree::build(shells.len(), &|shell| bounds[shell as usize]);
     // Whether another shell's box is a hit, or the search became too long.
     type Test = fn(Bounds, Bounds) -> bool;
     let finds = |shell: u32, enter: Test, is_hit: Test| {
@@ -55,14 +54,15 @@ pub(super) fn nests(
         );
         hit || !enough
     };
-    let inner: Vec<bool> = numbers().map(|shell| finds(shell, Bounds::contains, Bounds::contains)).collect();
+    let is_inner = |shell: usize| finds(shell as u32, Bounds::contains, Bounds::contains);
+    let inner = parallel::map(shells.len(), is_inner);
     let rays: usize = (0..shells.len()).filter(|&s| inner[s]).map(|s| 2 * shells[s].len().min(12)).sum();
     if rays == 0 {
         return vec![Some(Nest::default()); shells.len()];
     }
     // Only shells that have a box in their own need to be searched for crossings.
-    let is_outer = |&shell: &u32| finds(shell, Bounds::overlaps, |other, own| own.contains(other));
-    let outer: Vec<u32> = numbers().filter(is_outer).collect();
+    let is_outer = |shell: u32| finds(shell, Bounds::overlaps, |other, own| own.contains(other));
+    let outer = parallel::filter(shells.len(), is_outer);
     let walls = Walls::new(mesh, against, outer.iter().map(|&shell| (shell, shells[shell as usize])));
     let budget = Walls::budget([&walls], rays);
     let nest = |shell: usize| {
@@ -78,7 +78,7 @@ pub(super) fn nests(
         let marked = around.iter().map(|it| it.0).filter(|&other| is_marked[other as usize]).collect();
         Some(Nest { depth: around.len() as u32, marked })
     };
-    (0..shells.len()).into_par_iter().map(nest).collect()
+    parallel::map(shells.len(), nest)
 }
 
 pub(super) fn face_bounds(mesh: &Mesh, faces: &[u32]) -> Bounds {
@@ -119,7 +119,7 @@ impl<'a> Walls<'a> {
         }
         let largest = mesh.bounds().map_or(0.0, |(low, high)| low.abs().max(high.abs()).max_element());
         let scale = unit_scale(largest);
-        let tree = BoxTree::build(triangles.len(), |item| {
+        let tree = BoxTree::build(triangles.len(), &|item| {
             let (_, triangle) = triangles[item as usize];
             Bounds::of(triangle.into_iter().map(|vertex| scale * mesh.position(vertex)))
         });

@@ -6,6 +6,7 @@ use super::visibility::votes;
 use crate::mesh::face_normals::vector_area;
 use crate::mesh::polygon_mesh::Mesh;
 use crate::mesh::topology::Topology;
+use crate::num::parallel;
 use crate::num::unit_scale;
 use rayon::prelude::*;
 
@@ -146,16 +147,19 @@ pub(crate) struct Orientations {
 impl Orientations {
     pub(crate) fn new(mesh: &Mesh, topology: &Topology) -> Self {
         let components = Components::find(mesh, topology);
+        let is_closed = |component: usize| {
+            components.orientable[component] && components.is_closed(component, mesh, topology)
+        };
+        let is_closed = parallel::map(components.len(), is_closed);
         let (closed, open) = (0..components.len())
-            .into_par_iter()
             .filter(|&component| components.orientable[component])
-            .partition(|&component| components.is_closed(component, mesh, topology));
+            .partition(|&component| is_closed[component]);
         Self { components, closed, open }
     }
 
     /// The faces of each component, ascending.
-    pub(crate) fn components(&self) -> impl IndexedParallelIterator<Item = &[u32]> {
-        (0..self.components.len()).into_par_iter().map(|component| self.components.faces(component))
+    pub(crate) fn components(&self) -> Vec<&[u32]> {
+        (0..self.components.len()).map(|component| self.components.faces(component)).collect()
     }
 
     /// The closed components with a volume, ascending.
@@ -203,12 +207,11 @@ impl Orientations {
             return Vec::new();
         }
         let is_reversed = |face: &u32| reversed.binary_search(face).is_ok();
-        self.components()
-            .filter_map(|faces| {
-                let found: Vec<u32> = faces.iter().copied().filter(is_reversed).collect();
-                (2 * found.len() > faces.len()).then_some(found)
-            })
-            .collect()
+        parallel::filter_map(self.components.len(), |component| {
+            let faces = self.components.faces(component);
+            let found: Vec<u32> = faces.iter().copied().filter(is_reversed).collect();
+            (2 * found.len() > faces.len()).then_some(found)
+        })
     }
 
     fn counts(&self) -> Orientation {

@@ -15,9 +15,9 @@ use crate::mesh::box_tree::Bounds;
 use crate::mesh::face_normals::normals_oppose;
 use crate::mesh::polygon_mesh::Mesh;
 use crate::mesh::transform::permanent;
+use crate::num::parallel;
 use crate::num::{CompensatedSum, unit_scale};
 use glam::DVec3;
-use rayon::prelude::*;
 
 /// A closed component with a volume.
 pub(super) struct Shell {
@@ -64,13 +64,14 @@ impl Shell {
 /// Those of the closed components that have a volume, ascending.
 pub(super) fn shells(mesh: &Mesh, components: &Components, closed: &[usize]) -> Vec<Shell> {
     let against = &components.against;
-    let shell = |&component: &usize| {
+    let shell = |i: usize| {
+        let component = closed[i];
         let faces = components.faces(component);
         let outward = faces_outward(mesh, faces, against, face_bounds(mesh, faces))?;
         let is_inward = components.is_majority(component, components.side(component, outward).count());
         Some(Shell { component, outward, is_inward, nest: None, seems_room: false })
     };
-    let mut shells: Vec<Shell> = closed.par_iter().filter_map(shell).collect();
+    let mut shells = parallel::filter_map(closed.len(), shell);
     let faces: Vec<&[u32]> = shells.iter().map(|shell| components.faces(shell.component)).collect();
     let is_inward: Vec<bool> = shells.iter().map(|shell| shell.is_inward).collect();
     let nests = nests(mesh, against, &faces, &is_inward);
@@ -101,14 +102,14 @@ fn rooms(mesh: &Mesh, components: &Components, shells: &[Shell]) -> Vec<u32> {
         let faces = components.faces(component).iter();
         normals_oppose(mesh, faces.map(|&face| (face, against[face as usize] == outward)))
     };
-    let is_room = |contents: &&[(u32, u32)]| {
+    let is_room = |contents: &[(u32, u32)]| {
         let inward =
             |&&(_, shell): &&(u32, u32)| points_inward(shell).unwrap_or(shells[shell as usize].is_inward);
         points_inward(contents[0].0) == Some(true)
             && 2 * contents.iter().filter(inward).count() <= contents.len()
     };
     let rooms: Vec<&[(u32, u32)]> = within.chunk_by(|a, b| a.0 == b.0).collect();
-    rooms.into_par_iter().filter(is_room).map(|contents| contents[0].0).collect()
+    parallel::filter_map(rooms.len(), |i| is_room(rooms[i]).then_some(rooms[i][0].0))
 }
 
 /// The role of each shell, if some components, ascending, are known to be [cavities](super::cavities::cavities) of another
@@ -145,28 +146,25 @@ fn faces_outward(mesh: &Mesh, faces: &[u32], against: &[bool], bounds: Bounds) -
     let middle = bounds.middle();
     let scale = unit_scale((bounds.high - middle).max(middle - bounds.low).max_element());
     let place = |vertex: u32| (mesh.position(vertex) - middle) * scale;
-    let sums: Vec<Sums> = faces
-        .par_chunks(BLOCK)
-        .map(|block| {
-            let mut sums = Sums::default();
-            for &face in block {
-                let sign = if against[face as usize] { -1.0 } else { 1.0 };
-                for triangle in mesh.faces().fan(face) {
-                    let [a, b, c] = triangle.map(place);
-                    sums.volume += sign * a.dot(b.cross(c));
-                    let area = sign * (b - a).cross(c - a);
-                    sums.area.iter_mut().zip(area.to_array()).for_each(|(sum, term)| *sum += term);
-                    sums.magnitude += permanent(a, b, c);
-                }
-                let corners = mesh.faces().face(face as usize);
-                for quad in corners[1..].windows(3) {
-                    let [a, b, c, d] = [corners[0], quad[0], quad[1], quad[2]].map(place);
-                    sums.between_cuts += (b - a).dot((c - a).cross(d - a)).abs();
-                }
+    let sums = parallel::blocks(faces.len(), BLOCK, |block| {
+        let mut sums = Sums::default();
+        for &face in &faces[block] {
+            let sign = if against[face as usize] { -1.0 } else { 1.0 };
+            for triangle in mesh.faces().fan(face) {
+                let [a, b, c] = triangle.map(place);
+                sums.volume += sign * a.dot(b.cross(c));
+                let area = sign * (b - a).cross(c - a);
+                sums.area.iter_mut().zip(area.to_array()).for_each(|(sum, term)| *sum += term);
+                sums.magnitude += permanent(a, b, c);
             }
-            sums
-        })
-        .collect();
+            let corners = mesh.faces().face(face as usize);
+            for quad in corners[1..].windows(3) {
+                let [a, b, c, d] = [corners[0], quad[0], quad[1], quad[2]].map(place);
+                sums.between_cuts += (b - a).dot((c - a).cross(d - a)).abs();
+            }
+        }
+        sums
+    });
     let mut total = Sums::default();
     sums.into_iter().for_each(|sums| total.merge(sums));
     total.sign()

@@ -13,8 +13,8 @@
 use super::components::Components;
 use crate::mesh::obstacles::Obstacles;
 use crate::mesh::polygon_mesh::Mesh;
+use crate::num::parallel;
 use glam::DVec3;
-use rayon::prelude::*;
 
 /// Points of each component; fewer if there are very many components.
 const POINTS: usize = 64;
@@ -55,11 +55,9 @@ pub(super) fn votes(mesh: &Mesh, components: &Components, open: &[usize]) -> Vec
     let obstacles = Obstacles::new(mesh);
     let rays = largest.len() * points * 2 * RAYS;
     let poll = Poll { obstacles, directions: directions(), budget: (STEPS.0 / rays).max(STEPS.1) };
-    let reported: Vec<(usize, Vote)> = largest
-        .into_par_iter()
-        .map(|i| (i, poll.vote(components.faces(open[i]), &components.against, points)))
-        .collect();
-    reported.into_iter().for_each(|(i, vote)| votes[i] = vote);
+    let vote = |&i: &usize| poll.vote(components.faces(open[i]), &components.against, points);
+    let reported = parallel::map_each(&largest, vote);
+    largest.into_iter().zip(reported).for_each(|(i, vote)| votes[i] = vote);
     votes
 }
 
@@ -80,14 +78,13 @@ impl Poll<'_> {
             sum += self.vector_area(face).length();
             sums.push(sum);
         }
-        let said = (0..points).into_par_iter().map(|point| {
+        let said = parallel::filter_map(points, |point| {
             let wanted = sum * (point as f64 + 0.5) / points as f64;
             let face = *faces.get(sums.partition_point(|&sum| sum <= wanted))?;
             let difference = self.difference(face, point)?;
             let difference = if against[face as usize] { -difference } else { difference };
             (difference.abs() >= CLEAR).then_some(difference > 0.0)
         });
-        let said: Vec<bool> = said.flatten().collect();
         let outward = said.iter().filter(|&&outward| outward).count();
         let most = outward.max(said.len() - outward);
         Vote { outward: 2 * outward >= said.len(), confidence: (most + 1) as f64 / (said.len() + 2) as f64 }

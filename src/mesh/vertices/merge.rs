@@ -5,8 +5,10 @@ use crate::mesh::columns::{Column, ColumnIndex, Columns, NONE};
 use crate::mesh::polygon_mesh::Mesh;
 use crate::mesh::positions::{PositionsRef, Storage};
 use crate::mesh::rings::Scatter;
+use crate::num::parallel;
 use glam::DVec3;
 use rayon::prelude::*;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// The bits of a position, with −0 taken as +0: equal for positions that are merged or welded exactly.
@@ -37,7 +39,7 @@ fn first_of_places<K: Fn(u32, usize) -> [u64; 3] + Sync>(count: usize, places: &
     let parts = if count > 1 << 14 { rayon::current_num_threads().clamp(1, 8) } else { 1 };
     let mut first = Scatter::default();
     first.reserve(count);
-    (0..parts).into_par_iter().for_each(|part| {
+    parallel::map(parts, |part| {
         let mut table = PlaceTable { places, slots: vec![NONE; count / (3 * parts) + 8], used: 0 };
         for item in 0..count as u32 {
             let hash = places.hash(item);
@@ -137,8 +139,9 @@ impl Mesh {
     /// Whether each corner has a vertex of its own, numbered like it: the form of STL and of glTF without indices.
     pub(crate) fn is_soup(&self) -> bool {
         let corners = self.faces.corners();
-        corners.len() == self.vertex_count()
-            && corners.par_iter().enumerate().all(|(corner, &vertex)| vertex as usize == corner)
+        let is_own = |(&vertex, corner): (&u32, usize)| vertex as usize == corner;
+        let are_own = |range: Range<usize>| corners[range.clone()].iter().zip(range).all(is_own);
+        corners.len() == self.vertex_count() && !parallel::ranges(corners.len(), are_own).contains(&false)
     }
 
     /// Whether no vertex belongs to two corners: each face has vertices of its own.

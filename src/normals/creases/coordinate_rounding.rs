@@ -1,8 +1,8 @@
 //! The error of angles between faces that the digits of positions allow.
 
 use crate::mesh::{FacesRef, Mesh, PositionsRef, Storage};
+use crate::num::parallel;
 use glam::DVec3;
-use rayon::prelude::*;
 use std::f64::consts::PI;
 
 /// With more decimals than this, the angles between faces of any sensible size are right to far less than they are compared by.
@@ -22,7 +22,7 @@ const FEWEST_DIGITS: u32 = 4;
 pub(in crate::normals) fn turns_by_rounding(mesh: &Mesh) -> Option<Vec<f64>> {
     let moved = 0.5 * 3.0_f64.sqrt() * rounded_to(mesh)?;
     let (faces, positions) = (mesh.faces().view(), mesh.positions());
-    Some((0..faces.len()).into_par_iter().map(|face| turn(faces, positions, face, moved)).collect())
+    Some(parallel::map(faces.len(), |face| turn(faces, positions, face, moved)))
 }
 
 /// By how much the normal of a face turns at most if its corners move by so much.

@@ -6,7 +6,7 @@ use crate::normals::creases::dihedral_test::CreaseTest;
 use crate::normals::creases::fans::{Fans, MeshWalker, Sector};
 use crate::normals::faces::face_normals::FaceNormals;
 use crate::normals::field::EdgeCounts;
-use rayon::prelude::*;
+use crate::num::parallel;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Counts the edges of a mesh, each once, and those near the crease angle.
@@ -17,16 +17,14 @@ use rustc_hash::{FxHashMap, FxHashSet};
 pub(crate) fn edge_counts(walker: &MeshWalker, turns: Option<&[f64]>) -> FoundEdges {
     const CHUNK: usize = 1 << 14;
     let corner_count = walker.fans.faces.corners().len();
-    let Tally { mut edges, undecided } = (0..corner_count.div_ceil(CHUNK))
-        .into_par_iter()
-        .map(|chunk| {
-            let mut tally = Tally::default();
-            for half_edge in chunk * CHUNK..((chunk + 1) * CHUNK).min(corner_count) {
-                tally.add(walker, turns, half_edge as u32);
-            }
-            tally
-        })
-        .reduce(Tally::default, Tally::join);
+    let tallies = parallel::blocks(corner_count, CHUNK, |half_edges| {
+        let mut tally = Tally::default();
+        for half_edge in half_edges {
+            tally.add(walker, turns, half_edge as u32);
+        }
+        tally
+    });
+    let Tally { mut edges, undecided } = tallies.into_iter().fold(Tally::default(), Tally::join);
     for (edge, verdict) in decided_by_others(walker, turns, &undecided) {
         edges.add(verdict, || ends(walker, edge));
     }

@@ -14,6 +14,7 @@ use crate::normals::creases::smooth_groups::{FanScratch, label_ring};
 use crate::normals::faces::face_normals::FaceNormals;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::recipe::Slivers;
+use crate::num::parallel;
 use crate::num::{self, Kernel, LANES, Lanes};
 use rayon::prelude::*;
 
@@ -63,7 +64,7 @@ impl TriangleCreases<'_> {
         rings.fill(vertices, vertex_count);
         labels.reserve(vertices.len());
         firsts.resize(vertex_count, 0);
-        let all_counted = self.normals.state.par_iter().all(|&state| state == FaceState::Counted);
+        let all_counted = parallel::all(&self.normals.state, |&state| state == FaceState::Counted);
         let (rings, labels) = (&*rings, &*labels);
         let context = Context {
             creases: self,

@@ -19,8 +19,8 @@ use crate::normals::recipe::Slivers;
 use crate::normals::slices::vertex_normals::fault_reason;
 use crate::normals::sums::corner_mean::uniform_mean;
 use crate::normals::sums::request::SlotState;
+use crate::num::parallel;
 use glam::DVec3;
-use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
 /// Computes fallback normals. Each fan is summed once.
@@ -52,7 +52,7 @@ impl<'a> FallbackNormals<'a> {
         state: &[SlotState],
         mut set: impl FnMut(usize, DVec3),
     ) -> Vec<(u32, FaultReason)> {
-        if state.par_iter().all(|state| state.has_normal()) {
+        if parallel::all(state, |state| state.has_normal()) {
             return Vec::new();
         }
         let corners = target.iter().enumerate();

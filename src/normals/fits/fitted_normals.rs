@@ -4,8 +4,8 @@ use crate::normals::fits::folds::Folds;
 use crate::normals::fits::polynomial::{Neighbourhoods, Polynomial};
 use crate::normals::fits::rings::{Extent, RingScratch, Rings};
 use crate::num::LANES;
+use crate::num::parallel;
 use glam::DVec3;
-use rayon::prelude::*;
 use std::ops::AddAssign;
 
 /// How much farther a fit may turn the mean than the means of its neighbours turn, in tangents. Where means are
@@ -83,23 +83,18 @@ pub(crate) fn fitted_normals<const N: usize>(
     };
     let folds = Folds::new(rings, means);
     let mut normals = vec![DVec3::ZERO; groups.len()];
-    let failures = normals
-        .par_chunks_mut(CHUNK)
-        .zip(groups.par_chunks(CHUNK))
-        .map_init(
-            || Scratch::new(rings),
-            |scratch, (normals, groups)| {
-                let folded = scratch.find(rings, extent, means, &folds, groups);
-                let mut failures = [FitFailures { folded, ..FitFailures::default() }; N];
-                for (polynomial, failures) in polynomials.into_iter().zip(&mut failures) {
-                    scratch.fit(rings, polynomial, means, groups, normals, failures);
-                }
-                done(groups.len());
-                failures
-            },
-        )
-        .reduce(|| [FitFailures::default(); N], sum);
-    (normals, failures)
+    let fit = |scratch: &mut Scratch, chunk: usize, normals: &mut [DVec3]| {
+        let groups = &groups[chunk * CHUNK..][..normals.len()];
+        let folded = scratch.find(rings, extent, means, &folds, groups);
+        let mut failures = [FitFailures { folded, ..FitFailures::default() }; N];
+        for (polynomial, failures) in polynomials.into_iter().zip(&mut failures) {
+            scratch.fit(rings, polynomial, means, groups, normals, failures);
+        }
+        done(groups.len());
+        failures
+    };
+    let failures = parallel::map_chunks_with(&mut normals, CHUNK, || Scratch::new(rings), fit);
+    (normals, failures.into_iter().fold([FitFailures::default(); N], sum))
 }
 
 /// Memory reused from task to task.

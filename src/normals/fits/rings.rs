@@ -3,9 +3,9 @@
 use crate::mesh::{PositionsRef, Topology, first_positions};
 use crate::normals::creases::smooth_groups::SlotCorners;
 use crate::normals::fits::nearest::{NearTree, Neighbour, by_coordinates};
+use crate::num::parallel;
 use crate::num::unit_scale;
 use glam::DVec3;
-use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
 /// Most neighbours that one fit takes.
@@ -107,19 +107,14 @@ impl RingScratch {
 impl<'a> Rings<'a> {
     pub(crate) fn new(request: FitRequest<'a>, groups: usize) -> Self {
         let first = first_positions(request.positions);
-        let chunk = |chunk: usize| {
-            let range = chunk * CHUNK..groups.min((chunk + 1) * CHUNK);
-            RingChunk::new(request, &first, range)
-        };
-        let chunks = (0..groups.div_ceil(CHUNK)).into_par_iter().map(chunk).collect();
+        let chunks = parallel::blocks(groups, CHUNK, |range| RingChunk::new(request, &first, range));
         let mut rings = Self { positions: request.positions, chunks, crowds: FxHashMap::default() };
         let crowded = (0..groups as u32).filter(|&group| request.group_corners.row(group).len() > CROWDED);
-        let tree = |group: u32| {
+        let tree = |&group: &u32| {
             let points = rings.places(group).iter().map(|&place| rings.position(place)).collect();
             (group, NearTree::build(points))
         };
-        rings.crowds =
-            crowded.collect::<Vec<_>>().into_par_iter().map(tree).collect::<Vec<_>>().into_iter().collect();
+        rings.crowds = parallel::map_each(&crowded.collect::<Vec<_>>(), tree).into_iter().collect();
         rings
     }
 

@@ -12,7 +12,7 @@ use crate::normals::sums::request::{SlotState, SumRequest};
 use crate::normals::sums::single_precision::single_sums_into;
 use crate::normals::sums::weighted_sums::weighted_sums_into;
 use crate::num::Degrees;
-use rayon::prelude::*;
+use crate::num::parallel;
 
 /// Computes indexed corner normals: one normal per vertex and smooth group, and one index a corner.
 ///
@@ -78,7 +78,7 @@ pub fn corner_normals<T: Coordinate>(
     states.resize(slots, SlotState::Empty);
     normals.resize(slots, [T::ZERO; 3]);
     if precision == Precision::Fast
-        && face_normals.state.par_iter().all(|&state| state == FaceState::Counted)
+        && parallel::all(&face_normals.state, |&state| state == FaceState::Counted)
         && single_sums_into(&request, sums, normals, states)
     {
         return Ok(Faults::default());

@@ -2,7 +2,7 @@
 
 use super::avx_singles::AvxSingles;
 use super::{Arithmetic, EightLanes, LANES, Lanes, Rows};
-use crate::num::product::{Fused, Product};
+use crate::num::lanes::product::{Fused, Product};
 use pulp::x86::V3;
 use std::arch::x86_64::{__m256, __m256d, _CMP_LT_OQ};
 

@@ -2,7 +2,7 @@
 
 use super::avx_singles::AvxSingles;
 use super::{Arithmetic, Avx2, EightLanes, LANES, Lanes, Rows, instructions};
-use crate::num::product::{Fused, Product};
+use crate::num::lanes::product::{Fused, Product};
 use pulp::x86::V4;
 use std::arch::x86_64::{__m256, __m512d, __m512i, _CMP_LT_OQ};
 

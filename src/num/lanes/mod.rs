@@ -12,6 +12,8 @@ mod avx2;
 mod avx512;
 // Arithmetic without any particular instructions.
 mod plain;
+// Exact products, with and without a fused multiply-add.
+pub(in crate::num) mod product;
 // Numbers and vectors for formulas, for any number of lanes.
 mod scalars;
 // Eight lanes of single precision in one register of AVX.
@@ -34,9 +36,9 @@ pub(crate) use scalars::{Scalars, Truth, Vectors};
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub(super) use simd128::Simd128;
 
-use super::product::Product;
 use super::real::Real;
 use bytemuck::Pod;
+use product::Product;
 
 /// How many numbers a kernel works on at a time.
 pub(crate) const LANES: usize = 8;
@@ -166,8 +168,8 @@ pub(crate) trait Lanes: EightLanes<Element = f64> + Product {
 #[cfg(test)]
 mod tests {
     use super::super::dispatch::{Kernel, dispatch};
-    use super::super::product::Split;
     use super::super::test_numbers::Numbers;
+    use super::product::Split;
     use super::*;
 
     /// Everything that lanes can do to some rows, as bits.

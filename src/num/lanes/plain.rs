@@ -1,7 +1,7 @@
 //! Arithmetic without any particular instructions.
 
 use super::{Arithmetic, EightLanes, LANES, Lanes, Rows};
-use crate::num::product::{Product, Uncorrected};
+use crate::num::lanes::product::{Product, Uncorrected};
 use crate::num::real::Real;
 use std::marker::PhantomData;
 

@@ -213,7 +213,7 @@ impl<A: Arithmetic> Sub for Vectors<A> {
     }
 }
 
-/// ab − cd; see [`difference_of_products`](crate::num::product::difference_of_products).
+/// ab − cd; see [`difference_of_products`](crate::num::lanes::product::difference_of_products).
 #[inline(always)]
 fn difference_of_products<A: Arithmetic>(
     a: Scalars<A>,

@@ -2,7 +2,7 @@
 
 use super::simd128_singles::Simd128Singles;
 use super::{Arithmetic, EightLanes, LANES, Lanes, Rows};
-use crate::num::product::{Product, Split};
+use crate::num::lanes::product::{Product, Split};
 use pulp::wasm::Simd128 as Token;
 use std::arch::wasm32::v128;
 

@@ -2,6 +2,7 @@
 
 use crate::io::Loaded;
 use crate::mesh::{Mesh, stored_unit};
+use crate::num::parallel;
 use crate::num::{AngleErrors, CompensatedSum, Degrees, angle_between};
 use crate::quality::catalogue::{Kind, entries};
 use crate::quality::comparison::matching::Matching;
@@ -123,7 +124,7 @@ pub fn compare(
         stored_unit(mesh.columns().normals.as_ref()?, mesh, corner)
     };
     let normals = |pair: &[u32; 2]| [0, 1].map(|file| normal(file, pair[file]));
-    let normals: Vec<[Option<DVec3>; 2]> = matching.pairs.par_iter().map(normals).collect();
+    let normals: Vec<[Option<DVec3>; 2]> = parallel::map_each(&matching.pairs, normals);
     let mut comparison = Comparison {
         faces: sides.each_ref().map(Side::faces),
         unmatched: matching.unmatched,

@@ -6,6 +6,7 @@
 //! triangles.
 
 use crate::mesh::Faces;
+use crate::num::parallel;
 use crate::quality::comparison::side::cuts;
 use crate::quality::comparison::side::{MOST_CORNERS, Side};
 use rayon::prelude::*;
@@ -144,8 +145,7 @@ fn keys(side: &Side<'_>, faces: &Faces) -> Vec<(u64, u32)> {
     let key = |face: usize| {
         faces.face(face).iter().fold(0u64, |sum, &corner| sum.wrapping_add(mix(side.place(corner))))
     };
-    let mut keys: Vec<(u64, u32)> =
-        (0..faces.len()).into_par_iter().map(|face| (key(face), face as u32)).collect();
+    let mut keys = parallel::map(faces.len(), |face| (key(face), face as u32));
     keys.par_sort_unstable();
     keys
 }

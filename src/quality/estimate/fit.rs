@@ -2,6 +2,7 @@
 
 use crate::normals::{Crease, Weight};
 use crate::num::Degrees;
+use crate::num::parallel;
 use crate::quality::angles::{SAME, degrees_between};
 use crate::quality::estimate::crease_angle::{EdgeSample, exact_separating_angle, separating_angle};
 use crate::quality::estimate::means::{Factors, MEANS, PoleCache, Smoothness, Sums, equal_creases, sums};
@@ -10,7 +11,6 @@ use crate::quality::estimate::recipe::{EXACT, Estimate, LEFT, NEARLY_ALL, REPROD
 use crate::quality::estimate::rotation::{are_spread, robust_rotation, rotation_angle};
 use crate::quality::input::part::Part;
 use glam::{DMat3, DVec3};
-use rayon::prelude::*;
 use std::sync::Arc;
 
 /// The most corners that quadrics are fitted at.
@@ -82,8 +82,8 @@ impl<'a> Sample<'a> {
         part.stored?;
         let corners = corners(part);
         let unit = |&corner: &u32| part.stored_unit(corner as usize).expect("the sample has directions");
-        let normals = corners.par_iter().map(unit).collect();
-        let edges = corners.par_iter().filter_map(|&corner| EdgeSample::at(part, corner)).collect();
+        let normals = parallel::map_each(&corners, unit);
+        let edges = parallel::filter_map(corners.len(), |i| EdgeSample::at(part, corners[i]));
         (!corners.is_empty()).then(|| Self {
             part,
             corners,
@@ -104,9 +104,9 @@ impl<'a> Sample<'a> {
         let rule = Smoothness::new(estimate.crease, groups.map(|groups| groups.of_face.as_slice()));
         let poles = PoleCache::default();
         let at_corners =
-            self.corners.par_iter().map(|&corner| equal_creases(self.part, corner, rule, &poles));
+            parallel::map_each(&self.corners, |&corner| equal_creases(self.part, corner, rule, &poles));
         let narrower = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].min(b[1])];
-        at_corners.reduce(|| [0.0, 180.0], narrower).map(Degrees)
+        at_corners.into_iter().fold([0.0, 180.0], narrower).map(Degrees)
     }
 
     /// The best fit to all normals rotated back, if that explains the errors of the normals as stored.
@@ -148,7 +148,7 @@ impl<'a> Sample<'a> {
     fn by_rule(&self, rule: Smoothness<'_>, rotated_back: bool) -> Fit {
         let poles = PoleCache::default();
         let sums = |&corner: &u32| sums((self.part, &self.factors), corner, rule, &poles);
-        let sums: Vec<Sums> = self.corners.par_iter().map(sums).collect();
+        let sums: Vec<Sums> = parallel::map_each(&self.corners, sums);
         let rotation = |weight| if rotated_back { robust_rotation(&self.pairs(&sums, weight)) } else { None };
         // Weightings differ by little and in all directions: any of them gives the rotation.
         let about = rotation(0);
@@ -266,19 +266,17 @@ impl<'a> Sample<'a> {
 
     /// Stored normals and the means by a weighting, as unit vectors.
     fn pairs(&self, sums: &[Sums], weight: usize) -> Vec<(DVec3, DVec3)> {
-        let mean = |sums: &Sums| sums[weight].normalize_or_zero();
-        self.normals.par_iter().zip(sums).map(|(&normal, sums)| (normal, mean(sums))).collect()
+        parallel::map(sums.len(), |i| (self.normals[i], sums[i][weight].normalize_or_zero()))
     }
 
     /// The angle in degrees between each stored normal and the mean by a weighting, rotated.
     fn errors(&self, sums: &[Sums], weight: usize, rotation: Option<DMat3>) -> Vec<f64> {
         let mean = |sums: &Sums| rotation.map_or(sums[weight], |rotation| rotation * sums[weight]);
         // A sum that cancels has no direction, and reproduces nothing.
-        let error = |(&normal, sums): (&DVec3, &Sums)| match mean(sums) {
+        parallel::map(sums.len(), |i| match mean(&sums[i]) {
             DVec3::ZERO => 180.0,
-            mean => degrees_between(normal, mean),
-        };
-        self.normals.par_iter().zip(sums).map(error).collect()
+            mean => degrees_between(self.normals[i], mean),
+        })
     }
 }
 
@@ -310,7 +308,7 @@ fn corners(part: &Part<'_>) -> Vec<u32> {
         let (from, to) = (stretch * count / SAMPLE, (stretch + 1) * count / SAMPLE);
         (from + (mixed(stretch as u64) % (to - from) as u64) as usize) as u32
     };
-    (0..SAMPLE).into_par_iter().map(pick).filter(is_usable).collect()
+    parallel::filter_map(SAMPLE, |stretch| Some(pick(stretch)).filter(is_usable))
 }
 
 fn mixed(seed: u64) -> u64 {

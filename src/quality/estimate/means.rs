@@ -1,12 +1,12 @@
 //! Weighted sums of the face normals around a corner by each weighting, for a rule about which edges are smooth.
 
 use crate::normals::{CreaseTest, Weight};
+use crate::num::parallel;
 use crate::num::{Degrees, angle_between};
 use crate::quality::angles::degrees_between;
 use crate::quality::estimate::crease_angle::equal_angles;
 use crate::quality::input::part::Part;
 use glam::DVec3;
-use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use std::sync::{Mutex, PoisonError};
 
@@ -51,8 +51,8 @@ impl Factors {
     /// Of all corners, if they are no more than `most`.
     pub(crate) fn of(part: &Part<'_>, most: usize) -> Self {
         let count = part.mesh.faces().corner_count();
-        let count = if count <= most { count as u32 } else { 0 };
-        Self((0..count).into_par_iter().map(|corner| factors(part, corner)).collect())
+        let count = if count <= most { count } else { 0 };
+        Self(parallel::map(count, |corner| factors(part, corner as u32)))
     }
 
     fn at(&self, part: &Part<'_>, corner: u32) -> Option<[f64; MEANS.len()]> {

@@ -4,10 +4,10 @@
 use crate::mesh::{Columns, Faces, Mesh, MeshBuilder, SmoothingGroups, Topology, Weld};
 use crate::normals::{Crease, Groups, NormalRecipe, Weight, compute_on};
 use crate::num::Degrees;
+use crate::num::parallel;
 use crate::quality::estimate::means::{Smoothness, walk};
 use crate::quality::input::part::Part;
 use glam::DVec3;
-use rayon::prelude::*;
 
 /// The most corners on either side around a vertex. Poles of more are omitted: all their neighbours reach all of them.
 const POLE: usize = 128;
@@ -23,7 +23,7 @@ pub(crate) struct Patch {
 impl Patch {
     pub(crate) fn around(part: &Part<'_>, corners: &[u32]) -> Self {
         // A fit needs the two-ring and the means of its vertices.
-        let around: Vec<Option<Vec<u32>>> = corners.par_iter().map(|&it| two_rings(part, it)).collect();
+        let around = parallel::map_each(corners, |&corner| two_rings(part, corner));
         let mut faces: Vec<u32> = around.iter().flatten().flatten().copied().collect();
         faces.sort_unstable();
         faces.dedup();

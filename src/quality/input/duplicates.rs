@@ -1,6 +1,7 @@
 //! Faces whose corners are at the same positions as those of an earlier face.
 
 use crate::mesh::{Mesh, place_key};
+use crate::num::parallel;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
@@ -65,7 +66,7 @@ fn candidates(mesh: &Mesh, area: &[f64]) -> Vec<usize> {
         true => sum(face).wrapping_mul(FACTOR) & !u64::from(u32::MAX) | face as u64,
         false => NO_FACE,
     };
-    let mut keys: Vec<u64> = (0..mesh.face_count()).into_par_iter().map(packed).collect();
+    let mut keys = parallel::map(mesh.face_count(), packed);
     keys.par_sort_unstable();
     let runs = keys[..keys.partition_point(|&key| key < NO_FACE)].chunk_by(|a, b| a >> 32 == b >> 32);
     let alike = runs.filter(|run| run.len() > 1).flatten();

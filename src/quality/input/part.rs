@@ -5,12 +5,12 @@ use crate::mesh::{
     vector_area,
 };
 use crate::normals::{FaceField, FaultReason};
+use crate::num::parallel;
 use crate::num::{UnitVec3, unit_scale};
 use crate::quality::input::duplicates::DuplicateFaces;
 use crate::quality::input::file::FileContext;
 use crate::quality::thresholds::Thresholds;
 use glam::DVec3;
-use rayon::prelude::*;
 use rustc_hash::FxHashSet;
 use std::ops::Range;
 
@@ -64,8 +64,7 @@ impl<'a> Part<'a> {
         let directions = directions(mesh, &face_field, &winding);
         let extent = mesh.bounds().map_or(0.0, |(low, high)| (high - low).max_element());
         let scale = unit_scale(extent);
-        let faces = (0..mesh.face_count()).into_par_iter();
-        let area: Vec<f64> = faces.map(|face| vector_area(mesh, face, scale).length()).collect();
+        let area = parallel::map(mesh.face_count(), |face| vector_area(mesh, face, scale).length());
         let stored = mesh.columns().normals.as_ref().filter(|stored| !stored.values.is_empty());
         let duplicates = DuplicateFaces::find(mesh, &area);
         Self {
@@ -228,8 +227,7 @@ fn units(mesh: &Mesh, stored: &Column<DVec3>) -> Vec<DVec3> {
     if 3 * stored.values.len() > mesh.faces().corner_count() {
         return Vec::new();
     }
-    let unit = |&normal: &DVec3| UnitVec3::new(normal).map_or(DVec3::ZERO, UnitVec3::get);
-    stored.values.par_iter().map(unit).collect()
+    parallel::map_each(&stored.values, |&normal| UnitVec3::new(normal).map_or(DVec3::ZERO, UnitVec3::get))
 }
 
 /// The winding of the faces of a part, as `crease normals --orient` would change it.

@@ -1,5 +1,6 @@
 //! Sorting triangles into tiles.
 
+use crate::num::parallel;
 use crate::num::{self, Kernel, Lanes};
 use crate::raster::coverage::setup::{CornerRows, GROUP, TILE, double_area};
 use crate::raster::coverage::triangles::DrawnObject;
@@ -8,7 +9,6 @@ use crate::raster::view::clip::{ClipVertex, Shares, clip, screen_vertex};
 use crate::raster::view::fixed_point::{BITS, first_pixel, last_pixel};
 use crate::raster::view::project::{NOT_FINITE, ScreenVertex};
 use crate::raster::view::screen_transform::View;
-use rayon::prelude::*;
 
 /// Marks a triangle that has to be clipped; the other bits are its number among those of all objects.
 pub(crate) const CLIPPED: u32 = 1 << 31;
@@ -65,13 +65,10 @@ impl Bins {
             .iter()
             .flat_map(|object| (0..object.list.len()).step_by(length).map(move |start| (object, start)));
         let parts: Vec<_> = parts.collect();
-        let parts: Vec<Part> = parts
-            .into_par_iter()
-            .map(|(object, start)| {
-                let end = (start + length).min(object.list.len());
-                Part::new(object, start as u32..end as u32, binning)
-            })
-            .collect();
+        let parts = parallel::map_each(&parts, |&(object, start)| {
+            let end = (start + length).min(object.list.len());
+            Part::new(object, start as u32..end as u32, binning)
+        });
         let counts = parts.iter().fold(Counts::default(), |sum, part| Counts {
             drawn: sum.drawn + part.counts.drawn,
             clipped: sum.clipped + part.counts.clipped,

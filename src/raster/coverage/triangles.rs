@@ -1,13 +1,13 @@
 //! Objects made of triangles, ready to be drawn.
 
 use crate::mesh::{Triangulation, triangulate};
+use crate::num::parallel;
 use crate::num::{self, Split, unit_scale};
 use crate::raster::scene::Shape;
 use crate::raster::settings::Cull;
 use crate::raster::view::project::{Points, ScreenVertex, project};
 use crate::raster::view::screen_transform::{ObjectMap, View, ViewPoint};
 use glam::{DMat4, DVec3};
-use rayon::prelude::*;
 
 /// The triangles of an object and where its vertices are on the picture.
 pub(crate) struct DrawnObject<'a> {
@@ -54,8 +54,8 @@ impl<'a> DrawnObject<'a> {
     /// Whether each of so many faces, or a triangle of it, shows the side that is kept. It is computed from vertices
     /// that are not snapped, so that it holds for triangles smaller than a pixel and behind the eye.
     pub(crate) fn kept_faces(&self, count: usize, cull: Cull) -> Vec<bool> {
-        let is_kept = |triangle: u32| {
-            let [a, b, c] = self.list.vertices(triangle).map(|vertex| {
+        let is_kept = |triangle: usize| {
+            let [a, b, c] = self.list.vertices(triangle as u32).map(|vertex| {
                 let ViewPoint { x, y, h, .. } = self.map.view(self.points.at(vertex));
                 DVec3::new(x, y, h)
             });
@@ -64,7 +64,7 @@ impl<'a> DrawnObject<'a> {
             let volume = b.cross(c).dot(a);
             volume != 0.0 && cull.keeps((volume < 0.0) != self.mirrored)
         };
-        let of_triangles: Vec<bool> = (0..self.list.len() as u32).into_par_iter().map(is_kept).collect();
+        let of_triangles = parallel::map(self.list.len(), is_kept);
         let mut of_faces = vec![false; count];
         for (triangle, is_kept) in of_triangles.into_iter().enumerate() {
             of_faces[self.list.face(triangle as u32) as usize] |= is_kept;

@@ -1,6 +1,7 @@
 //! A scene and settings checked and made ready: what all tiles share.
 
 use crate::mesh::{ColumnIndex, NONE, NormalMatrix, normal_matrix};
+use crate::num::parallel;
 use crate::num::unit_scale;
 use crate::raster::coverage::triangles::{Corner, DrawnObject};
 use crate::raster::error::{RenderError, Result};
@@ -14,7 +15,6 @@ use crate::raster::view::screen_transform::{Rays, View};
 use crate::shade::{Frame, Guards, Optics, ShadeSettings, Terminator, Viewer};
 use crate::surface::Placed;
 use glam::{DMat3, DVec3, Vec3};
-use rayon::prelude::*;
 
 pub(crate) struct Job<'a> {
     pub(crate) settings: &'a RenderSettings,
@@ -318,12 +318,12 @@ fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Res
 
 fn check_indices(triangles: &[[u32; 3]], count: usize) -> Result<()> {
     // The largest index first: a search that stops early is slower.
-    let parts = triangles.as_flattened().par_chunks(1 << 16);
-    let largest = parts.map(|part| part.iter().fold(0, |largest, &index| index.max(largest))).max();
-    if largest.is_none_or(|largest| (largest as usize) < count) {
+    let indices = triangles.as_flattened();
+    let largest = |indices: &[u32]| indices.iter().fold(0, |largest, &index| index.max(largest));
+    let largest = parallel::ranges(indices.len(), |range| largest(&indices[range])).into_iter().max();
+    if indices.is_empty() || largest.is_none_or(|largest| (largest as usize) < count) {
         return Ok(());
     }
-    let indices = triangles.as_flattened();
     let wrong = indices.iter().position(|&index| index as usize >= count).unwrap_or(0);
     Err(RenderError::index("triangle", wrong / 3, indices[wrong], count))
 }

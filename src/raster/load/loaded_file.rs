@@ -5,6 +5,7 @@ use crate::io::{
     ReadError, Severity,
 };
 use crate::mesh::{NONE, normal_matrix};
+use crate::num::parallel;
 use crate::num::{LinearRgb, three_digits};
 use crate::raster::load::appearance;
 use crate::raster::load::scene_file::{
@@ -14,7 +15,6 @@ use crate::raster::load::scene_mesh::by_label;
 use crate::raster::view::camera::Camera;
 use crate::shade::Optics;
 use glam::{DMat3, DMat4, DVec3};
-use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 impl SceneFile {
@@ -115,7 +115,7 @@ impl SceneFile {
             // Parts that no node shows need no normals.
             false => Vec::new(),
         };
-        let split: Vec<_> = parts.into_par_iter().zip(is_shown).map(split).collect();
+        let split = parallel::map_owned(parts.into_iter().zip(is_shown).collect(), split);
         let used = || split.iter().flatten().filter_map(|(material, _)| *material);
         if let Some(FileMaterial { name, .. }) = used().find(|material| material.textures > 0) {
             self.notes.push(Note::remark(format!("images are not drawn: `{name}` shows its plain colours")));

@@ -3,9 +3,9 @@
 use crate::io::{Format, Part};
 use crate::mesh::{Column, Columns, FaceEdit, Faces, MeshBuilder, NONE};
 use crate::normals::{Faults, NormalField};
+use crate::num::parallel;
 use crate::num::{LinearRgb, Transfer};
 use crate::raster::load::scene_file::{LoadOptions, SceneMesh};
-use rayon::prelude::*;
 
 impl SceneMesh {
     /// A part of a file in this format, without the faces that use non-finite positions.
@@ -55,7 +55,7 @@ fn linear(colours: &[[f32; 4]], format: Format) -> Vec<LinearRgb> {
             Transfer::Srgb.decode(f64::from(component))
         }
     };
-    colours.par_iter().map(|&[r, g, b, _]| [r, g, b].map(decode).into()).collect()
+    parallel::map_each(colours, |&[r, g, b, _]| [r, g, b].map(decode).into())
 }
 
 /// The faces of each label as a mesh of its own with the vertices that it uses and the normals of the whole, in the order of

@@ -5,8 +5,8 @@
 //! minima, maxima and counts, so that the tree is the same at any number of threads.
 
 use super::tree::{LEAF, Leaf, Node, Tree, WIDTH};
+use crate::num::parallel;
 use glam::{Vec3, Vec4};
-use rayon::prelude::*;
 
 /// Bins along each axis.
 const BINS: usize = 16;
@@ -83,10 +83,9 @@ impl<'a> Range<'a> {
             })
         };
         let (bounds, centres) = match triangles.len() >= PARALLEL {
-            true => triangles
-                .par_chunks(PARALLEL / 4)
-                .map(each)
-                .reduce(|| (Bounds::NONE, Bounds::NONE), |a, b| (a.0.union(b.0), a.1.union(b.1))),
+            true => parallel::ranges(triangles.len(), |range| each(&triangles[range]))
+                .into_iter()
+                .fold((Bounds::NONE, Bounds::NONE), |a, b| (a.0.union(b.0), a.1.union(b.1))),
             false => each(triangles),
         };
         Self { triangles, bounds, centres }
@@ -187,11 +186,9 @@ fn cut<'a>(range: Range<'a>, depth: usize) -> [Range<'a>; 2] {
         None
     } else {
         let bins = match count >= PARALLEL {
-            true => range
-                .triangles
-                .par_chunks(PARALLEL / 4)
-                .map(|part| binning.fill(part))
-                .reduce(|| NO_BINS, merged),
+            true => parallel::ranges(count, |part| binning.fill(&range.triangles[part]))
+                .into_iter()
+                .fold(NO_BINS, merged),
             false => binning.fill(range.triangles),
         };
         cheapest_cut(&bins)
@@ -263,7 +260,7 @@ impl Tree {
                 let child = tree.add_child(part, depth, corners);
                 (tree, child)
             };
-            let below: Vec<(Self, u32)> = parts.into_par_iter().map(below).collect();
+            let below = parallel::map_owned(parts, below);
             for (lane, (tree, child)) in below.into_iter().enumerate() {
                 node.children[lane] = self.append(tree, child);
             }

@@ -5,12 +5,12 @@ use super::lamp::Lamp;
 use super::traverse::{Nearest, Stack, TreeRay, TriangleHit};
 use super::tree::Tree;
 use crate::num;
+use crate::num::parallel;
 use crate::raster::coverage::triangles::DrawnObject;
 use crate::raster::view::screen_transform::REACH;
 use crate::shade::Frame;
 use crate::surface::{Hit, Placed, Ray};
 use glam::{DVec3, Vec3};
-use rayon::prelude::*;
 
 /// What rays need of a scene.
 pub(crate) struct TracedScene {
@@ -75,8 +75,8 @@ impl World {
             object.list.vertices(id - object.first).map(|vertex| vertices[at][vertex as usize])
         };
         let count = drawn.last().map_or(0, |object| object.first + object.list.len() as u32);
-        let mut boxes: Vec<BoxedTriangle> =
-            (0..count).into_par_iter().map(|id| BoxedTriangle::new(id, corners(id))).collect();
+        let triangle = |id: usize| BoxedTriangle::new(id as u32, corners(id as u32));
+        let mut boxes = parallel::map(count as usize, triangle);
         let tree = Tree::new(&mut boxes, &corners);
         let solids = surfaces.into_iter().map(|(object, surface)| {
             let (centre, radius) = surface.sphere();
@@ -213,12 +213,10 @@ impl Solid {
 /// The vertices of an object, no farther from the origin of the frame than shaders take points.
 fn in_frame(object: &DrawnObject, frame: Frame) -> Vec<Vec3> {
     let per_unit = 1.0 / frame.unit;
-    let count = object.points.len() as u32;
-    let vertex = |vertex: u32| {
-        let point = object.map.scene_point(object.points.at(vertex)) * per_unit;
+    parallel::map(object.points.len(), |vertex| {
+        let point = object.map.scene_point(object.points.at(vertex as u32)) * per_unit;
         let largest = point.abs().max_element();
         let reach = f64::from(REACH);
         (if largest > reach { point * (reach / largest) } else { point }).as_vec3()
-    };
-    (0..count).into_par_iter().with_min_len(4096).map(vertex).collect()
+    })
 }

@@ -1,11 +1,11 @@
 //! Vertices on the picture.
 
 use crate::mesh::PositionsRef;
+use crate::num::parallel;
 use crate::num::{self, Kernel, Lanes};
 use crate::raster::view::fixed_point::{GUARD, snap};
 use crate::raster::view::screen_transform::{ObjectMap, View};
 use glam::DVec3;
-use rayon::prelude::*;
 
 /// A vertex as the rasterizer sees it: 16 bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -39,9 +39,11 @@ pub(crate) fn project(points: Points, map: &ObjectMap, view: &View) -> (Vec<Scre
 }
 
 fn project_all<T: Point>(points: &[T], map: &ObjectMap, view: &View, vertices: &mut [ScreenVertex]) -> u32 {
-    let tasks = vertices.par_chunks_mut(TASK).zip(points.par_chunks(TASK));
-    let outside = tasks.map(|(out, points)| num::dispatch(Project { points, map, view, out }));
-    outside.reduce(|| 0, |a, b| a | b)
+    let outside = parallel::map_chunks(vertices, TASK, |task, out| {
+        let points = &points[task * TASK..][..out.len()];
+        num::dispatch(Project { points, map, view, out })
+    });
+    outside.into_iter().fold(0, |a, b| a | b)
 }
 
 const LANES: usize = 32;

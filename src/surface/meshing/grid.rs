@@ -1,13 +1,13 @@
 //! Grids of parameters, and joining the grids of neighbouring patches.
 
 use crate::mesh::DisjointSets;
+use crate::num::parallel;
 use crate::surface::error::{MOST_CELLS, Result, check_count};
 use crate::surface::meshing::net::{Net, sample};
 use crate::surface::meshing::pattern::{GridHash, Pattern, Tessellation};
 use crate::surface::shapes::bezier::BezierPatch;
 use crate::surface::shapes::chart::{Chart, Parametric, Sample};
 use glam::{DVec2, DVec3};
-use rayon::prelude::*;
 
 /// Grids on charts, one after the other, not joined.
 pub(crate) fn net(charts: &[&dyn Parametric], tessellation: &Tessellation) -> Result<Net> {
@@ -17,9 +17,8 @@ pub(crate) fn net(charts: &[&dyn Parametric], tessellation: &Tessellation) -> Re
         grid.check(charts.len() as u64)?;
         let base = net.samples.len() as u32;
         let places = grid.places();
-        let samples: Result<Vec<Sample>> =
-            places.par_iter().map(|&(i, j)| sample(*chart, grid.parameters(i, j))).collect();
-        net.samples.extend(samples?);
+        let samples = parallel::map_each(&places, |&(i, j)| sample(*chart, grid.parameters(i, j)));
+        net.samples.extend(samples.into_iter().collect::<Result<Vec<Sample>>>()?);
         net.first_faces.push(net.faces.len());
         for (i, j) in (0..grid.segments[1]).flat_map(|j| (0..grid.segments[0]).map(move |i| (i, j))) {
             grid.cut(i, j, &mut |corners| {

@@ -1,13 +1,13 @@
 //! Marching tetrahedra: meshes that are independent of the parameters of the surface.
 
 use crate::mesh::Faces;
+use crate::num::parallel;
 use crate::surface::error::{MOST_CELLS, Result, SurfaceError, check_count};
 use crate::surface::meshing::net::Net;
 use crate::surface::meshing::pattern::GridHash;
 use crate::surface::shapes::chart::Sample;
 use crate::surface::shapes::implicit::{Implicit, Room};
 use glam::{DVec3, UVec3};
-use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
 /// The six tetrahedra of a cube, one for each order of the axes from its lowest corner to its highest (H. W. Kuhn
@@ -21,10 +21,8 @@ pub(crate) fn net(surface: &dyn Implicit, room: Room, cells: u32, hash: GridHash
     let lattice = Lattice::new(room, cells, hash)?;
     let counts = lattice.cells + UVec3::ONE;
     let total = counts.x as usize * counts.y as usize * counts.z as usize;
-    let inside: Vec<bool> = (0..total)
-        .into_par_iter()
-        .map(|index| surface.value(lattice.point(lattice.place(index))) < 0.0)
-        .collect();
+    let is_inside = |index: usize| surface.value(lattice.point(lattice.place(index))) < 0.0;
+    let inside = parallel::map(total, is_inside);
     // One vertex for each lattice edge that crosses the surface, between a point inside and one outside.
     let (mut numbers, mut edges) = (FxHashMap::default(), Vec::new());
     let mut crossing = |a: usize, b: usize| {
@@ -48,7 +46,7 @@ pub(crate) fn net(surface: &dyn Implicit, room: Room, cells: u32, hash: GridHash
         let [within, without] = [within, without].map(|index| lattice.point(lattice.place(index)));
         on_surface(surface, within, without)
     };
-    let samples: Option<Vec<Sample>> = edges.par_iter().map(sample).collect();
+    let samples: Option<Vec<Sample>> = parallel::map_each(&edges, sample).into_iter().collect();
     let reason = "the surface has no normal at a point where the lattice meets it";
     let samples = samples.ok_or_else(|| SurfaceError::pattern("marching", reason))?;
     Ok(Net::without_parameters(samples, Faces::triangles(triangles.as_flattened().to_vec())))

@@ -1,10 +1,10 @@
 //! Faces over samples of a surface: the result of each pattern, from which meshes are made; and their dual.
 
 use crate::mesh::{Faces, Topology};
+use crate::num::parallel;
 use crate::surface::error::{Result, SurfaceError};
 use crate::surface::shapes::chart::{Parametric, Sample};
 use glam::DVec2;
-use rayon::prelude::*;
 
 #[derive(Default)]
 pub(crate) struct Net {
@@ -79,10 +79,8 @@ pub(crate) fn dual(triangles: &Net, sample: impl Fn(usize, DVec2) -> Result<Samp
         }
         faces.push(&ring);
     }
-    let middle = |&face: &usize| (face, triangles.middle(face));
-    let samples: Result<Vec<Sample>> =
-        used.par_iter().map(middle).map(|(face, at)| sample(face, at)).collect();
-    let samples = samples?;
+    let samples = parallel::map_each(&used, |&face| sample(face, triangles.middle(face)));
+    let samples = samples.into_iter().collect::<Result<Vec<Sample>>>()?;
     let parameters = faces.corners().iter().map(|&corner| triangles.middle(used[corner as usize])).collect();
     Ok(Net { samples, faces, corner_parameters: parameters, first_faces: Vec::new() })
 }

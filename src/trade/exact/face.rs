@@ -3,9 +3,9 @@
 use super::vector::{Vector, add, angle, cross, difference, dot, length, unit};
 use super::{BITS, Big, big};
 use crate::normals::Weight;
+use crate::num::parallel;
 use dashu_int::IBig;
 use glam::DVec3;
-use rayon::prelude::*;
 
 /// Twice the area vector, in units of 2⁻²¹⁴⁸: Σ Pi × Pi+1, which is exact here wherever the origin is. The formulas of the
 /// kernels are others, so that a comparison tests them.
@@ -76,10 +76,9 @@ const CHUNK: usize = 4096;
 /// # Panics
 /// For a [fit](Weight::is_fit).
 pub(crate) fn vertex_normal(centre: DVec3, fan: &[[DVec3; 2]], weight: Weight) -> Option<Vector> {
-    let chunks: Vec<Option<Vector>> = fan
-        .par_chunks(CHUNK)
-        .map(|chunk| chunk.iter().filter_map(|&[a, b]| term(centre, a, b, weight)).reduce(add))
-        .collect();
+    let chunks = parallel::blocks(fan.len(), CHUNK, |chunk| {
+        fan[chunk].iter().filter_map(|&[a, b]| term(centre, a, b, weight)).reduce(add)
+    });
     unit(&chunks.into_iter().flatten().reduce(add)?)
 }
 

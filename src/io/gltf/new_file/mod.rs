@@ -24,6 +24,7 @@ use crate::io::{
     TangentPolicy, WriteError, WriteOptions, Written,
 };
 use crate::mesh::{Column, Mesh, NONE, PositionsRef, Storage};
+use crate::num::parallel;
 use glam::DVec3;
 use gltf::json::mesh as mode;
 use pieces::{Group, groups, pieces};
@@ -351,7 +352,9 @@ fn positions<'a>(split: &SplitMesh<'a>, notes: &mut Vec<Note>) -> Result<(Single
     };
     // One zero only: which of two wins would depend on how the work is divided.
     let plain = |p: &[f32; 3]| p.map(|x| x + 0.0);
-    let (low, high) = rounded.par_iter().map(plain).map(|p| (p, p)).reduce(|| none, join);
+    let bounds = |points: &[[f32; 3]]| points.iter().map(plain).map(|p| (p, p)).fold(none, join);
+    let bounds = parallel::ranges(rounded.len(), |range| bounds(&rounded[range]));
+    let (low, high) = bounds.into_iter().fold(none, join);
     if low.iter().chain(&high).any(|bound| bound.is_infinite()) {
         return Err(beyond_f32(mesh));
     }

@@ -2,6 +2,7 @@
 
 use crate::mesh::{ColumnIndex, FaceLabels, place_key};
 use crate::normals::Weight;
+use crate::num::parallel;
 use crate::quality::estimate::means::term;
 use crate::quality::findings::geometry::vertices::{index_mean, index_mean_error};
 use crate::quality::findings::prelude::*;
@@ -33,11 +34,12 @@ pub(crate) fn search_vertices(facts: &Facts<'_>, found: &mut Found) {
     if facts.stored.is_some() || !facts.file.shares_vertices() {
         return;
     }
-    let key = |vertex: u32| place_key(facts.mesh.positions().at(vertex));
-    let used = (0..facts.mesh.vertex_count() as u32)
-        .into_par_iter()
-        .filter(|&vertex| !facts.topology.corners_at(vertex).is_empty());
-    let mut keys: Vec<([u64; 3], u32)> = used.map(|vertex| (key(vertex), vertex)).collect();
+    let key = |vertex: usize| {
+        let vertex = vertex as u32;
+        let is_used = !facts.topology.corners_at(vertex).is_empty();
+        is_used.then(|| (place_key(facts.mesh.positions().at(vertex)), vertex))
+    };
+    let mut keys = parallel::filter_map(facts.mesh.vertex_count(), key);
     keys.par_sort_unstable();
     for at_one_position in keys.chunk_by(|a, b| a.0 == b.0).filter(|chunk| chunk.len() > 1) {
         let mut different: FxHashSet<Vec<u64>> = FxHashSet::default();

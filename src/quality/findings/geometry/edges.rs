@@ -1,8 +1,8 @@
 //! Edges of more than two faces, and edges where the surface folds back.
 
 use crate::mesh::{Link, place_key};
+use crate::num::parallel;
 use crate::quality::findings::prelude::*;
-use glam::DVec3;
 use rayon::prelude::*;
 
 pub(crate) fn check_folds(facts: &Facts<'_>, face: usize, folded: Limit, found: &mut Found) {
@@ -22,7 +22,8 @@ pub(crate) fn check_folds(facts: &Facts<'_>, face: usize, folded: Limit, found: 
 pub(crate) fn search_non_manifold(facts: &Facts<'_>, found: &mut Found) {
     let corners = facts.mesh.faces().corners();
     let key = |vertex: u32| place_key(facts.mesh.positions().at(vertex));
-    let ends = |half_edge: u32| {
+    let ends = |half_edge: usize| {
+        let half_edge = half_edge as u32;
         let (tail, head) = facts.topology.ends(corners, half_edge);
         let [a, b] = match facts.topology.link(half_edge) {
             // By index where it is an edge by index, else by position.
@@ -32,8 +33,7 @@ pub(crate) fn search_non_manifold(facts: &Facts<'_>, found: &mut Found) {
         };
         Some(([a.min(b), a.max(b)], half_edge))
     };
-    let mut edges: Vec<([[u64; 3]; 2], u32)> =
-        (0..corners.len() as u32).into_par_iter().filter_map(ends).collect();
+    let mut edges = parallel::filter_map(corners.len(), ends);
     edges.par_sort_unstable();
     for edge in edges.chunk_by(|a, b| a.0 == b.0) {
         let half_edge = edge[0].1 as usize;
@@ -50,17 +50,15 @@ pub(crate) fn largest_dihedral_angle(facts: &Facts<'_>, half_edge: u32) -> f64 {
         [tail, head].map(|vertex| place_key(facts.mesh.positions().at(vertex)))
     };
     let [tail, head] = ends(half_edge);
-    let normals: Vec<DVec3> = (0..vertices.len() as u32)
-        .into_par_iter()
-        .filter_map(|other| {
-            let normal = || facts.face_normal(facts.topology.face_of(other) as usize);
-            match ends(other) {
-                same if same == [tail, head] => Some(normal()),
-                back if back == [head, tail] => Some(-normal()),
-                _ => None,
-            }
-        })
-        .collect();
+    let normals = parallel::filter_map(vertices.len(), |other| {
+        let other = other as u32;
+        let normal = || facts.face_normal(facts.topology.face_of(other) as usize);
+        match ends(other) {
+            same if same == [tail, head] => Some(normal()),
+            back if back == [head, tail] => Some(-normal()),
+            _ => None,
+        }
+    });
     // From one face into another the two run the edge opposite ways.
     let pairs = normals.iter().enumerate().flat_map(|(i, a)| normals[i + 1..].iter().map(move |b| (*a, -*b)));
     pairs.map(|(a, b)| degrees_between(a, b)).fold(0.0, f64::max)

@@ -6,7 +6,6 @@ use crate::quality::estimate::means::{PoleCache, SHORT};
 use crate::quality::findings::prelude::*;
 use crate::quality::findings::stored::origin::Origin;
 use crate::quality::thresholds::Thresholds;
-use rayon::prelude::*;
 
 /// An edge between two sound faces, with stored normals at all four corners.
 pub(crate) struct Edge {
@@ -20,11 +19,6 @@ pub(crate) struct Edge {
 }
 
 impl Edge {
-    pub(crate) fn all(facts: &Facts<'_>) -> impl ParallelIterator<Item = Edge> {
-        let half_edges = (0..facts.mesh.faces().corner_count() as u32).into_par_iter();
-        half_edges.filter_map(|half_edge| Self::once(facts, half_edge))
-    }
-
     /// The edge of one of two half-edges; `None` for the other one.
     pub(crate) fn once(facts: &Facts<'_>, half_edge: u32) -> Option<Edge> {
         facts.across_once(half_edge).and_then(|_| Self::at(facts, half_edge))

@@ -2,9 +2,9 @@
 
 use crate::mesh::DisjointSets;
 use crate::normals::Crease;
+use crate::num::parallel;
 use crate::quality::findings::prelude::*;
 use crate::quality::findings::smoothing::edge::Edge;
-use rayon::prelude::*;
 
 /// The share of edges that the crease angle has to put on the right side before the others are faults.
 const RULE: f64 = 0.98;
@@ -102,16 +102,20 @@ fn search_cracks(facts: &Facts<'_>, found: &mut Found) {
 
 /// Whether normals differ on the two sides of any edge that is not flat.
 fn has_sharp_edges(facts: &Facts<'_>) -> bool {
-    Edge::all(facts).any(|edge| !edge.is_shared() && edge.dihedral_angle(facts) > SAME)
+    let is_sharp = |edge: Edge| !edge.is_shared() && edge.dihedral_angle(facts) > SAME;
+    let is_found = |half_edge: usize| Edge::once(facts, half_edge as u32).is_some_and(is_sharp);
+    parallel::ranges(facts.mesh.faces().corner_count(), |mut range| range.any(is_found)).contains(&true)
 }
 
 /// Whether edges that split normals have no larger dihedral angles than those that do not: a cut through a smooth surface goes
 /// anywhere, while edges are marked as sharp where a surface bends.
 fn is_cut(facts: &Facts<'_>) -> bool {
     let angles = |is_wanted: fn(&Facts<'_>, &Edge) -> bool| {
-        let wanted = Edge::all(facts).filter(|edge| is_wanted(facts, edge));
-        let mut angles: Vec<f64> =
-            wanted.map(|edge| edge.dihedral_angle(facts)).filter(|&angle| angle > SAME).collect();
+        let angle = |half_edge: usize| {
+            let edge = Edge::once(facts, half_edge as u32).filter(|edge| is_wanted(facts, edge))?;
+            Some(edge.dihedral_angle(facts)).filter(|&angle| angle > SAME)
+        };
+        let mut angles = parallel::filter_map(facts.mesh.faces().corner_count(), angle);
         angles.sort_unstable_by(f64::total_cmp);
         angles
     };

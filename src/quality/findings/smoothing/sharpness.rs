@@ -1,12 +1,12 @@
 //! Normals against the shape: flat ones on a smooth shape, and smooth ones on a shape with sharp edges.
 
 use crate::normals::Crease;
+use crate::num::parallel;
 use crate::quality::estimate::recipe::REPRODUCED;
 use crate::quality::findings::geometry::face_shape::bow;
 use crate::quality::findings::prelude::*;
 use crate::quality::findings::smoothing::edge::Edge;
 use crate::quality::findings::smoothing::seams::FEWEST_SHARP;
-use rayon::prelude::*;
 
 /// Edges of a smaller dihedral angle, in degrees, do not count.
 const FLAT: f64 = 1.0;
@@ -47,12 +47,10 @@ fn angle_over(facts: &Facts<'_>, half_edge: u32, limit: Limit) -> Option<f64> {
 /// How many edges have a dihedral angle between two others, in degrees, and how many a larger one.
 fn count_edges(facts: &Facts<'_>, [low, high]: [f64; 2]) -> [usize; 2] {
     let limit = Limit::new(low);
-    let half_edges = (0..facts.mesh.faces().corner_count() as u32).into_par_iter();
-    let counts = half_edges.filter_map(|half_edge| angle_over(facts, half_edge, limit)).map(|angle| {
-        let is_larger = usize::from(angle > high);
-        [1 - is_larger, is_larger]
-    });
-    counts.reduce(|| [0; 2], |[a, b], [c, d]| [a + c, b + d])
+    let angle = |half_edge: usize| angle_over(facts, half_edge as u32, limit);
+    let angles = parallel::filter_map(facts.mesh.faces().corner_count(), angle);
+    let larger = angles.iter().filter(|&&angle| angle > high).count();
+    [angles.len() - larger, larger]
 }
 
 /// Whether most edges that are not flat have small dihedral angles, as on a smooth shape.
@@ -111,12 +109,12 @@ pub(crate) fn search_soft(facts: &Facts<'_>, found: &mut Found) {
 /// How many sharp edges have a broad flat on a side.
 fn count_flat_sided(facts: &Facts<'_>, sharp_from: f64) -> usize {
     let sharp = Limit::new(sharp_from);
-    let has_flat = |half_edge: &u32| {
-        let sides = [Some(*half_edge), facts.topology.across(*half_edge)];
-        angle_over(facts, *half_edge, sharp).is_some()
+    let has_flat = |half_edge: u32| {
+        let sides = [Some(half_edge), facts.topology.across(half_edge)];
+        angle_over(facts, half_edge, sharp).is_some()
             && sides.into_iter().flatten().any(|side| is_broad(facts, facts.face_of(side as usize)))
     };
-    (0..facts.mesh.faces().corner_count() as u32).into_par_iter().filter(has_flat).count()
+    parallel::count(facts.mesh.faces().corner_count(), has_flat)
 }
 
 fn is_broad(facts: &Facts<'_>, face: usize) -> bool {
@@ -153,9 +151,10 @@ fn count_kept_sharp(facts: &Facts<'_>, sharp_from: f64, is_rule: bool) -> usize 
     };
     let is_kept =
         |edge: &Edge| !edge.is_shared() && (!is_rule || edge.ends.as_flattened().iter().all(follows));
-    let half_edges = (0..facts.mesh.faces().corner_count() as u32).into_par_iter();
-    let sharp_edges = half_edges.filter(|&half_edge| angle_over(facts, half_edge, sharp).is_some());
-    sharp_edges.filter_map(|half_edge| Edge::once(facts, half_edge)).filter(is_kept).count()
+    parallel::count(facts.mesh.faces().corner_count(), |half_edge| {
+        angle_over(facts, half_edge, sharp).is_some()
+            && Edge::once(facts, half_edge).is_some_and(|edge| is_kept(&edge))
+    })
 }
 
 /// Sharp edges with the same stored normal on both sides.

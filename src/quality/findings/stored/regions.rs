@@ -1,10 +1,10 @@
 //! Regions of a surface whose normals were made in another way than those of the rest.
 
+use crate::num::parallel;
 use crate::quality::estimate::recipe::REPRODUCED;
 use crate::quality::estimate::rotation::{are_spread, robust_rotation};
 use crate::quality::findings::prelude::*;
 use glam::DVec3;
-use rayon::prelude::*;
 
 /// The share of a component's normals from which it follows the recipe of the mesh, and the others are faults.
 const FOLLOWED: f64 = 1.0 / 3.0;
@@ -60,13 +60,12 @@ impl Regions {
     /// Adds components that follow no recipe. Returns a mark for each face of a component that does not follow that of the mesh,
     /// for whatever reason; nothing if all do.
     fn add_components(&mut self, facts: &Facts<'_>, near: f64) -> Vec<bool> {
-        let related = facts.winding.components.components().map(|faces| {
+        let mut others = parallel::map_each(&facts.winding.components.components(), |&faces| {
             let (relation, corners) = relation(facts, faces, near);
             let is_rotated = relation == Relation::Other && is_rotated(facts, faces);
             (if is_rotated { Relation::Rotated } else { relation }, corners, faces)
         });
-        let others: Vec<(Relation, usize, &[u32])> =
-            related.filter(|(relation, ..)| *relation != Relation::Follow).collect();
+        others.retain(|(relation, ..)| *relation != Relation::Follow);
         let corners = |relation| others.iter().filter(|it| it.0 == relation).map(|it| it.1).sum::<usize>();
         let are_by_chance = corners(Relation::Other) >= BY_CHANCE * corners(Relation::Negated);
         let mut known = Vec::new();
@@ -124,7 +123,7 @@ fn gradual_edits(facts: &Facts<'_>, near: f64, excluded: &[bool]) -> Vec<Vec<u32
             && !excluded.get(face).is_some_and(|&is| is)
             && facts.corners_of(face).all(deviates)
     };
-    let mut departing: Vec<bool> = (0..facts.mesh.face_count()).into_par_iter().map(departs).collect();
+    let mut departing = parallel::map(facts.mesh.face_count(), departs);
     let mut regions = Vec::new();
     for seed in 0..departing.len() {
         let mut region = Vec::new();

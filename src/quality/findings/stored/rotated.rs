@@ -2,11 +2,11 @@
 
 use crate::mesh::are_same;
 use crate::num::Radians;
+use crate::num::parallel;
 use crate::quality::estimate::rotation::{are_spread, closest_rotation, outer, rotation_angle};
 use crate::quality::findings::prelude::*;
 use crate::quality::thresholds::Thresholds;
 use glam::{DMat3, DVec3};
-use rayon::prelude::*;
 use std::ops::Range;
 
 /// The mean cosine from which a rotation explains the normals.
@@ -136,8 +136,7 @@ impl Sums {
         const BLOCK: usize = 1 << 14;
         let first = (0..facts.mesh.faces().corner_count()).find_map(|corner| facts.stored_unit(corner));
         let count = facts.mesh.face_count();
-        let of_block = |block: usize| Self::of(facts, block * BLOCK..((block + 1) * BLOCK).min(count), first);
-        let blocks: Vec<Self> = (0..count.div_ceil(BLOCK)).into_par_iter().map(of_block).collect();
+        let blocks = parallel::blocks(count, BLOCK, |faces| Self::of(facts, faces, first));
         blocks.into_iter().fold(Self::NONE, |all, block| Self {
             correlation: all.correlation + block.correlation,
             weight: all.weight + block.weight,

@@ -1,6 +1,6 @@
 //! Exact products, with and without a fused multiply-add.
 
-use super::real::Real;
+use crate::num::real::Real;
 use glam::DVec3;
 
 /// A way to multiply two numbers without losing anything.
