@@ -1,14 +1,20 @@
 //! The numerical extremes: every expectation of the catalogue, and `crease stress` from outside.
 
 use assert_cmd::Command;
-use crease::trade::stress::{Cause, Group, Measured, StressCase, cases_of, catalogue};
+use crease::trade::stress::{Cause, Group, Measured, StressCase, StressResult, cases_of, catalogue};
 use glam::{DVec3, Vec3};
 use serde_json::Value;
 use std::f64::consts::TAU;
 use std::process::Output;
+use std::sync::LazyLock;
 
 /// The least numbers of cases in which plain code fails: by rounding and by definition.
 const PLAIN_FAILS: [usize; 2] = [10, 15];
+
+/// What all cases measure, on all threads. Most of it is exact arithmetic, so tests share it.
+static MEASURED: LazyLock<Vec<StressResult<'static>>> =
+    LazyLock::new(|| CATALOGUE.iter().map(StressCase::run).collect());
+static CATALOGUE: LazyLock<Vec<StressCase>> = LazyLock::new(catalogue);
 
 /// Cases of more faces than this take most of the time, and the code of those of fewer.
 fn is_quick(case: &StressCase) -> bool {
@@ -18,8 +24,8 @@ fn is_quick(case: &StressCase) -> bool {
 #[test]
 fn every_expectation_holds_and_plain_code_fails_in_many() {
     let (mut causes, mut declined, mut broken) = (Vec::new(), 0, Vec::new());
-    for case in catalogue() {
-        let result = case.run();
+    for result in &*MEASURED {
+        let case = result.case;
         if !result.holds() {
             broken.push(format!("{case:?}: {:?}", result.measured));
         }
@@ -40,9 +46,8 @@ fn every_expectation_holds_and_plain_code_fails_in_many() {
 #[test]
 fn errors_are_those_of_rounding_and_no_less() {
     let worst = |group: Group| {
-        let errors =
-            cases_of(group).into_iter().filter(is_quick).map(|case| case.run().measured.faithful.error);
-        errors.fold(0.0, f64::max)
+        let of_group = MEASURED.iter().filter(|result| result.case.group == group && is_quick(result.case));
+        of_group.map(|result| result.measured.faithful.error).fold(0.0, f64::max)
     };
     assert!((0.45..=0.501).contains(&worst(Group::Magnitude)), "half an ulp of f32");
     assert!((0.45..=0.501).contains(&worst(Group::Needle)));
@@ -187,16 +192,15 @@ fn plain_code_fails_as_the_reference_says() {
 
 #[test]
 fn the_same_errors_to_the_bit_at_any_number_of_threads() {
-    let measure = |threads: usize| -> Vec<Measured> {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| {
-            catalogue().iter().filter(|case| is_quick(case)).map(|case| case.run().measured).collect()
-        })
-    };
-    // Of equal numbers only 0 has two signs, and no error is −0.
-    let [one, two, three] = [1, 2, 3].map(measure);
-    assert_eq!(one, two);
-    assert_eq!(one, three);
+    // More threads than the other tests have on small machines; `the_program_gives_the_same_report_with_one_thread` has fewer.
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
+    let measured: &[StressResult<'_>] = &MEASURED;
+    pool.install(|| {
+        // Of equal numbers only 0 has two signs, and no error is −0.
+        for StressResult { case, measured, .. } in measured.iter().filter(|result| is_quick(result.case)) {
+            assert_eq!(case.run().measured, *measured, "{case:?}");
+        }
+    });
 }
 
 fn stress(args: &[&str]) -> Output {
