@@ -3,8 +3,8 @@
 use super::mesh_checks::{check_size, face_notes};
 use super::text::without_byte_order_mark;
 use super::{Format, Limits, Loaded, Place, Problem, ReadError, ReadOptions, gltf, obj, ply, stl, threemf};
-use crate::num::parallel;
 #[cfg(unix)]
+use crate::num::parallel;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
