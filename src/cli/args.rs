@@ -12,9 +12,10 @@ use super::stress::args::StressArgs;
 use super::surface::args::SurfaceArgs;
 use super::trade::args::TradeArgs;
 use clap::{Parser, Subcommand};
+use std::ffi::OsString;
 
 #[derive(Parser)]
-#[command(name = "crease", version, max_term_width = 110)]
+#[command(name = "crease", version, max_term_width = 110, disable_help_subcommand = true)]
 #[command(subcommand_value_name = "VERB", subcommand_help_heading = "Verbs")]
 pub struct Cli {
     #[arg(long, global = true, value_name = "WHEN", default_value = "auto", value_parser = one_of::<Color>())]
@@ -37,6 +38,7 @@ pub enum Verb {
     Journal(Box<JournalArgs>),
     Completions { shell: clap_complete::Shell },
     Man { verb: Option<String> },
+    Help { verb: Vec<OsString> },
 }
 
 #[cfg(test)]

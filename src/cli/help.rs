@@ -35,6 +35,7 @@ pub fn command() -> Command {
             described(command, texts, "").after_help(short).after_long_help(long.trim().to_owned())
         })
     });
+    let program = program.mut_subcommand("help", |command| described(command, &SHARED, "help-"));
     ["completions", "man"].into_iter().fold(program, |program, verb| {
         let examples = examples(&SHARED, &format!("{verb}-example"));
         program.mut_subcommand(verb, |command| {
@@ -117,10 +118,18 @@ mod tests {
     #[test]
     fn all_help_is_there_and_used() {
         let program = command();
-        let mut known: BTreeSet<String> =
-            ["about", "completions-about", "completions-shell", "man-about", "man-verb", "color"]
-                .map(str::to_owned)
-                .into();
+        let mut known: BTreeSet<String> = [
+            "about",
+            "completions-about",
+            "completions-shell",
+            "help-about",
+            "help-verb",
+            "man-about",
+            "man-verb",
+            "color",
+        ]
+        .map(str::to_owned)
+        .into();
         let mut values = BTreeSet::new();
         for (verb, ..) in &VERBS {
             let command = program.find_subcommand(verb).unwrap();

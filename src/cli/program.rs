@@ -34,6 +34,10 @@ pub fn run(line: Vec<OsString>) -> Exit {
         Verb::Trade(ref args) => trade::run::main(args, cli.color),
         Verb::Completions { shell } => docs::completions(shell),
         Verb::Man { ref verb } => docs::manual(verb.as_deref()),
+        Verb::Help { verb } => {
+            let program = line.into_iter().take(1);
+            run(program.chain(verb).chain(["--help".into()]).collect())
+        }
     }
 }
 

@@ -200,6 +200,7 @@ faces-below-storage-advice =
     No action needed for crease, which ignores these faces when averaging; other tools may not.
 
 needle-faces-title = long, thin faces
+needle-faces-unit = times as wide as long
 needle-faces-meaning =
     They are less than a thousandth as wide as long. Rounding rotates their normals by large angles, interpolated values
     jump across them, and in motion they flicker.
@@ -241,6 +242,7 @@ crossed-polygons-meaning =
 crossed-polygons-advice = Correct the order of their corners.
 
 non-manifold-edges-title = edges with more than two faces
+non-manifold-edges-unit = faces at an edge
 non-manifold-edges-meaning =
     It is ambiguous which of the faces continue each other, so nothing is smoothed across. A crease is visible
     there.
@@ -266,6 +268,7 @@ cancelling-fans-meaning =
 cancelling-fans-advice = Check the folded faces there; `crease normals` writes a fallback normal and counts it.
 
 high-valence-poles-title = vertices with very many faces
+high-valence-poles-unit = faces at a vertex
 high-valence-poles-meaning = Shading around such a pole shows a star, because each thin face interpolates separately.
 high-valence-poles-advice = Mesh the cap in another way, for example as a grid.
 
@@ -294,11 +297,13 @@ shading-terminator-meaning =
 shading-terminator-advice = Use smaller faces there, or a crease.
 
 mach-bands-title = smooth edges with a visible kink of brightness
+mach-bands-unit = grey steps a pixel
 mach-bands-meaning =
     Interpolated brightness has a kink at the edge, which is visible as a bright or dark line along it.
 mach-bands-advice = Use more faces where the surface curves, or Phong shading instead of Gouraud.
 
 coarse-outline-title = edges that make the outline look polygonal
+coarse-outline-unit = pixels
 coarse-outline-meaning =
     Against the background, the edge deviates from the curve of the normals by more than the threshold. The shading
     looks round and the outline polygonal.

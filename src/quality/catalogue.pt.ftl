@@ -202,6 +202,7 @@ faces-below-storage-advice =
     Nada a fazer para o crease, que ignora essas faces nas médias; outros programas podem não ignorá-las.
 
 needle-faces-title = faces longas e finas
+needle-faces-unit = de largura por unidade de comprimento
 needle-faces-meaning =
     A largura é menor que um milésimo do comprimento. O arredondamento gira seus vetores normais por ângulos grandes,
     valores interpolados saltam através delas, e elas piscam em movimento.
@@ -244,6 +245,7 @@ crossed-polygons-meaning =
 crossed-polygons-advice = Corrija a ordem de seus cantos.
 
 non-manifold-edges-title = arestas com mais de duas faces
+non-manifold-edges-unit = faces em uma aresta
 non-manifold-edges-meaning =
     É ambíguo quais faces continuam umas às outras, portanto nada é suavizado através da aresta. Vê-se um vinco ali.
 non-manifold-edges-advice = Separe as folhas no programa de modelagem, se a linha não for desejada.
@@ -269,6 +271,7 @@ cancelling-fans-advice =
     Verifique as faces dobradas nesse lugar; `crease normals` grava um vetor normal substituto e o conta.
 
 high-valence-poles-title = vértices com muitas faces
+high-valence-poles-unit = faces em um vértice
 high-valence-poles-meaning =
     A tonalização em torno desse polo mostra uma estrela, porque cada face fina interpola em separado.
 high-valence-poles-advice = Refaça a tampa de outro modo, por exemplo como uma grade.
@@ -298,11 +301,13 @@ shading-terminator-meaning =
 shading-terminator-advice = Use faces menores ali, ou um vinco.
 
 mach-bands-title = arestas suaves com uma quebra visível do brilho
+mach-bands-unit = níveis de cinza por pixel
 mach-bands-meaning =
     O brilho interpolado muda de inclinação na aresta, o que se vê como uma linha clara ou escura ao longo dela.
 mach-bands-advice = Use mais faces onde a superfície se curva, ou tonalização de Phong em vez de Gouraud.
 
 coarse-outline-title = arestas que tornam o contorno poligonal
+coarse-outline-unit = pixels
 coarse-outline-meaning =
     Contra o fundo, a aresta se afasta da curva dos vetores normais mais que o limite. A tonalização parece redonda e o
     contorno poligonal.

@@ -153,15 +153,9 @@ impl Entry {
 
 impl Kind {
     /// The unit of the amount at the worst position, if it is not an angle; of needles less is worse.
-    pub fn unit(self) -> Option<&'static str> {
-        Some(match self {
-            Kind::Needles => "times as wide as long",
-            Kind::NonManifold => "faces at an edge",
-            Kind::HighValence => "faces at a vertex",
-            Kind::MachBands => "grey steps a pixel",
-            Kind::CoarseOutline => "pixels",
-            _ => return None,
-        })
+    pub fn unit(self) -> Option<Text> {
+        let key = [self.id(), "unit"].join("-");
+        TEXTS.has(&key).then(|| TEXTS.get(&key))
     }
 
     /// That amount in words: whole if it counts, with three digits if it measures.

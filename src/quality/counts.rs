@@ -4,6 +4,7 @@ use crate::num::parallel;
 use crate::quality::catalogue::Kind;
 use crate::quality::element::Severity;
 use crate::quality::spot::Spot;
+use crate::text::Text;
 use std::ops::Range;
 
 /// Occurrences of a lower severity, which are mentioned but not counted.
@@ -25,7 +26,7 @@ impl Milder {
 pub(crate) struct Remark {
     /// Of the remarks on several parts, that with the largest weight is kept.
     pub(crate) weight: f64,
-    pub(crate) text: String,
+    pub(crate) text: Text,
 }
 
 /// How often something was found, and the worst occurrences.

@@ -5,8 +5,9 @@ use crate::quality::catalogue::{Entry, Kind};
 use crate::quality::counts::{Milder, Tally};
 use crate::quality::effect::key_light_steps;
 use crate::quality::element::Severity;
+use crate::quality::findings::remarks::REMARKS;
 use crate::quality::spot::Measure;
-use crate::text::Language;
+use crate::text::Text;
 use glam::DVec3;
 use serde::Serialize;
 
@@ -53,7 +54,7 @@ pub struct Finding {
     /// How much it matters here.
     pub severity: Severity,
     /// The cause in words, with the numbers of this mesh.
-    pub cause: String,
+    pub cause: Text,
     /// How many elements have it.
     pub count: u64,
     /// How many elements there are.
@@ -137,40 +138,35 @@ pub fn fix_command(input: &str, output: &str, options: &str) -> String {
 }
 
 /// The title with the remark or the sum, and with what was not counted.
-fn cause(entry: &Entry, tally: &Tally) -> String {
+fn cause(entry: &Entry, tally: &Tally) -> Text {
+    let Milder { components, count } = tally.milder;
     let sum = (tally.sum > 0).then(|| sum_in_words(entry.kind, tally.sum));
-    let sum = sum.map(|sum| match tally.milder {
-        Milder { components: 0, .. } => sum,
-        Milder { components, count } => {
-            let plural = if components == 1 { "" } else { "s" };
-            format!(
-                "{sum}, contradicted by the stored normals; not counted: {components} other{plural} of {count} faces, which no \
-                 stored normals contradict"
-            )
-        }
+    let sum = sum.map(|sum| match components {
+        0 => sum,
+        _ => REMARKS.with(
+            "contradicted",
+            &[("sum", sum.into()), ("components", components.into()), ("count", count.into())],
+        ),
     });
     let remark = tally.remark.as_ref().map(|remark| remark.text.clone()).or(sum);
-    let others = match tally.milder {
-        Milder { components: 0, count: count @ 1.. } => {
-            Some(format!("not counted: {count} of lower severity in other submeshes"))
-        }
-        _ => None,
-    };
-    let details: Vec<String> = remark.into_iter().chain(others).collect();
+    let others =
+        (components == 0 && count > 0).then(|| REMARKS.with("of-lower-severity", &[("count", count.into())]));
+    let details: Vec<Text> = remark.into_iter().chain(others).collect();
     let title = entry.title();
-    let title = title.get(Language::English);
-    if details.is_empty() { title.to_owned() } else { format!("{title}: {}", details.join("; ")) }
+    if details.is_empty() {
+        return title;
+    }
+    Text::each(|language| {
+        let details: Vec<&str> = details.iter().map(|text| text.get(language)).collect();
+        format!("{}: {}", title.get(language), details.join("; "))
+    })
 }
 
-fn sum_in_words(kind: Kind, sum: u64) -> String {
-    let is_one = sum == 1;
-    match kind {
-        Kind::NeedlessSeam => {
-            format!("{sum} {} could be merged", if is_one { "vertex" } else { "vertices" })
-        }
-        _ => {
-            let closed = if kind == Kind::OpenInsideOut { "open" } else { "closed" };
-            format!("in {sum} {closed} component{}", if is_one { "" } else { "s" })
-        }
-    }
+fn sum_in_words(kind: Kind, sum: u64) -> Text {
+    let key = match kind {
+        Kind::NeedlessSeam => "could-be-merged",
+        Kind::OpenInsideOut => "in-open-components",
+        _ => "in-closed-components",
+    };
+    REMARKS.with(key, &[("count", sum.into())])
 }

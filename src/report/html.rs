@@ -133,11 +133,12 @@ impl Page {
         self.body.push('\n');
     }
 
-    /// A heading of a section, listed in the contents.
-    pub fn heading(&mut self, text: &str) {
+    /// A heading of a section, listed in the contents. Returns its id.
+    pub fn heading(&mut self, text: &str) -> String {
         let id = self.id(text);
         self.push(html! { h2 id=(id) { (text) } });
-        self.contents.push((text.to_owned(), id));
+        self.contents.push((text.to_owned(), id.clone()));
+        id
     }
 
     /// A heading within a section.

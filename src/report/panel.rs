@@ -44,6 +44,12 @@ pub fn draw_text(picture: &mut Picture, text: &str, at: [i64; 2], height: f32, c
     }
 }
 
+/// Whether the font has all letters of a text.
+#[cfg(test)]
+pub(super) fn has_letters(text: &str) -> bool {
+    text.chars().all(|c| FONT.glyph_id(c) != GlyphId(0))
+}
+
 fn glyph(c: char) -> GlyphId {
     match FONT.glyph_id(c) {
         GlyphId(0) => FONT.glyph_id(REPLACEMENT),

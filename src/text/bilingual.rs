@@ -31,6 +31,16 @@ impl Text {
         Self { en, pt }
     }
 
+    /// A number that is written with a decimal point, which becomes that of each language.
+    pub fn number(digits: &str) -> Self {
+        Self::each(|language| language.localised(digits))
+    }
+
+    /// The English text.
+    pub fn english(&self) -> &str {
+        &self.en
+    }
+
     /// The text in a language.
     pub fn get(&self, language: Language) -> &str {
         match language {

@@ -33,6 +33,17 @@ impl Language {
         }
     }
 
+    /// A number that is written with a decimal point.
+    ///
+    /// ```
+    /// use crease::artefact::Language;
+    ///
+    /// assert_eq!(Language::Portuguese.localised("0.25"), "0,25");
+    /// ```
+    pub fn localised(self, number: &str) -> String {
+        number.replace('.', self.decimal_mark().encode_utf8(&mut [0; 4]))
+    }
+
     /// A number to six significant digits, with a power of ten where it would be long.
     ///
     /// ```
@@ -76,7 +87,7 @@ impl Language {
             },
         };
         let sign = if x < 0.0 { "−" } else { "" };
-        format!("{sign}{}", text.replace('.', &self.decimal_mark().to_string()))
+        format!("{sign}{}", self.localised(&text))
     }
 }
 

@@ -30,6 +30,11 @@ impl Value {
         Value::Short(x, unit)
     }
 
+    /// A number that is written with a decimal point.
+    pub fn digits(number: &str) -> Self {
+        Value::Text(Text::number(number))
+    }
+
     /// The value as Fluent takes it.
     pub(super) fn in_language(&self, language: Language) -> FluentValue<'_> {
         match self {

@@ -59,13 +59,12 @@ export function inspectRoom(lab) {
       const places = finding.places.slice(0, MOST_PLACES).map((/** @type {any} */ place, /** @type {number} */ k) => button(
         place.line ? text('place-line', { line: place.line }) : place.face !== null ? text('place-face', { face: place.face }) : text('place', { number: k + 1 }),
         () => go(place), { class: 'small' }));
-      // Title and details, in English: the title is shown in the language of the page.
-      const details = finding.cause.slice(finding.title.en.length + 2);
+      const details = finding.cause[currentLanguage()].slice(finding.title[currentLanguage()].length + 2);
       const amount = `${number(finding.count, 8)} / ${number(finding.of, 8)}`;
       return element('details', { class: `finding ${finding.severity}` },
         element('summary', {}, element('span', { class: `role ${finding.severity}` }, text(`severity-${finding.severity}`)),
           ' ', element('strong', {}, finding.title[currentLanguage()]), ` ${amount}`),
-        details ? element('p', { lang: 'en' }, `${details[0].toUpperCase()}${details.slice(1)}.`) : null,
+        details ? element('p', {}, `${details[0].toUpperCase()}${details.slice(1)}.`) : null,
         element('p', {}, finding.meaning[currentLanguage()]), element('p', {}, finding.advice[currentLanguage()]),
         places.length ? element('div', { class: 'buttons' }, ...places) : null,
         finding.command ? commandBlock([finding.command]) : null);

@@ -5,7 +5,7 @@ use crate::cli::common::choice::{choices, one_of};
 use crate::cli::common::console::HELP;
 use crate::cli::common::nearest::did_you_mean;
 use crate::cli::common::options::{CompanionArgs, RunArgs, confidence};
-use clap::Args;
+use clap::{ArgGroup, Args};
 use crease::io::Format;
 use crease::mesh::Confidence;
 use crease::normals::Weight;
@@ -18,6 +18,7 @@ use glam::DVec3;
 use std::path::PathBuf;
 
 #[derive(Args, Clone, Debug)]
+#[command(group(ArgGroup::new("translated").args(["explain", "html", "heatmap"]).multiple(true)))]
 pub struct InspectArgs {
     #[arg(value_name = "INPUT", required_unless_present_any = ["explain", "manifest"], conflicts_with = "manifest")]
     pub inputs: Vec<PathBuf>,
@@ -96,7 +97,7 @@ pub struct FindingArgs {
     #[arg(long, value_name = "WORD", num_args = 1.., conflicts_with_all = OF_INPUTS)]
     pub explain: Vec<String>,
     #[arg(long, value_name = "LANG", default_value = "en", value_parser = one_of::<Language>(),
-          requires = "explain", conflicts_with_all = ["inputs", "manifest"])]
+          requires = "translated")]
     pub lang: Language,
 }
 

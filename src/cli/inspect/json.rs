@@ -125,7 +125,7 @@ impl Serialize for FindingReport {
         map.serialize_entry("id", entry.id)?;
         map.serialize_entry("severity", &finding.severity)?;
         map.serialize_entry("family", entry.family.name())?;
-        map.serialize_entry("cause", &finding.cause)?;
+        map.serialize_entry("cause", finding.cause.english())?;
         map.serialize_entry("element", entry.element.name())?;
         map.serialize_entry("count", &finding.count)?;
         map.serialize_entry("of", &finding.of)?;
@@ -133,7 +133,10 @@ impl Serialize for FindingReport {
         map.serialize_entry("area_share", &finding.area_share)?;
         map.serialize_entry("degrees", &finding.degrees)?;
         map.serialize_entry("steps", &finding.steps)?;
-        map.serialize_entry("measure", &measure.map(|(value, unit)| Measure { value, unit }))?;
+        map.serialize_entry(
+            "measure",
+            &measure.map(|(value, unit)| Measure { value, unit: unit.english().to_owned() }),
+        )?;
         map.serialize_entry("confidence", &finding.confidence)?;
         map.serialize_entry("command", command)?;
         map.serialize_entry("places", &finding.places)?;
@@ -144,7 +147,7 @@ impl Serialize for FindingReport {
 #[derive(Serialize)]
 struct Measure {
     value: f64,
-    unit: &'static str,
+    unit: String,
 }
 
 pub struct Against {

@@ -218,6 +218,7 @@ fn draw(
             omitted: report.hidden.total(),
             after,
             sight: *view,
+            language: args.findings.lang,
         };
         let page = page.html(loaded, diagnosis).map_err(Failure::input)?;
         report.written.push(("page", Target::of(path).store(page.into_bytes())?));
@@ -236,7 +237,8 @@ fn draw(
             None if args.findings.names_notes() => HeatMap::AllFindings,
             None => HeatMap::Findings,
         };
-        let picture = heat_map(loaded, (shown, thresholds), of, *view, SIDE).map_err(Failure::input)?;
+        let picture = heat_map(loaded, (shown, thresholds), of, *view, SIDE, args.findings.lang)
+            .map_err(Failure::input)?;
         let png = encode_png(&picture, None, Transfer::Srgb).map_err(Failure::input)?;
         report.written.push(("picture", Target::of(path).store(png)?));
     }
@@ -287,7 +289,7 @@ impl Job {
     /// All options that affect the result, as text.
     fn options(&self) -> String {
         let InspectArgs { format, companions, against, pictures, findings, thresholds, .. } = &*self.args;
-        let findings = (findings.severity, &findings.ignore, &findings.only, findings.places);
+        let findings = (findings.severity, &findings.ignore, &findings.only, findings.places, findings.lang);
         format!("{:?}", (format, companions, against, pictures, findings, thresholds))
     }
 }

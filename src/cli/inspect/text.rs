@@ -105,7 +105,7 @@ impl Layout {
             let sites =
                 if sites.is_empty() { String::new() } else { format!("; at {}", sites.join("; at ")) };
             let number = if counts_elements { format!("{}: ", elements(finding)) } else { String::new() };
-            return format!("  {label} {id}: {number}{}{sites}\n", finding.cause);
+            return format!("  {label} {id}: {number}{}{sites}\n", finding.cause.english());
         }
         let mut lines = Vec::new();
         let percent = |share: f64| format!("{} %", three_digits(100.0 * share));
@@ -122,14 +122,14 @@ impl Layout {
         }
         if let Some((value, unit)) = finding.amount.zip(finding.kind.unit()) {
             let value = finding.kind.write_amount(value);
-            if !finding.cause.contains(&value) {
-                lines.push(format!("at worst {value} {unit}"));
+            if !finding.cause.english().contains(&value) {
+                lines.push(format!("at worst {value} {}", unit.english()));
             }
         }
         lines.extend(finding.confidence.map(|confidence| format!("confidence {confidence:.2}")));
         lines.extend(sites.by_ref().map(|site| format!("at {}", place(site, report))));
         let lines: String = lines.iter().map(|line| format!("    {line}\n")).collect();
-        format!("  {label} {id}: {}\n{lines}", finding.cause)
+        format!("  {label} {id}: {}\n{lines}", finding.cause.english())
     }
 
     /// What is different in another file: one line, then the details.
@@ -229,11 +229,11 @@ fn fix(shown: &[&Finding], report: &InspectReport) -> String {
 fn recipe(part: &PartDiagnosis) -> String {
     let name = if part.name.is_empty() { String::new() } else { format!("{}: ", escaped(&part.name)) };
     let recipe = match &part.estimate {
-        Some(estimate) => format!("; {}", estimate.in_words()),
+        Some(estimate) => format!("; {}", estimate.in_words().english()),
         None => String::new(),
     };
     let rounded = part.precision.as_ref().map_or(String::new(), |precision| {
-        format!("; rounded to {}: by at most {}°", precision.grid, three_digits(precision.error.0))
+        format!("; rounded to {}: by at most {}°", precision.grid.english(), three_digits(precision.error.0))
     });
     let (faces, vertices) = (count(part.faces, "face"), count_of(part.vertices, "vertex", "vertices"));
     format!("{name}{faces}, {vertices}{recipe}{rounded}")

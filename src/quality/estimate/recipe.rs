@@ -3,6 +3,9 @@
 use crate::normals::{Crease, Groups, NormalRecipe, Weight};
 use crate::num::{Degrees, three_digits};
 use crate::quality::estimate::means::MEANS;
+use crate::text::{Catalogue, Text, Value, catalogue};
+
+static TEXTS: Catalogue = catalogue!("recipe");
 
 /// The most corners that are sampled.
 pub const SAMPLE: usize = 100_000;
@@ -75,36 +78,45 @@ impl Estimate {
 
     /// The recipes that fit equally well and the share of corners that they reproduce: `stored normals fit crease 28° to 60°; angle
     /// and max fit equally well (100 % of corners within 5°)`.
-    pub fn in_words(&self) -> String {
+    pub fn in_words(&self) -> Text {
         if !self.fits_most() {
-            return "no recipe reproduces the stored normals".to_owned();
+            return TEXTS.get("no-recipe");
         }
+        let degrees = |angle: f64| Value::digits(&angle.to_string());
+        let exactly = |angle: f64| TEXTS.with("crease", &[("low", degrees(angle))]);
         // Every angle with one decimal that is printed fits: the upper end itself does not.
         let [low, high] = self.creases.map(|angle| (angle.0 * 10.0).ceil());
-        let crease = match [low / 10.0, (high - 1.0) / 10.0] {
-            [0.0, _] if high >= 1800.0 => "any crease angle".to_owned(),
-            [180.0, _] => "crease 180°".to_owned(),
-            [low, _] if high >= 1800.0 => format!("crease {low}° or more"),
-            [low, high] if low < high => format!("crease {low}° to {high}°"),
-            [low, high] if low == high => format!("crease {low}°"),
-            _ => format!("crease {}°", self.crease.0),
+        let mut crease = match [low / 10.0, (high - 1.0) / 10.0] {
+            [0.0, _] if high >= 1800.0 => TEXTS.get("any-crease"),
+            [180.0, _] => exactly(180.0),
+            [low, _] if high >= 1800.0 => TEXTS.with("crease-from", &[("low", degrees(low))]),
+            [low, high] if low < high => {
+                TEXTS.with("crease-range", &[("low", degrees(low)), ("high", degrees(high))])
+            }
+            [low, high] if low == high => exactly(low),
+            _ => exactly(self.crease.0),
         };
-        let groups = if self.groups { " and smoothing groups" } else { "" };
+        if self.groups {
+            crease = TEXTS.with("crease-and-groups", &[("crease", crease.into())]);
+        }
         let ties = MEANS.into_iter().zip(self.ties).filter(|&(weight, fits)| fits && weight != self.weight);
-        let others: Vec<&str> = ties.map(|(weight, _)| weight.name()).collect();
-        let best = self.weight.name();
-        let weights = match others.split_last() {
-            None => format!(", {best} weights"),
-            Some(_) if others.len() + 1 == MEANS.len() => ", any weight".to_owned(),
-            Some((last, [])) => format!("; {best} and {last} fit equally well"),
-            Some((last, rest)) => format!("; {best}, {} and {last} fit equally well", rest.join(", ")),
+        let mut names = vec![self.weight.name()];
+        names.extend(ties.map(|(weight, _)| weight.name()));
+        let weights = match names.split_last() {
+            Some((weight, [])) => TEXTS.with("one-weight", &[("weight", (*weight).into())]),
+            Some((last, others)) if others.len() + 1 < MEANS.len() => {
+                TEXTS.with("equal-weights", &[("names", others.join(", ").into()), ("last", (*last).into())])
+            }
+            _ => TEXTS.get("any-weight"),
         };
-        let turned = if self.turned { ", after a rotation of all," } else { "" };
         let (tolerance, share) = self.tolerance();
-        let share = three_digits(100.0 * share);
-        format!(
-            "stored normals{turned} fit {crease}{groups}{weights} ({share} % of corners within {tolerance}°)"
-        )
+        let values = [
+            ("crease", crease.into()),
+            ("weights", weights.into()),
+            ("share", Value::digits(&three_digits(100.0 * share))),
+            ("tolerance", degrees(tolerance)),
+        ];
+        TEXTS.with(if self.turned { "fits-rotated" } else { "fits" }, &values)
     }
 
     /// The tolerance in degrees within which recipes are compared, and the share of corners within it: 0.1° if the best recipe

@@ -2,6 +2,8 @@
 
 // The names that most findings use.
 pub(crate) mod prelude;
+// What findings say in addition to their titles.
+pub(crate) mod remarks;
 // Geometry: faces, edges and vertices that spoil normals.
 pub(crate) mod geometry;
 // Winding: faces and components that face the wrong way.

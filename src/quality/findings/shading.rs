@@ -30,20 +30,18 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
             }
         }
     }));
-    remark(found, Kind::MachBands, |steps| {
-        format!("the slope of brightness jumps by up to {steps} steps a pixel")
-    });
-    let size = three_digits(facts.thresholds.size);
+    remark(found, Kind::MachBands, |steps| REMARKS.with("slope", &[("steps", steps)]));
+    let size = Value::digits(&three_digits(facts.thresholds.size));
     remark(found, Kind::CoarseOutline, |pixels| {
-        format!("by up to {pixels} pixels where the mesh is {size} wide")
+        REMARKS.with("outline", &[("pixels", pixels), ("size", size.clone())])
     });
 }
 
 /// Reports the amount at the worst position.
-fn remark(found: &mut Found, finding: Kind, say: impl Fn(String) -> String) {
+fn remark(found: &mut Found, finding: Kind, say: impl Fn(Value) -> Text) {
     let tally = found.tally(finding);
     let worst = tally.worst.first().map(|worst| worst.weight);
-    tally.remark = worst.map(|weight| Remark { weight, text: say(three_digits(weight)) });
+    tally.remark = worst.map(|weight| Remark { weight, text: say(Value::digits(&three_digits(weight))) });
 }
 
 /// Finds corners whose normal is far from the face, and faces whose normals differ by more than the width of a highlight.

@@ -1,7 +1,8 @@
-//! The comparison of two files: pictures side by side, and the numbers. Its texts are in comparison.en.ftl.
+//! The comparison of two files: pictures side by side, and the numbers.
 
 use super::markers::HeatScale;
 use super::model::{Model, OVERVIEW};
+use super::texts::Texts;
 use super::view_choice::hidden;
 use crate::io::Loaded;
 use crate::num::{AngleErrors, three_digits};
@@ -11,9 +12,7 @@ use crate::report::error::Result;
 use crate::report::html::Page;
 use crate::report::picture::Picture;
 use crate::report::table::Table;
-use crate::text::{Catalogue, Language, Value, catalogue};
-
-static TEXTS: Catalogue = catalogue!("comparison", en);
+use crate::text::Value;
 
 /// A file after a change, with its comparison.
 #[derive(Clone, Copy, Debug)]
@@ -33,10 +32,11 @@ pub(super) fn section(
     after: After<'_>,
     surveys: &[Survey],
     camera: Camera,
+    texts: Texts,
 ) -> Result<()> {
     let comparison = after.comparison;
-    page.heading("Before and after");
-    page.paragraph(&numbers(after.name, comparison));
+    page.heading(&texts.get("before-and-after"));
+    page.paragraph(&numbers(after.name, comparison, texts));
     let changes = surveys.iter().zip(&comparison.change);
     let changed = |change: &[f64]| change.iter().copied().map(Some).collect();
     let changes: Vec<Survey> =
@@ -48,19 +48,25 @@ pub(super) fn section(
         places.iter().zip(hidden(&change, &places, camera.eye)).filter(|(_, is_hidden)| !is_hidden);
     let worst: Vec<&Site> = seen.next().map(|(site, _)| *site).into_iter().collect();
     let lit = [before.lit(camera, OVERVIEW)?, then.lit(camera, OVERVIEW)?];
-    let (marked, _) = change.deviation("", camera, OVERVIEW, &worst)?;
-    let scaled = |key, scale: HeatScale| text(key, &[("scale", scale.words().into())]);
+    let (marked, _) = change.deviation("", camera, OVERVIEW, &worst, texts)?;
+    let scaled = |key, scale: HeatScale| texts.with(key, &[("scale", scale.words(texts).into())]);
     let pictures: [(&Picture, &str); 3] = [
-        (&lit[0], &text("lit-before", &[])),
-        (&lit[1], &text("lit-after", &[])),
+        (&lit[0], &texts.get("lit-before")),
+        (&lit[1], &texts.get("lit-after")),
         (&marked, &scaled("changed", change.scale)),
     ];
-    page.pictures(&pictures, &text("lit-caption", &[]))?;
-    let off = [before.deviation("", camera, OVERVIEW, &[])?.0, then.deviation("", camera, OVERVIEW, &[])?.0];
+    page.pictures(&pictures, &texts.get("lit-caption"))?;
+    let off = [
+        before.deviation("", camera, OVERVIEW, &[], texts)?.0,
+        then.deviation("", camera, OVERVIEW, &[], texts)?.0,
+    ];
     let pictures: [(&Picture, &str); 2] =
         [(&off[0], &scaled("off-before", before.scale)), (&off[1], &scaled("off-after", before.scale))];
-    page.pictures(&pictures, &text("off-caption", &[]))?;
-    let mut table = Table::new("Findings, before and after", &["finding", "before", "after"]);
+    page.pictures(&pictures, &texts.get("off-caption"))?;
+    let mut table = Table::new(
+        &texts.get("findings-before-and-after"),
+        &texts.each(["column-finding", "column-before", "column-after"]),
+    );
     for (kind, counts) in &comparison.findings {
         table.push([kind.id().to_owned(), counts[0].to_string(), counts[1].to_string()]);
     }
@@ -70,10 +76,10 @@ pub(super) fn section(
     Ok(())
 }
 
-fn numbers(name: &str, comparison: &Comparison) -> String {
+fn numbers(name: &str, comparison: &Comparison, texts: Texts) -> String {
     let AngleErrors { mean, rms, median, p95, p99, .. } = comparison.angles;
     let largest = comparison.largest.0;
-    let [mean_steps, largest_steps] = comparison.steps().map(three_digits);
+    let [mean_steps, largest_steps] = comparison.steps().map(|steps| Value::digits(&three_digits(steps)));
     let Comparison { corners, changed, visible, gained, lost, turned, unmatched: [here, there], .. } =
         comparison;
     let counts = [
@@ -86,19 +92,15 @@ fn numbers(name: &str, comparison: &Comparison) -> String {
     ];
     let counts = counts.map(|(key, count)| (key, Value::from(count.to_string())));
     let faces = if (*here, *there) == (0, 0) { "same-faces" } else { "other-faces" };
-    let faces = text(faces, &[("here", here.to_string().into()), ("there", there.to_string().into())]);
+    let faces = texts.with(faces, &[("here", here.to_string().into()), ("there", there.to_string().into())]);
     let angles = [
         ("faces", faces.into()),
         ("name", name.into()),
-        ("mean-steps", mean_steps.into()),
-        ("largest-steps", largest_steps.into()),
+        ("mean-steps", mean_steps),
+        ("largest-steps", largest_steps),
     ];
     let sizes =
         [("mean", mean), ("rms", rms), ("median", median), ("p95", p95), ("p99", p99), ("largest", largest)];
-    let sizes = sizes.map(|(key, angle)| (key, Value::from(three_digits(angle))));
-    text("numbers", &[&counts[..], &angles, &sizes].concat())
-}
-
-fn text(key: &str, values: &[(&'static str, Value)]) -> String {
-    TEXTS.with(key, values).get(Language::English).to_owned()
+    let sizes = sizes.map(|(key, angle)| (key, Value::digits(&three_digits(angle))));
+    texts.with("numbers", &[&counts[..], &angles, &sizes].concat())
 }

@@ -8,6 +8,7 @@ use super::finding_map::finding_picture;
 use super::legend::{Marks, with_legend};
 use super::markers::{Corner, HeatScale, crease_lines, dots, longest_edge};
 use super::model::{Model, PartModel, render_at};
+use super::texts::Texts;
 use super::view_choice::{Sight, camera, hidden};
 use crate::io::Loaded;
 use crate::mesh::{Mesh, place_key};
@@ -18,6 +19,7 @@ use crate::raster::{Camera, Lines, Paint, Pixels, RenderSettings, Scene};
 use crate::report::error::{ReportError, Result};
 use crate::report::legend::ring;
 use crate::report::picture::Picture;
+use crate::text::Language;
 use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
 
@@ -46,7 +48,8 @@ pub enum HeatMap {
 /// Findings are on the lit mesh: a colour for each, on the faces, corners, edges and vertices that have it. It deepens with the
 /// angle. Deviations have the colours of a scale. They are interpolated over faces, and each pixel has the colour of the mean of
 /// its samples. Corners on faces too small to be visible are marked with dots, the worst last; corners without a valid stored normal
-/// have a separate colour. A ring is around the visible worst position of each error and warning.
+/// have a separate colour. A ring is around the visible worst position of each error and warning. The
+/// legend is in the language.
 ///
 /// # Errors
 /// If there is nothing to draw, or it cannot be drawn.
@@ -56,11 +59,13 @@ pub fn heat_map(
     of: HeatMap,
     sight: Sight,
     side: u32,
+    language: Language,
 ) -> Result<Picture> {
+    let texts = Texts(language);
     let weight = match of {
         HeatMap::Findings | HeatMap::AllFindings => {
             let with_notes = of == HeatMap::AllFindings;
-            return finding_picture(loaded, (diagnosis, thresholds), with_notes, sight, side);
+            return finding_picture(loaded, (diagnosis, thresholds), with_notes, (sight, side), texts);
         }
         HeatMap::Deviation => None,
         HeatMap::From(weight) => Some(weight),
@@ -74,12 +79,10 @@ pub fn heat_map(
     let model = Model::new(loaded, &surveys, HeatScale::of(surveys.iter()))?;
     let camera = camera(&model, diagnosis, None, sight).ok_or(ReportError::Empty)?;
     let title = match weight {
-        None => "Angle between the stored normals and those of the estimated recipe, in degrees".to_owned(),
-        Some(weight) => {
-            format!("Angle between the stored normals and those of the weight {}, in degrees", weight.name())
-        }
+        None => texts.get("angle-of-recipe"),
+        Some(weight) => texts.with("angle-of-weight", &[("weight", weight.name().into())]),
     };
-    Ok(model.deviation(&title, camera, side, &worst_places(diagnosis))?.0)
+    Ok(model.deviation(&title, camera, side, &worst_places(diagnosis), texts)?.0)
 }
 
 impl Model {
@@ -90,6 +93,7 @@ impl Model {
         camera: Camera,
         side: u32,
         sites: &[&Site],
+        texts: Texts,
     ) -> Result<(Picture, Marks)> {
         let scene = self.encoded(camera);
         // Colours alone do not show the form.
@@ -102,7 +106,7 @@ impl Model {
         let mut picture = coloured(scene, lines, self.scale, side)?;
         let Marks { rings, hidden, .. } = self.mark_worst(&mut picture, &camera, side, sites);
         marks = Marks { rings, hidden, ..marks };
-        Ok((with_legend(&picture, title, self.scale, marks), marks))
+        Ok((with_legend(&picture, title, (self.scale, marks), texts), marks))
     }
 
     /// Draws a ring around each site that is visible.

@@ -5,6 +5,7 @@
 use super::legend::coded;
 use super::markers::{HeatScale, dot_lines, end_above, is_small, longest_edge};
 use super::model::{Model, draw};
+use super::texts::Texts;
 use super::view_choice::{Sight, WantedSite, camera_of_sites};
 use crate::io::Loaded;
 use crate::num::{LinearRgb, Srgb8, three_digits};
@@ -16,6 +17,7 @@ use crate::report::error::{ReportError, Result};
 use crate::report::legend::{ColourScale, Key, Legend};
 use crate::report::picture::Picture;
 use crate::shade::Light;
+use crate::text::Value;
 use glam::{DMat3, DVec3};
 
 /// Colours that people without full colour vision distinguish (Okabe & Ito 2008), the most severe finding first.
@@ -73,18 +75,18 @@ impl<'a> Layer<'a> {
         PLAIN * (1.0 - share) + self.colour * share
     }
 
-    fn words(&self) -> String {
+    fn words(&self, texts: Texts) -> String {
         let Finding { kind, count, degrees, .. } = self.finding;
-        let element = kind.entry().element.name();
-        let plural = match (count, element) {
-            (1, _) => element.to_owned(),
-            (_, "vertex") => "vertices".into(),
-            (_, "mesh") => "meshes".into(),
-            _ => format!("{element}s"),
+        let element = format!("elements-{}", kind.entry().element.name());
+        let elements = texts.with(&element, &[("count", (*count).into())]);
+        let words = match degrees.filter(|_| self.full.is_none()) {
+            None => elements,
+            Some(degrees) => {
+                let degrees = Value::digits(&three_digits(degrees));
+                texts.with("up-to", &[("elements", elements.into()), ("degrees", degrees)])
+            }
         };
-        let up_to =
-            degrees.filter(|_| self.full.is_none()).map(|it| format!(", up to {}°", three_digits(it)));
-        format!("{}: {count} {plural}{}", kind.id(), up_to.unwrap_or_default())
+        format!("{}: {words}", kind.id())
     }
 }
 
@@ -99,8 +101,8 @@ pub(super) fn finding_picture(
     loaded: &Loaded,
     (diagnosis, thresholds): (&Diagnosis, &Thresholds),
     with_notes: bool,
-    sight: Sight,
-    side: u32,
+    (sight, side): (Sight, u32),
+    texts: Texts,
 ) -> Result<Picture> {
     let all: Vec<&Finding> =
         diagnosis.findings.iter().filter(|it| with_notes || it.severity > Severity::Note).collect();
@@ -127,9 +129,9 @@ pub(super) fn finding_picture(
     let mut picture = draw(&scene, side, Show::Shaded)?;
     let worst: Vec<&Site> = shown.iter().filter_map(|finding| finding.places.first()).collect();
     let marks = model.mark_worst(&mut picture, &camera, side, &worst);
-    let mut legend = legend(&layers, all.len() - shown.len());
+    let mut legend = legend(&layers, all.len() - shown.len(), texts);
     if marks.rings || marks.hidden {
-        legend.keys.push((Key::Ring, marks.of_rings().into()));
+        legend.keys.push((Key::Ring, marks.of_rings(texts)));
     }
     Ok(legend.below(&picture))
 }
@@ -242,7 +244,7 @@ fn dots(model: &Model, loaded: &Loaded, layer: &Layer, camera: &Camera, side: u3
     dot_lines(points, layer.colour, camera, side)
 }
 
-fn legend(layers: &[Layer], omitted: usize) -> Legend {
+fn legend(layers: &[Layer], omitted: usize, texts: Texts) -> Legend {
     let mut legend = Legend::default();
     for layer in layers {
         let key = match layer.finding.kind.entry().element {
@@ -253,16 +255,16 @@ fn legend(layers: &[Layer], omitted: usize) -> Legend {
         match layer.full {
             Some(full) => {
                 let shares = [0.0, full].map(|degrees| coded(layer.shade(Some(degrees))));
-                let labels = vec![(0.5, layer.words()), (1.0, format!("{full}°")), (0.0, "0°".into())];
+                let labels = vec![(0.5, layer.words(texts)), (1.0, format!("{full}°")), (0.0, "0°".into())];
                 legend.scales.push(ColourScale { colours: shares.to_vec(), labels });
             }
-            None => legend.keys.push((key, layer.words())),
+            None => legend.keys.push((key, layer.words(texts))),
         }
     }
-    let plain = if layers.is_empty() { "no errors or warnings" } else { "no finding" };
-    legend.keys.push((Key::Area(coded(PLAIN)), plain.into()));
+    let plain = if layers.is_empty() { "legend-clean" } else { "legend-plain" };
+    legend.keys.push((Key::Area(coded(PLAIN)), texts.get(plain)));
     if omitted > 0 {
-        legend.title = format!("{omitted} more findings are not shown: --heatmap-of shows one of them");
+        legend.title = texts.with("not-shown", &[("count", omitted.into())]);
     }
     legend
 }

@@ -1,9 +1,11 @@
 //! The colours of deviations, and markers over a heat map: lines along creases, dots on single corners, rings around worst positions.
 
+use super::texts::Texts;
 use crate::num::{Degrees, LinearRgb, Srgb8, three_digits, viridis};
 use crate::quality::Survey;
 use crate::raster::{Camera, LinePath, LineStyle, Lines, Projection, Scene};
 use crate::report::overlay::{Overlay, overlay};
+use crate::text::Value;
 use glam::{DMat4, DVec3};
 
 /// The colour of corners without a valid stored normal; not on the scale.
@@ -53,20 +55,25 @@ impl HeatScale {
     }
 
     /// The labels at the light end and in the middle.
-    pub(super) fn labels(self) -> [String; 2] {
-        let more = |it: Degrees| format!(" and more, up to {}°", three_digits(it.0));
-        [
-            format!("{}°{}", self.full.0, self.beyond.map_or(String::new(), more)),
-            format!("{}°", self.full.0 / 2.0),
-        ]
+    pub(super) fn labels(self, texts: Texts) -> [String; 2] {
+        let full = |degrees: f64| ("full", Value::digits(&degrees.to_string()));
+        let end = match self.beyond {
+            None => texts.with("scale-end", &[full(self.full.0)]),
+            Some(largest) => {
+                let largest = ("largest", Value::digits(&three_digits(largest.0)));
+                texts.with("scale-end-beyond", &[full(self.full.0), largest])
+            }
+        };
+        [end, texts.with("scale-end", &[full(self.full.0 / 2.0)])]
     }
 
     /// The same in words, for those who cannot see it.
-    pub(super) fn words(self) -> String {
-        let scale = format!("from violet, 0°, to yellow, {}", self.labels()[0]);
+    pub(super) fn words(self, texts: Texts) -> String {
+        let [end, _] = self.labels(texts);
+        let scale = texts.with("scale", &[("end", end.into())]);
         match (self.is_used, self.is_absent) {
-            (true, true) => format!("{scale}; pink where no valid normal is stored"),
-            (false, true) => "pink everywhere: no valid normal is stored".into(),
+            (true, true) => texts.with("scale-and-absent", &[("scale", scale.into())]),
+            (false, true) => texts.get("scale-absent"),
             _ => scale,
         }
     }
@@ -256,6 +263,9 @@ pub(super) fn longest_edge(place: DMat4, [before, here, after]: [DVec3; 3]) -> f
 mod tests {
     use super::*;
     use crate::quality::Survey;
+    use crate::text::Language;
+
+    const ENGLISH: Texts = Texts(Language::English);
 
     /// Deviations from half of the scale on are marked, half a shade off at most, but for the last, which has the colour of the end.
     #[test]
@@ -303,15 +313,15 @@ mod tests {
             let deviations = deviations.into_iter().map(Some).collect();
             HeatScale::of([Survey { deviations, ..Survey::default() }].iter())
         };
-        assert_eq!(scale(vec![]).labels(), ["1°", "0.5°"]);
-        assert_eq!(scale(vec![0.0, 3.0]).labels(), ["5°", "2.5°"]);
-        assert_eq!(scale(vec![30.0; 7]).labels(), ["30°", "15°"]);
+        assert_eq!(scale(vec![]).labels(ENGLISH), ["1°", "0.5°"]);
+        assert_eq!(scale(vec![0.0, 3.0]).labels(ENGLISH), ["5°", "2.5°"]);
+        assert_eq!(scale(vec![30.0; 7]).labels(ENGLISH), ["30°", "15°"]);
         // One in two hundred is ignored, two are not.
         let with = |count: usize| [vec![0.0; 200 - count], vec![180.0; count]].concat();
-        assert_eq!(scale(with(1)).words(), "from violet, 0°, to yellow, 1° and more, up to 180°");
+        assert_eq!(scale(with(1)).words(ENGLISH), "from violet, 0°, to yellow, 1° and more, up to 180°");
         let rounded = [vec![90.0; 400], vec![90.0 + 1e-9]].concat();
-        assert_eq!(scale(rounded).words(), "from violet, 0°, to yellow, 90°");
-        assert_eq!(scale(with(2)).words(), "from violet, 0°, to yellow, 180°");
+        assert_eq!(scale(rounded).words(ENGLISH), "from violet, 0°, to yellow, 90°");
+        assert_eq!(scale(with(2)).words(ENGLISH), "from violet, 0°, to yellow, 180°");
     }
 
     #[test]
@@ -320,7 +330,10 @@ mod tests {
             |deviations: Vec<Option<f64>>| HeatScale::of([Survey { deviations, ..Survey::default() }].iter());
         let scale = of(vec![Some(3.0), None]);
         assert_eq!(scale.colour(None), LinearRgb::from(ABSENT));
-        assert_eq!(scale.words(), "from violet, 0°, to yellow, 5°; pink where no valid normal is stored");
-        assert_eq!(of(vec![None]).words(), "pink everywhere: no valid normal is stored");
+        assert_eq!(
+            scale.words(ENGLISH),
+            "from violet, 0°, to yellow, 5°; pink where no valid normal is stored"
+        );
+        assert_eq!(of(vec![None]).words(ENGLISH), "pink everywhere: no valid normal is stored");
     }
 }

@@ -1,5 +1,7 @@
 //! The diagnosis of a file as a page and as a heat map.
 
+// The texts.
+mod texts;
 // Lines, dots and rings over a heat map.
 mod markers;
 // The legend of a heat map.

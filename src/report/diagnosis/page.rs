@@ -1,4 +1,4 @@
-//! The page of a diagnosis: overview, changes, one section per finding, histograms. Its texts are in page.en.ftl.
+//! The page of a diagnosis: overview, changes, one section per finding, histograms.
 
 use super::comparison::{self, After};
 use super::deviation::worst_places;
@@ -6,6 +6,7 @@ use super::histograms::histograms;
 use super::legend::Marks;
 use super::markers::HeatScale;
 use super::model::{Model, OVERVIEW};
+use super::texts::Texts;
 use super::view_choice::{Sight, camera};
 use crate::io::Loaded;
 use crate::mesh::Obstacles;
@@ -17,17 +18,11 @@ use crate::report::error::Result;
 use crate::report::html::{Page, with_code};
 use crate::report::picture::Picture;
 use crate::report::table::Table;
-use crate::text::{Catalogue, Language, Value, catalogue};
+use crate::text::{Language, Value};
 use maud::html;
 
 /// Pixels along the sides of close-ups.
 const CLOSE_UP: u32 = 240;
-
-static TEXTS: Catalogue = catalogue!("page", en);
-
-fn text(key: &str, values: &[(&'static str, Value)]) -> String {
-    TEXTS.with(key, values).get(Language::English).to_owned()
-}
 
 const CLOSE_UPS: usize = 12;
 
@@ -44,6 +39,8 @@ pub struct DiagnosisPage<'a> {
     pub after: Option<After<'a>>,
     /// The view of the pictures of the whole.
     pub sight: Sight,
+    /// The language of the texts.
+    pub language: Language,
 }
 
 impl DiagnosisPage<'_> {
@@ -57,67 +54,75 @@ impl DiagnosisPage<'_> {
         // The same colours before and after.
         let later = self.after.map(|after| survey(after.loaded)).unwrap_or_default();
         let model = Model::new(loaded, &surveys, HeatScale::of(surveys.iter().chain(&later)))?;
-        let mut page = Page::new(&self.title(diagnosis), &self.lead(diagnosis)).set_by(with_code);
+        let texts = Texts(self.language);
+        let mut page = Page::new(&self.title(diagnosis, texts), &self.lead(diagnosis, texts))
+            .in_language(self.language.tag(), &texts.get("contents"))
+            .set_by(with_code);
         let camera = camera(&model, diagnosis, self.after.map(|after| after.comparison), self.sight);
-        overview(&mut page, &model, diagnosis, camera)?;
+        let top = overview(&mut page, &model, diagnosis, camera, texts)?;
         if let Some(fix) = self.fix {
-            page.paragraph(&fix_text(fix, diagnosis));
+            page.paragraph(&fix_text(fix, diagnosis, texts));
             page.push(html! { pre { code { (fix.command) } } });
         }
         if let (Some(after), Some(camera)) = (self.after, camera) {
-            comparison::section(&mut page, &model, after, &later, camera)?;
+            comparison::section(&mut page, &model, after, &later, camera, texts)?;
         }
-        weightings(&mut page, diagnosis);
+        weightings(&mut page, diagnosis, texts);
         let obstacles = model.obstacles();
         let mut drawn = 0;
         for finding in &diagnosis.findings {
-            describe(&mut page, finding);
+            describe(&mut page, finding, texts);
             let worst = finding.places.first().filter(|_| drawn < CLOSE_UPS);
             if let Some(site) = worst {
-                let id = finding.kind.id();
-                drawn += usize::from(close_ups(&mut page, (&model, &obstacles, camera), site, id)?);
+                let scene = (&model, &*obstacles, camera);
+                let is_drawn = close_ups(&mut page, scene, site, (finding.kind.id(), &top), texts)?;
+                drawn += usize::from(is_drawn);
             }
-            let table = places(finding);
+            let table = places(finding, texts);
             if !table.is_empty() {
                 page.table(&table);
             }
         }
-        page.heading("Distributions");
-        for (name, caption, plot) in histograms(&surveys) {
-            page.drawing(&format!("histogram of {name}"), &caption, |id| plot.svg(id));
+        page.heading(&texts.get("distributions"));
+        for (name, caption, plot) in histograms(&surveys, texts) {
+            let alternative = texts.with("histogram", &[("name", name.into())]);
+            page.drawing(&alternative, &caption, |id| plot.svg(id));
         }
         Ok(page.finish())
     }
 
     /// The result in a few words.
-    fn title(&self, diagnosis: &Diagnosis) -> String {
+    fn title(&self, diagnosis: &Diagnosis, texts: Texts) -> String {
         let counts =
-            Severity::ALL.into_iter().rev().map(|severity| (diagnosis.count(severity), severity.name()));
-        let counts = counts.filter(|(count, _)| *count > 0);
-        let counts =
-            counts.map(|(count, name)| format!("{count} {name}{}", if count == 1 { "" } else { "s" }));
-        let counts = counts.collect::<Vec<_>>().join(", ");
+            [(Severity::Error, "errors"), (Severity::Warning, "warnings"), (Severity::Note, "notes")];
+        let counts = counts.map(|(severity, key)| (diagnosis.count(severity), key));
+        let counts = counts.into_iter().filter(|(count, _)| *count > 0);
+        let counts: Vec<String> =
+            counts.map(|(count, key)| texts.with(key, &[("count", count.into())])).collect();
+        let counts = counts.join(", ");
         let key = match (&*counts, self.omitted) {
             ("", 0) => "title-none",
             ("", _) => "title-omitted",
             _ => "title-found",
         };
-        text(key, &[("name", self.name.into()), ("counts", counts.into())])
+        texts.with(key, &[("name", self.name.into()), ("counts", counts.into())])
     }
 
     /// How much was checked.
-    fn lead(&self, diagnosis: &Diagnosis) -> String {
+    fn lead(&self, diagnosis: &Diagnosis, texts: Texts) -> String {
         let faces: usize = diagnosis.parts.iter().map(|part| part.faces).sum();
-        let checked = text("checked", &[("faces", faces.to_string().into())]);
+        let checked = texts.with("checked", &[("faces", faces.to_string().into())]);
         match self.omitted {
             0 => checked,
-            omitted => format!("{checked} {}", text("omitted", &[("count", omitted.to_string().into())])),
+            omitted => {
+                format!("{checked} {}", texts.with("omitted", &[("count", omitted.to_string().into())]))
+            }
         }
     }
 }
 
 /// Which findings a command fixes, and which remain.
-fn fix_text(fix: &Fix, diagnosis: &Diagnosis) -> String {
+fn fix_text(fix: &Fix, diagnosis: &Diagnosis, texts: Texts) -> String {
     let ids = |is_fixed: bool| {
         let kinds = diagnosis.findings.iter().map(|finding| finding.kind);
         let kinds = kinds.filter(|kind| fix.kinds.contains(kind) == is_fixed);
@@ -125,35 +130,42 @@ fn fix_text(fix: &Fix, diagnosis: &Diagnosis) -> String {
     };
     let others = match ids(false) {
         none if none.is_empty() => none,
-        others => format!(" {}", text("not-fixed", &[("others", others.into())])),
+        others => format!(" {}", texts.with("not-fixed", &[("others", others.into())])),
     };
-    format!("{}{others}", text("fix", &[("fixed", ids(true).into())]))
+    format!("{}{others}", texts.with("fix", &[("fixed", ids(true).into())]))
 }
 
-fn overview(page: &mut Page, model: &Model, diagnosis: &Diagnosis, camera: Option<Camera>) -> Result<()> {
-    page.heading("Overview");
+/// The pictures of the whole and the list of findings. Returns the id of its heading.
+fn overview(
+    page: &mut Page,
+    model: &Model,
+    diagnosis: &Diagnosis,
+    camera: Option<Camera>,
+    texts: Texts,
+) -> Result<String> {
+    let top = page.heading(&texts.get("overview"));
     let Some(camera) = camera else {
-        page.paragraph("There are no faces to show.");
-        return Ok(());
+        page.paragraph(&texts.get("there-is-nothing"));
+        return Ok(top);
     };
-    let (heat, marks) = model.deviation("", camera, OVERVIEW, &worst_places(diagnosis))?;
+    let (heat, marks) = model.deviation("", camera, OVERVIEW, &worst_places(diagnosis), texts)?;
     let (facing, creases) = (model.facing(camera, OVERVIEW)?, model.creases(camera, OVERVIEW)?);
     let pictures: [(&Picture, &str); 3] = [
-        (&heat, &text("heat-alternative", &[("scale", model.scale.words().into())])),
-        (&facing, &text("facing-alternative", &[])),
-        (&creases, &text("creases-alternative", &[])),
+        (&heat, &texts.with("heat-alternative", &[("scale", model.scale.words(texts).into())])),
+        (&facing, &texts.get("facing-alternative")),
+        (&creases, &texts.get("creases-alternative")),
     ];
-    page.pictures(&pictures, &caption(marks, diagnosis))?;
+    page.pictures(&pictures, &caption(marks, diagnosis, texts))?;
     if !diagnosis.findings.is_empty() {
         page.push(html! { ul { @for finding in &diagnosis.findings {
             @let id = finding.kind.id();
-            li { a href={ "#" (id) } { (finding.severity.name()) ": " (id) } ": " (finding.cause) }
+            li { a href={ "#" (id) } { (severity(finding, texts)) ": " (id) } ": " (finding.cause.get(texts.0)) }
         } } });
     }
-    Ok(())
+    Ok(top)
 }
 
-fn caption(marks: Marks, diagnosis: &Diagnosis) -> String {
+fn caption(marks: Marks, diagnosis: &Diagnosis, texts: Texts) -> String {
     let of_edges = [Kind::AveragedCrease, Kind::SplitSeam, Kind::GroupMismatch];
     let marks = [
         (marks.dots, "marks-dots"),
@@ -163,22 +175,21 @@ fn caption(marks: Marks, diagnosis: &Diagnosis) -> String {
         (marks.hidden, "marks-hidden"),
     ];
     let shown = marks.into_iter().filter(|(is_shown, _)| *is_shown);
-    let shown: String = shown.map(|(_, key)| text(key, &[])).collect();
-    text("overview-caption", &[("marks", shown.into())])
+    let shown: String = shown.map(|(_, key)| texts.get(key)).collect();
+    texts.with("overview-caption", &[("marks", shown.into())])
 }
 
-fn weightings(page: &mut Page, diagnosis: &Diagnosis) {
-    let columns = ["submesh", "faces", "recipe", "median"];
-    let mut table = Table::new("Recipes that reproduce the stored normals best", &columns);
+fn weightings(page: &mut Page, diagnosis: &Diagnosis, texts: Texts) {
+    let columns = texts.each(["column-submesh", "column-faces", "column-recipe", "column-median"]);
+    let mut table = Table::new(&texts.get("recipes"), &columns);
     for (number, part) in diagnosis.parts.iter().enumerate() {
         let Some(estimate) = part.estimate else { continue };
-        let name = if part.name.is_empty() { format!("submesh {number}") } else { part.name.clone() };
-        table.push([
-            name,
-            part.faces.to_string(),
-            estimate.in_words(),
-            format!("{}°", digits(estimate.median.0)),
-        ]);
+        let name = match part.name.is_empty() {
+            true => texts.with("unnamed-submesh", &[("number", number.into())]),
+            false => part.name.clone(),
+        };
+        let recipe = estimate.in_words().get(texts.0).to_owned();
+        table.push([name, part.faces.to_string(), recipe, format!("{}°", digits(estimate.median.0, texts))]);
     }
     if !table.is_empty() {
         page.table(&table);
@@ -186,37 +197,44 @@ fn weightings(page: &mut Page, diagnosis: &Diagnosis) {
 }
 
 /// A number with a power of ten where it would be long.
-fn digits(x: f64) -> String {
-    powers_of_ten(&three_digits(x))
+fn digits(x: f64, texts: Texts) -> String {
+    texts.0.localised(&powers_of_ten(&three_digits(x)))
 }
 
-fn describe(page: &mut Page, finding: &Finding) {
+fn severity(finding: &Finding, texts: Texts) -> String {
+    texts.get(&format!("severity-{}", finding.severity.name()))
+}
+
+fn describe(page: &mut Page, finding: &Finding, texts: Texts) {
     let entry = finding.kind.entry();
     page.heading(entry.id);
-    let share = three_digits(100.0 * finding.share());
-    let mut text = format!(
-        "{}: {}. {} of {} ({share} %)",
-        finding.severity.name(),
-        finding.cause,
-        finding.count,
-        finding.of
-    );
+    let mut details = String::new();
     if let Some(steps) = finding.steps.filter(|&steps| steps > 0.0) {
-        let angle = finding.degrees.map_or(String::new(), |degrees| format!("{}°, ", digits(degrees)));
-        text += &format!("; up to {angle}{} of 255 grey steps under a key light", digits(steps));
+        let angle = finding.degrees.map_or(String::new(), |degrees| format!("{}°, ", digits(degrees, texts)));
+        let steps = digits(steps, texts);
+        details += &texts.with("finding-steps", &[("angle", angle.into()), ("steps", steps.into())]);
     }
     if let Some((amount, unit)) = finding.amount.zip(finding.kind.unit())
         && let amount = finding.kind.write_amount(amount)
-        && !finding.cause.contains(&amount)
+        && !finding.cause.english().contains(&amount)
     {
-        text += &format!("; at worst {} {unit}", powers_of_ten(&amount));
+        let amount = Value::digits(&powers_of_ten(&amount));
+        details += &texts.with("finding-worst", &[("amount", amount), ("unit", unit.into())]);
     }
     if let Some(confidence) = finding.confidence {
-        text += &format!("; confidence {confidence:.2}");
+        let confidence = Value::digits(&format!("{confidence:.2}"));
+        details += &texts.with("finding-confidence", &[("confidence", confidence)]);
     }
-    text.push('.');
-    page.paragraph(&text);
-    [entry.meaning(), entry.advice()].iter().for_each(|text| page.paragraph(text.get(Language::English)));
+    let values = [
+        ("severity", severity(finding, texts).into()),
+        ("cause", (&finding.cause).into()),
+        ("count", finding.count.to_string().into()),
+        ("of", finding.of.to_string().into()),
+        ("share", Value::digits(&three_digits(100.0 * finding.share()))),
+        ("details", details.into()),
+    ];
+    page.paragraph(&texts.with("finding", &values));
+    [entry.meaning(), entry.advice()].iter().for_each(|text| page.paragraph(text.get(texts.0)));
 }
 
 /// Pictures of the worst position of a finding: close up and in the whole, or of its node. Whether there is one.
@@ -224,44 +242,54 @@ fn close_ups(
     page: &mut Page,
     (model, obstacles, camera): (&Model, &[Obstacles<'_>], Option<Camera>),
     site: &Site,
-    id: &str,
+    (id, top): (&str, &str),
+    texts: Texts,
 ) -> Result<bool> {
     let picture = model.close_up(site, obstacles, CLOSE_UP)?;
     if let Some(picture) = &picture {
-        let alternative = text("close-up-alternative", &[("finding", id.into())]);
+        let alternative = texts.with("close-up-alternative", &[("finding", id.into())]);
         let whole = model.whereabouts(site, obstacles, CLOSE_UP)?;
         let caption = match &whole {
-            Some((_, true)) => text("close-up-seen", &[]),
-            Some((_, false)) => text("close-up-hidden", &[]),
-            None => text("close-up-alone", &[]),
+            Some((_, true)) => texts.get("close-up-seen"),
+            Some((_, false)) => texts.get("close-up-hidden"),
+            None => texts.get("close-up-alone"),
         };
-        let of_whole = text("whole-alternative", &[]);
+        let of_whole = texts.get("whole-alternative");
         let whole = whole.iter().map(|(whole, _)| (whole, of_whole.as_str()));
         let pictures: Vec<(&Picture, &str)> =
             std::iter::once((picture, alternative.as_str())).chain(whole).collect();
         page.pictures(&pictures, &caption)?;
-        page.push(html! { p { a href="#overview" { "To the overview" } } });
+        page.push(html! { p { a href={ "#" (top) } { (texts.get("to-overview")) } } });
     }
     let node = model.node(site, camera, CLOSE_UP)?;
     if let Some(picture) = &node {
-        let alternative = text("node-alternative", &[]);
-        page.pictures(&[(picture, alternative.as_str())], &text("node-caption", &[]))?;
+        let alternative = texts.get("node-alternative");
+        page.pictures(&[(picture, alternative.as_str())], &texts.get("node-caption"))?;
     }
     Ok(picture.is_some() || node.is_some())
 }
 
-fn places(finding: &Finding) -> Table {
-    let columns = ["location", "face", "corner", "vertex", "position", "degrees"];
-    let mut table = Table::new("Worst locations", &columns);
+fn places(finding: &Finding, texts: Texts) -> Table {
+    let columns = texts.each([
+        "column-location",
+        "column-face",
+        "column-corner",
+        "column-vertex",
+        "column-position",
+        "column-degrees",
+    ]);
+    let mut table = Table::new(&texts.get("worst-locations"), &columns);
+    // Coordinates have points in both languages: commas separate them.
+    let coordinate = |x: f64| powers_of_ten(&three_digits(x));
     for site in finding.places.iter().filter(|site| site.position.is_some()) {
         let number = |number: Option<u32>| number.map_or(String::new(), |number| number.to_string());
         let place = match (&site.line, &site.node) {
-            (Some(line), _) => format!("line {line}"),
+            (Some(line), _) => texts.with("line", &[("line", line.to_string().into())]),
             (None, Some(node)) if !node.is_empty() => node.clone(),
-            _ => format!("primitive {}", site.part),
+            _ => texts.with("primitive", &[("number", site.part.into())]),
         };
-        let position = site.position.map(|p| p.to_array().map(digits).join(", ")).unwrap_or_default();
-        let degrees = site.degrees.map(digits).unwrap_or_default();
+        let position = site.position.map(|p| p.to_array().map(coordinate).join(", ")).unwrap_or_default();
+        let degrees = site.degrees.map(|degrees| digits(degrees, texts)).unwrap_or_default();
         table.push([place, number(site.face), number(site.corner), number(site.vertex), position, degrees]);
     }
     table.drop_empty_columns();

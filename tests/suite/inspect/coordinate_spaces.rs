@@ -114,7 +114,7 @@ fn the_node_whose_matrix_is_missing_is_named() {
         }
         for (range, what, shown) in mistakes(chain) {
             let found = below(&shown_by(mesh, chain, shown), chain);
-            let cause = found.get(Kind::Untransformed).map_or("", |finding| &finding.cause);
+            let cause = found.get(Kind::Untransformed).map_or("", |finding| finding.cause.english());
             let mut others = grave(&found);
             others.retain(|id| *id != Kind::Untransformed.id() && !grave(&clean).contains(id));
             if !cause.contains(what) || !names(cause, chain, &range) || !others.is_empty() {

@@ -158,7 +158,8 @@ fn the_recipe_that_made_the_normals_is_among_those_reported() {
             for angle in (1..180).step_by(step).map(f64::from) {
                 let made = NormalRecipe { groups: Groups::Ignore, ..recipe(weight, angle) };
                 let report = estimate(&with_normals(mesh.clone(), &made)).in_words();
-                let [low, high] = reported_range(&report);
+                let report = report.english();
+                let [low, high] = reported_range(report);
                 assert!(low <= angle && angle <= high, "{name}, {weight:?}, {angle}: {report}");
                 let words: Vec<&str> = report.split([' ', ',']).collect();
                 let is_listed = words.contains(&weight.name()) || report.contains("any weight");
@@ -176,7 +177,7 @@ fn normals_by_smoothing_groups_are_attributed_to_them() {
         for weight in Weight::SUMS {
             let made = NormalRecipe { weight, ..NormalRecipe::default() };
             let estimate = estimate(&with_normals(mesh.clone(), &made));
-            assert!(estimate.groups, "{name}, {weight:?}: {}", estimate.in_words());
+            assert!(estimate.groups, "{name}, {weight:?}: {}", estimate.in_words().english());
         }
     }
 }

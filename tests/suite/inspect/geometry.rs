@@ -59,7 +59,7 @@ fn errors_far_from_the_origin_are_as_reported() {
 
         let diagnosis = inspect(&far, 1);
         let reported = diagnosis.get(Kind::FarFromOrigin).expect("it is far");
-        let cause = reported.cause.split("slender ones, is ").nth(1).unwrap();
+        let cause = reported.cause.english().split("slender ones, is ").nth(1).unwrap();
         let expected: f64 = cause.split('°').next().unwrap().parse().unwrap();
         // The errors of 800 faces have a standard deviation of half their mean, so the mean is known to 2 %.
         assert!((expected / mean - 1.0).abs() < 0.06, "{pattern:?}: {expected} reported, {mean} measured");
@@ -90,7 +90,7 @@ fn components_are_counted_over_all_parts() {
     let loaded = read_bytes(text.into_bytes(), Some(Format::Stl), None, &ReadOptions::default()).unwrap();
     let diagnosis = diagnose(&loaded, &Thresholds::default(), &|_| {});
     let found = diagnosis.get(Kind::InsideOut).unwrap();
-    assert!(found.count == 8 && found.cause.ends_with("in 2 closed components"), "{found:?}");
+    assert!(found.count == 8 && found.cause.english().ends_with("in 2 closed components"), "{found:?}");
 }
 
 /// Of tetrahedra that face inwards, those with inward normals are rooms and the others are errors. Only errors are counted as
@@ -128,10 +128,14 @@ fn rooms_are_not_counted_with_what_is_inside_out() {
         let diagnosis = diagnose(&loaded, &Thresholds::default(), &|_| {});
         let found = diagnosis.get(Kind::InsideOut).unwrap();
         assert_eq!((found.severity, found.count), (Severity::Error, 4), "{found:?}");
-        assert!(found.cause.contains("in 1 closed component, contradicted"), "{}", found.cause);
+        assert!(
+            found.cause.english().contains("in 1 closed component, contradicted"),
+            "{}",
+            found.cause.english()
+        );
         let rooms = found.of / 4 - 1;
         let others = format!("{rooms} other{} of {} faces", if rooms == 1 { "" } else { "s" }, 4 * rooms);
-        assert!(found.cause.contains(&others), "{}", found.cause);
+        assert!(found.cause.english().contains(&others), "{}", found.cause.english());
         let first = &found.places[0];
         assert_eq!((first.part, first.face), (first_fault.0, Some(first_fault.1)));
         assert_eq!(found.area_share, Some(1.0 / (rooms + 1) as f64), "{found:?}");
@@ -139,7 +143,7 @@ fn rooms_are_not_counted_with_what_is_inside_out() {
     let rooms = diagnose(&solids(&[(0.0, room), (5.0, room)]), &Thresholds::default(), &|_| {});
     let found = rooms.get(Kind::InsideOut).unwrap();
     assert_eq!((found.severity, found.count), (Severity::Warning, 8));
-    assert!(found.cause.ends_with("in 2 closed components"), "{}", found.cause);
+    assert!(found.cause.english().ends_with("in 2 closed components"), "{}", found.cause.english());
 }
 
 /// The actual errors of rounded normals are reported with their places, and not only a bound.
@@ -174,13 +178,17 @@ fn rounded_normals_are_measured() {
         "{reported:?}"
     );
     let words = format!("by up to {}° (rms {}°)", three_digits(all[0]), three_digits(rms));
-    assert!(found.cause.contains(&words) && found.cause.contains("at most 0.391°"), "{}", found.cause);
+    assert!(
+        found.cause.english().contains(&words) && found.cause.english().contains("at most 0.391°"),
+        "{}",
+        found.cause.english()
+    );
     // Without a known weighting, the unrounded normals are unknown.
     let turned = |n: &DVec3| DMat3::from_axis_angle(n.any_orthonormal_vector(), 0.1) * *n;
     let diagnosis = inspect(&with(rounded(&ruled.values.iter().map(turned).collect::<Vec<_>>())), 10);
     let found = diagnosis.get(Kind::Quantised).unwrap();
-    assert!(found.degrees.is_none() && !found.cause.contains("by up to"), "{found:?}");
-    assert!(found.cause.contains("at most 0.391°"), "{}", found.cause);
+    assert!(found.degrees.is_none() && !found.cause.english().contains("by up to"), "{found:?}");
+    assert!(found.cause.english().contains("at most 0.391°"), "{}", found.cause.english());
 }
 
 /// A strip of two squares, the second with two vertices of its own where it meets the first.
@@ -318,7 +326,7 @@ fn glossy_materials_need_more_bits() {
     let file = loaded(torus.with_normals(Some(Column { values, ..exact })));
     let cause = |exponent: Option<f64>| {
         let diagnosis = diagnose(&file, &Thresholds { exponent, ..Thresholds::default() }, &|_| {});
-        diagnosis.get(Kind::Quantised).map(|finding| finding.cause.clone())
+        diagnosis.get(Kind::Quantised).map(|finding| finding.cause.english().to_owned())
     };
     assert_eq!(cause(None), None);
     assert_eq!(cause(Some(100.0)), None);
@@ -388,13 +396,13 @@ fn words_and_numbers_are_of_the_same_parts() {
     let [(fine, a), (coarse, b)] = [ball(1.0, [48, 24]), ball(3.0, [12, 6])];
     let file = Loaded { parts: vec![fine, coarse], ..loaded(Mesh::default()) };
     let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
-    let cause = |kind: Kind| diagnosis.get(kind).unwrap().cause.clone();
+    let cause = |kind: Kind| diagnosis.get(kind).unwrap().cause.english();
     assert!(cause(Kind::NeedlessSeam).ends_with(&format!(": {} vertices could be merged", a + b)));
     for kind in [Kind::MachBands, Kind::CoarseOutline] {
         let finding = diagnosis.get(kind).unwrap();
         assert_eq!(finding.places[0].part, 1);
         assert!(
-            finding.cause.contains(&format!("up to {} ", three_digits(finding.amount.unwrap()))),
+            finding.cause.english().contains(&format!("up to {} ", three_digits(finding.amount.unwrap()))),
             "{kind:?}"
         );
     }
@@ -416,7 +424,7 @@ fn parts_where_it_matters_less_are_reported_next_to() {
         let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
         diagnosis
             .get(Kind::AveragedCrease)
-            .map(|it| (it.severity, it.count, it.cause.clone(), it.places[0].part))
+            .map(|it| (it.severity, it.count, it.cause.english().to_owned(), it.places[0].part))
     };
     let (grave, count, ..) = found(vec![severe()]).unwrap();
     let (mild, others, ..) = found(vec![milder()]).unwrap();

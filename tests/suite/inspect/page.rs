@@ -15,7 +15,8 @@ use std::collections::BTreeSet;
 /// The map of the deviations of a file.
 fn deviations(file: &Loaded, diagnosis: &Diagnosis, sight: Sight, side: u32) -> Picture {
     let of = HeatMap::Deviation;
-    crease::report::heat_map(file, (diagnosis, &Thresholds::default()), of, sight, side).unwrap()
+    crease::report::heat_map(file, (diagnosis, &Thresholds::default()), of, sight, side, Language::English)
+        .unwrap()
 }
 
 /// All texts between two marks.
@@ -34,36 +35,46 @@ fn the_page_of_a_fault_is_whole() {
     let file = loaded(mesh.with_normals(Some(normals)));
     let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
     let fix = diagnosis.fix(|_| true, false, ["a <torus>.obj", "b.obj"]);
-    let page = DiagnosisPage {
-        name: "a <torus>.obj",
-        fix: fix.as_ref(),
-        omitted: 0,
-        after: None,
-        sight: Sight::Auto,
-    };
-    let page = page.html(&file, &diagnosis).unwrap();
+    for language in Language::ALL {
+        let page = DiagnosisPage {
+            name: "a <torus>.obj",
+            fix: fix.as_ref(),
+            omitted: 0,
+            after: None,
+            sight: Sight::Auto,
+            language,
+        };
+        check(&page.html(&file, &diagnosis).unwrap(), &diagnosis, language);
+    }
+}
 
+/// Asserts that a page in a language is whole.
+fn check(page: &str, diagnosis: &Diagnosis, language: Language) {
+    // A key or a placeholder without its text shows in braces.
+    let text = page.split("</style>").last().unwrap();
+    assert!(!text.contains('{'), "{language:?}: a text is missing");
+    assert!(page.contains(&format!("<html lang=\"{}\"", language.tag())));
     assert!(
         !page.contains("http://") && !page.contains("https://") && !page.contains("<script"),
         "an address"
     );
     assert!(!page.contains("<torus>"), "text became markup");
-    let ids = between(&page, " id=\"", "\"");
+    let ids = between(page, " id=\"", "\"");
     let distinct: BTreeSet<&str> = ids.iter().copied().collect();
     assert_eq!(distinct.len(), ids.len(), "ids are all different");
-    for link in between(&page, "href=\"#", "\"") {
+    for link in between(page, "href=\"#", "\"") {
         assert!(distinct.contains(link), "{link} leads nowhere");
     }
-    for source in between(&page, "<img src=\"", "\"") {
+    for source in between(page, "<img src=\"", "\"") {
         assert!(source.starts_with("data:image/png;base64,"));
     }
-    let pictures = between(&page, "<img ", ">");
+    let pictures = between(page, "<img ", ">");
     assert!(pictures.len() > 4 && pictures.iter().all(|image| between(image, "alt=\"", "\"")[0].len() > 20));
     assert_eq!(page.matches("<svg role=\"img\"").count(), 5, "five histograms");
     for finding in &diagnosis.findings {
         assert!(distinct.contains(finding.kind.id()), "{}", finding.kind.id());
     }
-    assert!(page.contains(Kind::Flipped.entry().meaning().get(Language::English)));
+    assert!(page.contains(Kind::Flipped.entry().meaning().get(language)));
     assert!(page.contains("crease normals 'a &lt;torus&gt;.obj'"));
 }
 
@@ -224,7 +235,14 @@ fn names_in_pages_are_code() {
     normals.values.iter_mut().for_each(|normal| *normal = normal.any_orthonormal_vector());
     let file = loaded(bare.with_normals(Some(normals)));
     let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
-    let page = DiagnosisPage { name: "a.obj", fix: None, omitted: 0, after: None, sight: Sight::Auto };
+    let page = DiagnosisPage {
+        name: "a.obj",
+        fix: None,
+        omitted: 0,
+        after: None,
+        sight: Sight::Auto,
+        language: Language::English,
+    };
     let page = page.html(&file, &diagnosis).unwrap();
     assert!(diagnosis.get(Kind::Custom).is_some());
     assert!(page.contains("<code>--when missing</code>") && !page.contains('`'));
@@ -238,8 +256,15 @@ fn the_map_of_findings_shows_reversed_faces() {
         let file = loaded(mesh);
         let thresholds = Thresholds::default();
         let diagnosis = diagnose(&file, &thresholds, &|_| {});
-        crease::report::heat_map(&file, (&diagnosis, &thresholds), HeatMap::Findings, Sight::Auto, 160)
-            .unwrap()
+        crease::report::heat_map(
+            &file,
+            (&diagnosis, &thresholds),
+            HeatMap::Findings,
+            Sight::Auto,
+            160,
+            Language::English,
+        )
+        .unwrap()
     };
     let orange = |picture: Picture| pixels(picture, |[r, g, b]| r > 80 && r / 2 > g && b < 20);
     assert_eq!(orange(map(bare.clone())), 0);

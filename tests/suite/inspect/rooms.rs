@@ -125,7 +125,7 @@ fn what_stands_in_a_room_is_no_cavity() {
     let diagnosis = diagnose(&file(vec![mesh(&[ROOM, CHAIR])]), &Thresholds::default(), &|_| {});
     let found = diagnosis.get(Kind::Room).unwrap();
     assert_eq!((found.severity, found.count), (Severity::Note, faces_of_ball() as u64));
-    assert!(found.cause.ends_with("in 1 closed component"), "{}", found.cause);
+    assert!(found.cause.english().ends_with("in 1 closed component"), "{}", found.cause.english());
     assert_eq!(diagnosis.worst(), Some(Severity::Note));
 }
 

@@ -141,7 +141,7 @@ fn of_changes_that_explain_as_much_the_smallest_is_reported() {
     let tube = surface(&Surface::from(Cylinder::default()), [32, 8]);
     let diagnosis = inspect(&changed(&tube, |n| DVec3::new(-n.x, n.y, n.z)), 1);
     assert_eq!(grave(&diagnosis), [Kind::SwappedAxes.id()]);
-    let cause = &diagnosis.get(Kind::SwappedAxes).unwrap().cause;
+    let cause = diagnosis.get(Kind::SwappedAxes).unwrap().cause.english();
     let reported = "x is stored as −x (or another change with the same effect on this shape)";
     assert!(cause.ends_with(reported), "{cause}");
 }

@@ -37,10 +37,9 @@ pub(crate) fn search_distance(facts: &Facts<'_>, found: &mut Found) {
         found.add(Kind::FarFromOrigin, Spot::mesh().by(error), facts.total_area);
         let bits = libm::floor(libm::log2(height / rounding)).max(0.0);
         let expected = Degrees::from(Radians(libm::atan(tilt))).0;
-        let text = format!(
-            "{bits} bits remain for the height of a typical face, and rounding rotates its normal by up to {error:.2}°; the \
-             expected mean over all faces, including slender ones, is {expected:.2}°"
-        );
+        let [largest, mean] = [error, expected].map(|degrees| Value::digits(&format!("{degrees:.2}")));
+        let values = [("bits", bits.to_string().into()), ("largest", largest), ("mean", mean)];
+        let text = REMARKS.with("far-from-origin", &values);
         found.tally(Kind::FarFromOrigin).remark = Some(Remark { weight: error, text });
     }
 }

@@ -2,6 +2,8 @@
 
 use crate::normals::encoding::Encoding;
 use crate::num::{Degrees, Radians};
+use crate::quality::findings::remarks::REMARKS;
+use crate::text::Text;
 use glam::DVec3;
 use std::collections::BTreeMap;
 
@@ -26,7 +28,15 @@ pub(crate) struct Grid {
     layout: Layout,
     scale: f64,
     offset: f64,
-    pub(crate) name: String,
+    numbers: Numbers,
+}
+
+/// The numbers to which components are rounded.
+#[derive(Clone, Copy, Debug)]
+enum Numbers {
+    Decimals(u32),
+    Signed { bits: u32 },
+    Unsigned { bits: u32 },
 }
 
 /// What is rounded.
@@ -123,6 +133,26 @@ impl Grid {
         }
     }
 
+    /// What it rounds to, in words.
+    pub(crate) fn name(&self) -> Text {
+        let numbers = match self.numbers {
+            Numbers::Decimals(count) => REMARKS.with("decimals", &[("count", count.into())]),
+            Numbers::Signed { bits } => {
+                let scale = self.scale.to_string();
+                REMARKS.with("signed-integers", &[("bits", bits.into()), ("scale", scale.into())])
+            }
+            Numbers::Unsigned { bits } => {
+                let largest = (2.0 * self.scale).to_string();
+                REMARKS.with("unsigned-integers", &[("bits", bits.into()), ("largest", largest.into())])
+            }
+        };
+        match self.layout {
+            Layout::Components => numbers,
+            Layout::MadeUnit => REMARKS.with("renormalised", &[("numbers", numbers.into())]),
+            Layout::Octahedral => REMARKS.with("octahedral-codes", &[("numbers", numbers.into())]),
+        }
+    }
+
     /// Whether its normals have the lengths that rounding leaves.
     pub(crate) fn spoils_lengths(&self) -> bool {
         self.layout == Layout::Components
@@ -132,34 +162,27 @@ impl Grid {
 /// All grids, coarse ones before those that contain them.
 fn grids() -> Vec<Grid> {
     let widths = [8, 10, 12, 16];
-    let signed = |bits: u32, scale: f64| (scale, 0.0, format!("{bits}-bit signed integers over {scale}"));
+    let signed = |bits: u32, scale: f64| (scale, 0.0, Numbers::Signed { bits });
     // Over the largest integer, as in glTF and OpenGL, or over the power of two above it.
     let over_largest = |bits: u32| signed(bits, f64::from((1u32 << (bits - 1)) - 1));
     let over_power = |bits: u32| signed(bits, f64::from(1u32 << (bits - 1)));
     // From 0 … 1 to −1 … 1, as in normal maps.
     let unsigned = |bits: u32| {
-        let largest = f64::from((1u32 << bits) - 1);
-        (0.5 * largest, 0.5 * largest, format!("{bits}-bit unsigned integers, 2k/{largest} − 1"))
+        let half = 0.5 * f64::from((1u32 << bits) - 1);
+        (half, half, Numbers::Unsigned { bits })
     };
-    let decimals =
-        [(10.0, "one decimal"), (1e2, "two decimals"), (1e3, "three decimals"), (1e4, "four decimals")];
-    let mut components: Vec<(f64, f64, String)> =
-        decimals.map(|(scale, name)| (scale, 0.0, name.to_owned())).into();
+    let decimals = |count: u32| (f64::from(10u32.pow(count)), 0.0, Numbers::Decimals(count));
+    let mut components: Vec<(f64, f64, Numbers)> = (1..=4).map(decimals).collect();
     components.extend((4..=16).map(over_largest));
     components.extend(widths.map(over_power));
     components.extend(widths.map(unsigned));
     components.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let grid = |layout, (scale, offset, name)| Grid { layout, scale, offset, name };
-    let mut grids = Vec::new();
-    for (scale, offset, name) in components {
-        grids.push(grid(Layout::Components, (scale, offset, name.clone())));
-        grids.push(grid(Layout::MadeUnit, (scale, offset, format!("{name}, renormalised"))));
-    }
-    for (scale, offset, name) in (8..=16).map(over_largest).chain(widths.map(unsigned)) {
-        let name = format!("octahedral codes of 2 × {name}");
-        grids.push(grid(Layout::Octahedral, (scale, offset, name)));
-    }
-    grids
+    let grid = |layout, (scale, offset, numbers)| Grid { layout, scale, offset, numbers };
+    let each = components.into_iter();
+    let components =
+        each.flat_map(|it| [Layout::Components, Layout::MadeUnit].map(|layout| grid(layout, it)));
+    let octahedral = (8..=16).map(over_largest).chain(widths.map(unsigned));
+    components.chain(octahedral.map(|it| grid(Layout::Octahedral, it))).collect()
 }
 
 /// What a direction has in common with its permutations and changes of sign, which are on the same grids.
@@ -213,7 +236,7 @@ mod tests {
 
     fn named(change: impl Fn(DVec3) -> DVec3) -> Option<String> {
         let normals: Vec<DVec3> = spiral(200).into_iter().map(|n| single(change(n))).collect();
-        Grid::find(&normals).map(|grid| grid.name)
+        Grid::find(&normals).map(|grid| grid.name().english().to_owned())
     }
 
     #[test]
@@ -288,7 +311,7 @@ mod tests {
         };
         let named = |normals: &[DVec3], round: fn(DVec3) -> DVec3| {
             let rounded: Vec<DVec3> = normals.iter().map(|&n| single(round(n))).collect();
-            Grid::find(&rounded).map(|grid| grid.name)
+            Grid::find(&rounded).map(|grid| grid.name().english().to_owned())
         };
         let signed: fn(DVec3) -> DVec3 = |n| (n * 127.0).round() / 127.0;
         let unit: fn(DVec3) -> DVec3 = |n| (n * 127.0).round().normalize();

@@ -22,7 +22,8 @@ const FINER: &str = "--normal-format i16";
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Precision {
     /// The grid, in words.
-    pub grid: String,
+    #[serde(serialize_with = "in_english")]
+    pub grid: Text,
     /// A bound on the angle between a normal and the same rounded to the nearest; not measured.
     #[serde(rename = "degrees")]
     pub error: Degrees,
@@ -40,7 +41,7 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) -> Option<Precision> 
     let precision = Precision {
         error: grid.error(),
         exponent: largest_exponent(grid.error().into(), VISIBLE),
-        grid: grid.name.clone(),
+        grid: grid.name(),
     };
     let remedy = facts.file.has_normal_formats().then(|| FINER.to_owned());
     if remedy.is_some() && grid.spoils_lengths() && found.count(Kind::LooseLength) > 0 {
@@ -57,22 +58,31 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) -> Option<Precision> 
 
 fn report(facts: &Facts<'_>, precision: &Precision, exponent: f64, found: &mut Found) {
     let measured = Measured::new(facts, precision.error.0);
-    let (weight, worst, deviation) = match measured {
-        Some(measured) => (measured.largest, measured.worst.clone(), measured.describe()),
-        None => (precision.error.0, vec![Spot::mesh()], String::new()),
+    let (weight, worst) = match &measured {
+        Some(measured) => (measured.largest, measured.worst.clone()),
+        None => (precision.error.0, vec![Spot::mesh()]),
     };
     found.add_mesh(Kind::Quantised, facts.total_area, worst);
     let visibility = match precision.exponent {
-        Some(exponent) => format!("not visible up to the exponent {exponent}"),
-        None => "which may be visible even on a matt surface".into(),
+        Some(exponent) => REMARKS.with("visible-from", &[("exponent", exponent.into())]),
+        None => REMARKS.get("always-visible"),
     };
-    let text = format!(
-        "{}, {deviation}the error of rounding is at most {}°, {visibility}; the exponent {} of the material needs {} bits a component",
-        precision.grid,
-        three_digits(precision.error.0),
-        three_digits(exponent),
-        needed_bits(exponent)
+    let error = REMARKS.with(
+        "rounding-error",
+        &[
+            ("degrees", digits(precision.error.0)),
+            ("visibility", visibility.into()),
+            ("exponent", digits(exponent)),
+            ("bits", needed_bits(exponent).into()),
+        ],
     );
+    let (grid, error) = (("grid", (&precision.grid).into()), ("error", error.into()));
+    let text = match measured {
+        Some(measured) => {
+            REMARKS.with("quantised-measured", &[grid, ("measured", measured.describe().into()), error])
+        }
+        None => REMARKS.with("quantised", &[grid, error]),
+    };
     found.tally(Kind::Quantised).remark = Some(Remark { weight, text });
 }
 
@@ -111,16 +121,25 @@ impl Measured {
         Some(Self { largest, rms, corners: [explained.count, compared], worst: explained.worst })
     }
 
-    fn describe(&self) -> String {
-        let which = match self.corners {
-            [explained, compared] if explained == compared => String::new(),
-            [explained, compared] => {
-                format!(" at the {explained} of {compared} corners that rounding explains")
-            }
-        };
-        let [largest, rms] = [self.largest, self.rms].map(three_digits);
-        format!("they differ from their recipe by up to {largest}° (rms {rms}°){which}; ")
+    fn describe(&self) -> Text {
+        let [explained, compared] = self.corners;
+        let (largest, rms) = (("largest", digits(self.largest)), ("rms", digits(self.rms)));
+        match explained == compared {
+            true => REMARKS.with("measured-error", &[largest, rms]),
+            false => REMARKS.with(
+                "measured-error-of-some",
+                &[largest, rms, ("explained", explained.into()), ("compared", compared.into())],
+            ),
+        }
     }
+}
+
+fn digits(x: f64) -> Value {
+    Value::digits(&three_digits(x))
+}
+
+fn in_english<S: serde::Serializer>(text: &Text, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(text.english())
 }
 
 /// The bits of a signed component with which a highlight of this exponent has an error of at most half a step of 8 bits.

@@ -45,12 +45,14 @@ pub(crate) fn find_mistake<'a>(
     if !is_certain && with <= mean(&|stored, expected| stored.dot(expected)) {
         return None;
     }
-    let or = if is_only { "" } else { ", or another mistake with the same effect" };
     let description = best.describe(|node| tree().map(|tree| tree.name(node)));
     Some(Mistake {
         taken_back: taken_back(facts.mesh, best.map),
         degrees: best.degrees,
-        description: description.map(|description| description + or),
+        description: description.map(|mistake| match is_only {
+            true => mistake,
+            false => REMARKS.with("or-another-mistake", &[("mistake", mistake.into())]),
+        }),
         is_certain,
     })
 }
@@ -62,7 +64,7 @@ pub(crate) struct Mistake {
     /// The largest angle by which the matrices turn normals, in degrees.
     degrees: f64,
     /// Which nodes' matrices were mistaken, and how.
-    description: Option<String>,
+    description: Option<Text>,
     /// Whether the normals then agree so well with the faces that no other proof is needed.
     is_certain: bool,
 }
@@ -158,19 +160,17 @@ struct Candidate {
 }
 
 impl Candidate {
-    fn describe(&self, name: impl Fn(usize) -> Option<String>) -> Option<String> {
-        let [first, last] = self.ends;
-        let ([matrices, is, applies], nodes) = if first == last {
-            (["the matrix", "is", "applies"], format!("of node `{}`", name(last)?))
-        } else {
-            (["the matrices", "are", "apply"], format!("of nodes `{}` to `{}`", name(first)?, name(last)?))
+    fn describe(&self, name: impl Fn(usize) -> Option<String>) -> Option<Text> {
+        let mistake = match self.how {
+            How::Twice => "applied-twice",
+            How::Missing => "undone",
+            How::Within => "applied-elsewhere",
+            How::WithinInverse => "undone-elsewhere",
         };
-        Some(match self.how {
-            How::Twice => format!("{matrices} {nodes} {is} already applied to them and {applies} twice"),
-            How::Missing => format!("{matrices} {nodes} {is} undone in them"),
-            How::Within => format!("{matrices} {nodes} {is} applied to them in the wrong space"),
-            How::WithinInverse => format!("{matrices} {nodes} {is} undone in them in the wrong space"),
-        })
+        let [first, last] = self.ends;
+        let nodes = if first == last { "node" } else { "nodes" };
+        let names = [("first", name(first)?.into()), ("last", name(last)?.into())];
+        Some(REMARKS.with(&format!("{mistake}-{nodes}"), &names))
     }
 }
 

@@ -58,11 +58,12 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) -> bool {
     let fits = facts.rotation.is_some() || explains(sums.agreement(closest));
     let is_rotated = fits && angle > facts.thresholds.rotation.0;
     if is_rotated {
-        let reversed = if closest.determinant() < 0.0 { ", and reversed" } else { "" };
+        let key = if closest.determinant() < 0.0 { "rotated-and-reversed" } else { "rotated-by" };
+        let text = REMARKS.with(key, &[("degrees", Value::digits(&format!("{angle:.1}")))]);
         found.add_mesh(Kind::Rotated, area, worst(facts));
         let tally = found.tally(Kind::Rotated);
         tally.rotation_degrees = Some(angle);
-        tally.remark = Some(Remark { weight: angle, text: format!("by {angle:.1}°{reversed}") });
+        tally.remark = Some(Remark { weight: angle, text });
     }
     is_rotated
 }
@@ -81,7 +82,7 @@ pub(crate) fn worst(facts: &Facts<'_>) -> Vec<Spot> {
 
 /// The change of axes that agrees best, in words; of several the smallest, with how many others there are. `None` if none of
 /// these is the closest rotation.
-fn smallest_of_the_best(changes: &[(DMat3, f64)], is_closest: impl Fn(DMat3) -> bool) -> Option<String> {
+fn smallest_of_the_best(changes: &[(DMat3, f64)], is_closest: impl Fn(DMat3) -> bool) -> Option<Text> {
     let best = changes.iter().map(|it| it.1).reduce(f64::max)?;
     let alike: Vec<DMat3> = changes.iter().filter(|it| it.1 >= best - ALIKE).map(|it| it.0).collect();
     if !alike.iter().any(|&axes| is_closest(axes)) {
@@ -91,8 +92,8 @@ fn smallest_of_the_best(changes: &[(DMat3, f64)], is_closest: impl Fn(DMat3) -> 
     let smallest = describe(*alike.iter().min_by_key(changed)?);
     Some(match alike.len() - 1 {
         0 => smallest,
-        1 => format!("{smallest} (or another change with the same effect on this shape)"),
-        others => format!("{smallest} (or one of {others} changes with the same effect on this shape)"),
+        1 => REMARKS.with("or-another-change", &[("change", smallest.into())]),
+        others => REMARKS.with("or-other-changes", &[("change", smallest.into()), ("count", others.into())]),
     })
 }
 
@@ -184,12 +185,15 @@ fn axis_changes() -> impl Iterator<Item = DMat3> {
 }
 
 /// The new axis of each axis that changed, in words.
-fn describe(axes: DMat3) -> String {
+fn describe(axes: DMat3) -> Text {
     let name = |column: DVec3| {
         let axis = (0..3).max_by(|&a, &b| column[a].abs().total_cmp(&column[b].abs())).unwrap_or(0);
         format!("{}{}", if column[axis] < 0.0 { "−" } else { "" }, ["x", "y", "z"][axis])
     };
     let changes = ["x", "y", "z"].into_iter().zip([axes.x_axis, axes.y_axis, axes.z_axis]);
     let changed = changes.map(|(from, to)| (from, name(to))).filter(|(from, to)| from != to);
-    changed.map(|(from, to)| format!("{from} is stored as {to}")).collect::<Vec<_>>().join(", ")
+    let changed: Vec<Text> = changed
+        .map(|(from, to)| REMARKS.with("stored-as", &[("from", from.into()), ("to", to.into())]))
+        .collect();
+    Text::each(|language| changed.iter().map(|text| text.get(language)).collect::<Vec<_>>().join(", "))
 }
