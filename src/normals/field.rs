@@ -129,3 +129,10 @@ pub struct EdgeCounts {
     /// Among all of them, joined by welding.
     pub welded: usize,
 }
+
+impl EdgeCounts {
+    /// The counts of separate triangles, from those of the same triangles with vertices shared by position.
+    pub(crate) fn all_welded(self) -> Self {
+        Self { ambiguous: self.non_manifold, non_manifold: 0, welded: self.smooth + self.crease, ..self }
+    }
+}

@@ -5,7 +5,7 @@ use super::task::Task;
 use crate::io::{Part, PartEdit};
 use crate::mesh::{Column, ColumnIndex, FaceEdit, Mesh, NONE, Orientation};
 use crate::normals::{Broken, Fault, Faults, LENGTH_TOLERANCE, Selection};
-use crate::num::UnitVec3;
+use crate::num::{UnitVec3, parallel};
 use glam::DVec3;
 use std::borrow::Cow;
 
@@ -15,6 +15,8 @@ pub(super) struct EditedPart<'a> {
     pub(super) mesh: Cow<'a, Mesh>,
     /// What orientation found, without the list of faces; `None` if it was not asked for.
     pub(super) orientation: Option<Orientation>,
+    /// Whether the mesh has shared vertices in place of separate triangles.
+    pub(super) has_shared_vertices: bool,
     faces: FaceEdit,
     /// The mesh as it was read.
     read: &'a Mesh,
@@ -40,7 +42,22 @@ impl<'a> EditedPart<'a> {
             let reversed = opposite(stored, &mesh);
             mesh = Cow::Owned(mesh.into_owned().with_normals(Some(reversed)));
         }
-        Self { mesh, orientation, faces, read }
+        Self { mesh, orientation, has_shared_vertices: false, faces, read }
+    }
+
+    /// Gives separate triangles the vertices that they have in common by position, unless one then has fewer than three. Their
+    /// corners stay the same, and so do the normals, which each position then has once.
+    pub(super) fn share_vertices(&mut self) {
+        if !self.mesh.is_soup() || self.mesh.has_vertex_attributes() {
+            return;
+        }
+        let shared = self.mesh.as_ref().clone().with_shared_vertices();
+        let (triangles, _) = shared.faces().corners().as_chunks();
+        let is_collapsed = |&[a, b, c]: &[u32; 3]| a == b || b == c || c == a;
+        if parallel::position(triangles, is_collapsed).is_none() {
+            self.has_shared_vertices = true;
+            self.mesh = Cow::Owned(shared);
+        }
     }
 
     /// Normals of the edited mesh's faces, one for each face as it was read: +z for dropped ones.
@@ -68,7 +85,10 @@ impl<'a> EditedPart<'a> {
     /// The change of the part.
     pub(super) fn edit(self, selection: Selection, task: &Task) -> PartEdit {
         let is_as_stored = selection.is_as_stored(task.when) && !task.flip;
-        let Selection { normals, kept, mut morph_normals, .. } = selection;
+        let Selection { mut normals, kept, mut morph_normals, .. } = selection;
+        if self.has_shared_vertices {
+            sort_by_corner(&mut normals);
+        }
         // Reversed values are no longer those of the file.
         let kept = if task.flip { 0 } else { kept };
         let mut normals = (!is_as_stored).then(|| self.corners_as_read(normals));
@@ -154,6 +174,22 @@ fn opposite(stored: &Column<DVec3>, mesh: &Mesh) -> Column<DVec3> {
         }
     }
     Column::per_corner(reversed.into_iter().map(|normal| normal.unwrap_or(DVec3::Z)).collect(), index)
+}
+
+/// Sorts values by the first corner that has each, the order in which separate triangles have theirs.
+fn sort_by_corner(column: &mut Column<DVec3>) {
+    let ColumnIndex::PerCorner(index) = &mut column.index else { return };
+    let mut number = vec![NONE; column.values.len()];
+    let mut values = Vec::with_capacity(column.values.len());
+    for slot in index.iter_mut().filter(|slot| **slot != NONE) {
+        let number = &mut number[*slot as usize];
+        if *number == NONE {
+            *number = values.len() as u32;
+            values.push(column.values[*slot as usize]);
+        }
+        *slot = *number;
+    }
+    column.values = values;
 }
 
 /// The numbers that ascending faces had before others were dropped.

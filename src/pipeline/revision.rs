@@ -4,7 +4,9 @@ use super::edited_part::{EditedPart, applied};
 use super::outcome::{FaultCounts, PartOutcome, replaced};
 use super::task::{Degenerate, Task};
 use crate::io::{Emit, Format, Loaded, Part, PartEdit};
-use crate::mesh::{FaceEdit, Mesh, Orient, Orientation, Orientations, Placed, Topology, cavities, orient};
+use crate::mesh::{
+    FaceEdit, Mesh, Orient, Orientation, Orientations, Placed, Topology, Weld, cavities, orient,
+};
 use crate::normals::{Extras, FaultReason, Weight, When, compute_observed, select};
 use crate::num::parallel;
 use glam::DVec3;
@@ -93,6 +95,10 @@ fn revise_part(
         return (PartEdit::default(), outcome, None);
     }
     let mut edited = EditedPart::new(part, orientation, task);
+    // Otherwise the vertices of the file matter.
+    if (task.when, task.emit, task.recipe.weld) == (When::Always, Emit::Corner, Weld::Exact) {
+        edited.share_vertices();
+    }
     // Stored normals are compared with those of their faces.
     let face_normals = wants_facets || task.when != When::Always;
     let edge_counts = task.edge_counts || task.recipe.can_split(&edited.mesh);
@@ -121,6 +127,7 @@ fn revise_part(
     }
     outcome.broken_places = edited.broken_places(&selection.broken);
     let facets = edited.faces_as_read(std::mem::take(&mut selection.face_normals));
+    let has_shared_vertices = edited.has_shared_vertices;
     let edit = edited.edit(selection, task);
     outcome.reversed_faces = edit.faces.reversed.len();
     outcome.dropped_faces = edit.faces.dropped.len() - part.non_finite_faces.len();
@@ -131,7 +138,7 @@ fn revise_part(
         near_crease: summary.near_crease,
         near_cancellation: summary.near_cancellation,
         crease_chains: summary.crease_chains,
-        edges: summary.edges,
+        edges: if has_shared_vertices { summary.edges.all_welded() } else { summary.edges },
         quadric_fallbacks: summary.quadric_fallbacks,
         jet_fallbacks: (weight == Weight::Jet).then_some(summary.jet_fallbacks),
         best: summary.choice,

@@ -5,7 +5,8 @@ use crate::io::Document;
 use crate::io::{Emit, Format, Loaded, Part, PartEdit};
 use crate::mesh::Orient;
 use crate::mesh::{Column, ColumnIndex, Faces, MeshBuilder, NONE};
-use crate::normals::{self, NormalRecipe, Weight, When};
+use crate::normals::{self, Crease, NormalRecipe, Weight, When};
+use crate::num::Degrees;
 use crate::surface::{Surface, Tessellation, Torus};
 use glam::DVec3;
 use std::sync::Mutex;
@@ -71,6 +72,42 @@ fn normals_are_those_of_the_output_in_the_numbers_of_the_input() {
                 assert_eq!(outcome.reversed_faces, edit.faces.reversed.len());
                 assert_eq!(written(&part, &edit), expected(&part, &edit, &task), "{task:?}");
                 assert_eq!(edit.kept, 0);
+            }
+        }
+    }
+}
+
+/// Separate triangles, as in STL, are computed with shared vertices. Their normals, the order of these and the counts of edges are
+/// those of the library. If a face collapses, vertices stay separate.
+#[test]
+fn separate_triangles_have_the_normals_of_shared_vertices() {
+    let tessellation = Tessellation { segments: [24, 12], ..Tessellation::default() };
+    let shared = Surface::from(Torus::default()).tessellate(&tessellation).unwrap().with_normals(None);
+    for collapsed in [false, true] {
+        let mut corners = shared.faces().corners().to_vec();
+        if collapsed {
+            corners[4] = corners[3];
+        }
+        let positions: Vec<DVec3> = corners.iter().map(|&vertex| shared.positions().at(vertex)).collect();
+        let faces = Faces::triangles((0..corners.len() as u32).collect());
+        let mesh =
+            MeshBuilder { positions: positions.into(), faces, ..MeshBuilder::default() }.build().unwrap();
+        let part = Part { name: String::new(), mesh, non_finite_faces: Vec::new() };
+        for crease in [Crease::OFF, Crease::Angle(Degrees(25.0))] {
+            let recipe = NormalRecipe { crease, ..NormalRecipe::default() };
+            let task = Task { recipe, edge_counts: true, ..Task::default() };
+            let (edit, outcome) = revise_one(&part, &task, Some(Format::Glb));
+            assert_eq!(written(&part, &edit), expected(&part, &edit, &task), "{task:?}");
+            let field = normals::compute(&part.mesh, &task.recipe);
+            assert_eq!(outcome.edges, field.summary.edges);
+            assert_eq!(outcome.faults, FaultCounts::of(&field.faults));
+            let normals = edit.normals.unwrap();
+            assert_eq!(normals.values.len() < corners.len(), !collapsed, "each position has its normals once");
+            let ColumnIndex::PerCorner(index) = normals.index else { panic!("per corner") };
+            let mut next = 0;
+            for slot in index {
+                assert!(slot <= next, "in the order of corners");
+                next = next.max(slot + 1);
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Vertices at equal positions, and vertices that agree in everything: finding and merging them.
 
 use super::split::VertexSplit;
-use crate::mesh::columns::{Column, ColumnIndex, Columns, NONE};
+use crate::mesh::columns::{Column, ColumnIndex, NONE};
 use crate::mesh::polygon_mesh::Mesh;
 use crate::mesh::positions::{PositionsRef, Storage};
 use crate::mesh::rings::Scatter;
@@ -20,7 +20,8 @@ pub(crate) fn place_key(p: DVec3) -> [u64; 3] {
 /// For each of so many items, the first one at the same place. `vertex` is the vertex of each; two vertices are at the same
 /// place if their [keys](place_key) are equal in every shape, a list of positions.
 ///
-/// A flat table of item numbers per thread, each for a share of the positions: at most 9 bytes an item in addition to the result.
+/// A hash of each item, and a flat table of item numbers per thread, each for a share of the hashes: at most 13 bytes an item in
+/// addition to the result.
 pub(in crate::mesh) fn first_at_place(
     count: usize,
     shapes: &[PositionsRef],
@@ -35,16 +36,25 @@ pub(in crate::mesh) fn first_at_place(
     first_of_places(count, &Places { key, shapes: shapes.len() })
 }
 
+/// Items that a thread hashes at a time.
+const HASHED: usize = 1 << 14;
+
 fn first_of_places<K: Fn(u32, usize) -> [u64; 3] + Sync>(count: usize, places: &Places<K>) -> Vec<u32> {
     let parts = if count > 1 << 14 { rayon::current_num_threads().clamp(1, 8) } else { 1 };
+    let mut hashes = vec![0; count];
+    parallel::map_chunks(&mut hashes, HASHED, |number, chunk| {
+        chunk.iter_mut().zip(number * HASHED..).for_each(|(hash, item)| *hash = places.hash(item as u32));
+    });
+    let hashes = &hashes;
     let mut first = Scatter::default();
     first.reserve(count);
     parallel::map(parts, |part| {
-        let mut table = PlaceTable { places, slots: vec![NONE; count / (3 * parts) + 8], used: 0 };
-        for item in 0..count as u32 {
-            let hash = places.hash(item);
-            if (u64::from(hash as u32) * parts as u64) >> 32 == part as u64 {
-                first.set(item, table.first(item, hash));
+        let mut table = PlaceTable { places, hashes, slots: vec![NONE; count / (3 * parts) + 8], used: 0 };
+        for (item, &hash) in (0..).zip(hashes) {
+            // Slots are by the high bits.
+            let mixed = hash.wrapping_mul(0x9e37_79b9);
+            if (u64::from(mixed) * parts as u64) >> 32 == part as u64 {
+                first.set(item, table.first(item));
             }
         }
     });
@@ -59,9 +69,9 @@ struct Places<K> {
 }
 
 impl<K: Fn(u32, usize) -> [u64; 3]> Places<K> {
-    /// A hash whose high and low halves are both mixed well, although most positions have few significant bits.
+    /// A hash whose bits are all mixed well, although most positions have few significant bits.
     #[inline]
-    fn hash(&self, item: u32) -> u64 {
+    fn hash(&self, item: u32) -> u32 {
         let mut hash = 0_u64;
         for shape in 0..self.shapes {
             let [x, y, z] = (self.key)(item, shape);
@@ -71,7 +81,7 @@ impl<K: Fn(u32, usize) -> [u64; 3]> Places<K> {
                     .wrapping_add(z.wrapping_mul(0x1656_67b1_9e37_79f9));
         }
         let product = u128::from(hash ^ hash >> 32) * 0xa076_1d64_78bd_642f;
-        (product >> 64) as u64 ^ product as u64
+        (((product >> 64) as u64 ^ product as u64) >> 32) as u32
     }
 
     #[inline]
@@ -83,6 +93,7 @@ impl<K: Fn(u32, usize) -> [u64; 3]> Places<K> {
 /// A table of items with linear probing, at most two thirds full.
 struct PlaceTable<'a, K> {
     places: &'a Places<K>,
+    hashes: &'a [u32],
     slots: Vec<u32>,
     used: usize,
 }
@@ -90,8 +101,8 @@ struct PlaceTable<'a, K> {
 impl<K: Fn(u32, usize) -> [u64; 3]> PlaceTable<'_, K> {
     /// The item that came first at the place of this one.
     #[inline]
-    fn first(&mut self, item: u32, hash: u64) -> u32 {
-        let at = self.slot(item, hash);
+    fn first(&mut self, item: u32) -> u32 {
+        let at = self.slot(item);
         if self.slots[at] != NONE {
             return self.slots[at];
         }
@@ -105,9 +116,11 @@ impl<K: Fn(u32, usize) -> [u64; 3]> PlaceTable<'_, K> {
 
     /// The slot of an item's place, or an empty one for it.
     #[inline]
-    fn slot(&self, item: u32, hash: u64) -> usize {
-        let mut at = ((u128::from(hash) * self.slots.len() as u128) >> 64) as usize;
-        while self.slots[at] != NONE && !self.places.are_same(self.slots[at], item) {
+    fn slot(&self, item: u32) -> usize {
+        let hash = self.hashes[item as usize];
+        let is_same = |other: u32| self.hashes[other as usize] == hash && self.places.are_same(other, item);
+        let mut at = ((u64::from(hash) * self.slots.len() as u64) >> 32) as usize;
+        while self.slots[at] != NONE && !is_same(self.slots[at]) {
             at = if at + 1 == self.slots.len() { 0 } else { at + 1 };
         }
         at
@@ -118,7 +131,7 @@ impl<K: Fn(u32, usize) -> [u64; 3]> PlaceTable<'_, K> {
         let empty = vec![NONE; 2 * self.slots.len()];
         for item in std::mem::replace(&mut self.slots, empty) {
             if item != NONE {
-                let at = self.slot(item, self.places.hash(item));
+                let at = self.slot(item);
                 self.slots[at] = item;
             }
         }
@@ -256,10 +269,21 @@ impl Mesh {
         self
     }
 
+    /// Whether vertices have anything but a position.
+    pub(crate) fn has_vertex_attributes(&self) -> bool {
+        let columns = &self.columns;
+        let of_vertices = |index: &ColumnIndex| *index == ColumnIndex::PerVertex;
+        columns.normals.as_ref().is_some_and(|normals| of_vertices(&normals.index))
+            || columns.uvs.as_ref().is_some_and(|uvs| of_vertices(&uvs.index))
+            || columns.colors.is_some()
+            || !(columns.hard_edges.is_empty() && columns.morph_targets.is_empty())
+            || !(columns.points.is_empty() && columns.lines.is_empty())
+    }
+
     /// The mesh with one vertex for all vertices at the same position (to the bit, −0 = +0), in the order of their first
     /// occurrence. Unchanged if vertices have other attributes than positions.
     pub(crate) fn with_shared_vertices(mut self) -> Self {
-        if has_vertex_attributes(&self.columns) {
+        if self.has_vertex_attributes() {
             return self;
         }
         let mut number = self.first_vertices();
@@ -293,19 +317,10 @@ fn vector_key<T>(
     value.map_or([u64::MAX; 3], bits)
 }
 
-fn has_vertex_attributes(columns: &Columns) -> bool {
-    let of_vertices = |index: &ColumnIndex| *index == ColumnIndex::PerVertex;
-    columns.normals.as_ref().is_some_and(|normals| of_vertices(&normals.index))
-        || columns.uvs.as_ref().is_some_and(|uvs| of_vertices(&uvs.index))
-        || columns.colors.is_some()
-        || !(columns.hard_edges.is_empty() && columns.morph_targets.is_empty())
-        || !(columns.points.is_empty() && columns.lines.is_empty())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{Column, Faces, MeshBuilder};
+    use crate::mesh::{Column, Columns, Faces, MeshBuilder};
 
     fn soup(columns: Columns) -> Mesh {
         let places = [

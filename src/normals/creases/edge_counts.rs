@@ -213,11 +213,8 @@ impl RingCounts {
     pub(crate) fn finish(mut self, joined: bool) -> FoundEdges {
         self.non_manifold.sort_unstable();
         self.non_manifold.dedup();
-        let (crowded, counts) = (self.non_manifold.len(), self.edges.counts);
-        self.edges.counts = match joined {
-            false => EdgeCounts { non_manifold: crowded, ..counts },
-            true => EdgeCounts { ambiguous: crowded, welded: counts.smooth + counts.crease, ..counts },
-        };
+        let counts = EdgeCounts { non_manifold: self.non_manifold.len(), ..self.edges.counts };
+        self.edges.counts = if joined { counts.all_welded() } else { counts };
         self.edges
     }
 }
