@@ -45,7 +45,7 @@ pub fn write<'a>(
     let mut written = if format.edits(loaded.format) {
         match &loaded.document {
             Document::Obj(document) => obj::edit(document, loaded, &edits, options),
-            Document::Gltf(document) => gltf::edit(document, loaded, &edits, format, options),
+            Document::Gltf(document) => gltf::edit(document, loaded, edits, format, options),
             Document::Ply(document) => ply::edit(document, loaded, &edits, options),
             Document::Stl(document) => stl::edit(document, loaded, &edits, options),
             Document::None | Document::Forgotten(_) => Err(WriteError::no_document()),

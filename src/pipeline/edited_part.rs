@@ -89,6 +89,9 @@ impl<'a> EditedPart<'a> {
         if self.has_shared_vertices {
             sort_by_corner(&mut normals);
         }
+        if self.faces.is_empty() {
+            store_per_vertex(&mut normals, self.read);
+        }
         // Reversed values are no longer those of the file.
         let kept = if task.flip { 0 } else { kept };
         let mut normals = (!is_as_stored).then(|| self.corners_as_read(normals));
@@ -174,6 +177,16 @@ fn opposite(stored: &Column<DVec3>, mesh: &Mesh) -> Column<DVec3> {
         }
     }
     Column::per_corner(reversed.into_iter().map(|normal| normal.unwrap_or(DVec3::Z)).collect(), index)
+}
+
+/// Frees the indices of values that have the numbers of their vertices.
+fn store_per_vertex(column: &mut Column<DVec3>, mesh: &Mesh) {
+    let corners = mesh.faces().corners();
+    let is_numbered_so =
+        |index: &ColumnIndex| matches!(index, ColumnIndex::PerCorner(index) if index == corners);
+    if column.values.len() == mesh.vertex_count() && is_numbered_so(&column.index) {
+        column.index = ColumnIndex::PerVertex;
+    }
 }
 
 /// Sorts values by the first corner that has each, the order in which separate triangles have theirs.

@@ -67,13 +67,15 @@ impl FaceCount<'_> {
     }
 }
 
-/// Frees what neither [`revise`] nor a new file of another format reads: the source of the file, and the stored normals that a
-/// task replaces. Changes nothing for a file that will be written in its own format.
+/// Frees what neither [`revise`] nor the writer reads: the stored normals that a task replaces, and the source of a file that will be
+/// written in another format. Changes nothing for an OBJ, PLY or STL that will be written in its own format.
 pub fn forget_unused(loaded: &mut Loaded, task: &Task, target: Option<Format>) {
-    if target.is_some_and(|target| target.edits(loaded.format)) {
-        return;
+    match target.is_some_and(|target| target.edits(loaded.format)) {
+        // An edited glTF has its normals in the document.
+        true if loaded.format.is_gltf() => {}
+        true => return,
+        false => loaded.forget_source(),
     }
-    loaded.forget_source();
     // Orientation finds rooms by stored normals, and a part without faces keeps its own.
     if task.when == When::Always && task.orient == Orient::Keep {
         for part in loaded.parts.iter_mut().filter(|part| part.mesh.face_count() > 0) {

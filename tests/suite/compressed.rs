@@ -229,7 +229,7 @@ fn try_everything(bytes: &[u8]) {
         let Document::Gltf(document) = &loaded.document else { panic!("no glTF") };
         let options = WriteOptions { compression, ..WriteOptions::default() };
         let Ok(written) =
-            edit(document, &loaded, &vec![PartEdit::default(); loaded.parts.len()], Format::Glb, &options)
+            edit(document, &loaded, vec![PartEdit::default(); loaded.parts.len()], Format::Glb, &options)
         else {
             continue;
         };

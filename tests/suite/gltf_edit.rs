@@ -166,7 +166,7 @@ fn appending_keeps_the_old_buffer_and_patching_touches_only_normals() {
         let (old_json, old_bin) = chunks(&before);
         for kind in [rounded as fn(&Part) -> PartEdit, faceted] {
             let Ok(written) =
-                edit(document(&loaded), &loaded, &all(&loaded, kind), Format::Glb, &WriteOptions::default())
+                edit(document(&loaded), &loaded, all(&loaded, kind), Format::Glb, &WriteOptions::default())
             else {
                 continue;
             };

@@ -32,10 +32,20 @@ use std::path::Path;
 /// # Errors
 /// [`WriteError::Unsupported`] for normals of faces, and where an extension refers to vertices or triangles by number and these change;
 /// [`WriteError::TooLarge`] for a GLB beyond 4 GiB.
-pub fn edit(
+pub fn edit<'e>(
     document: &GltfDocument,
     loaded: &Loaded,
-    edits: &[PartEdit],
+    edits: impl Into<Cow<'e, [PartEdit]>>,
+    to: Format,
+    options: &WriteOptions,
+) -> Result<Written, WriteError> {
+    apply(document, loaded, edits.into(), to, options)
+}
+
+fn apply(
+    document: &GltfDocument,
+    loaded: &Loaded,
+    edits: Cow<'_, [PartEdit]>,
     to: Format,
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
@@ -48,7 +58,7 @@ pub fn edit(
     let materials = MaterialUses::all(&document.records);
     let mut tables = Tables::default();
     let mut groups: BTreeMap<(usize, bool), Vec<Member<'_>>> = BTreeMap::new();
-    for member in Member::all(document, loaded, edits) {
+    for member in Member::all(document, loaded, &edits) {
         groups.entry((member.block.source, member.has_normals())).or_default().push(member);
     }
     let mut added = 0;
@@ -61,6 +71,10 @@ pub fn edit(
             group.write_faces(&mut store)?;
         }
     }
+    drop(groups);
+    let drops = edits.iter().any(|edit| !edit.faces.dropped.is_empty());
+    // Their normals take as much memory as a third of the file.
+    drop(edits);
     let remarks = std::mem::take(&mut store.remarks).into_iter();
     let warnings = std::mem::take(&mut store.warnings).into_iter();
     if store.is_quantized {
@@ -103,7 +117,6 @@ pub fn edit(
         Note::for_all(Severity::Warning, places.len() as u64, places, text)
     };
     written.notes.extend(warnings.filter_map(warning));
-    let drops = edits.iter().any(|edit| !edit.faces.dropped.is_empty());
     if (added != 0 || drops) && document.lists("extensionsUsed", "FB_geometry_metadata") {
         let text = "FB_geometry_metadata still has the vertex and face counts of the input";
         written.notes.push(Note::warning(Place::File, text));

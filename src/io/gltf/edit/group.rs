@@ -48,6 +48,14 @@ impl Group<'_, '_> {
         let morph = self.members.iter().all(|member| member.has_morph_normals(target_sets.len()));
         let stored =
             Stored::new(self.source, self.vertices, self.options.normal_format, morph).map_err(unreadable)?;
+        let has_targets = target_sets.clone().next().is_some();
+        if !self.may_merge()
+            && !has_targets
+            && self.is_without_tangents()
+            && let Some(rows) = stored.of_vertices(self.members)
+        {
+            return self.write_in_place(store, &stored, rows).map(|()| 0);
+        }
         let rows = CornerRows::new(&stored, self.members, tables);
         store.remark(Remark::WITHOUT_NORMAL, rows.missing);
 
@@ -83,7 +91,7 @@ impl Group<'_, '_> {
             split = merged;
             new_rows = rows.gather(&split);
         }
-        rows.repair_unused(&mut new_rows, &split);
+        stored.repair_unused(&mut new_rows, &split.sample);
 
         store.is_quantized |= stored.format.component != Component::F32;
         self.put(store, 0, "NORMAL", stored.format, new_rows.take_base(), false);
@@ -103,16 +111,45 @@ impl Group<'_, '_> {
         Ok(split.source.len() as i64 - count as i64)
     }
 
+    /// Writes rows of vertices, none of which is split; `of_vertex` marks those that no corner uses by [`NONE`].
+    fn write_in_place(
+        &self,
+        store: &mut Store<'_>,
+        stored: &Stored,
+        (mut rows, of_vertex): (Rows, Vec<u32>),
+    ) -> Result<(), WriteError> {
+        if stored.is_stored(&rows) {
+            return self.write_faces(store);
+        }
+        stored.repair_unused(&mut rows, &of_vertex);
+        store.is_quantized |= stored.format.component != Component::F32;
+        self.put(store, 0, "NORMAL", stored.format, rows.take_base(), false);
+        self.repair_positions(store)?;
+        for member in self.members {
+            self.write_order(store, member)?;
+            drop_draco(store, member);
+        }
+        Ok(())
+    }
+
     /// Writes dropped and flipped faces, where normals do not change.
     pub fn write_faces(&self, store: &mut Store<'_>) -> Result<(), WriteError> {
         self.repair_positions(store)?;
         for member in self.members {
-            let indices = member.corners.iter().map(|&corner| member.vertex(corner)).collect();
-            if rewrite_indices(store, member, indices, member.block.count as usize)? {
+            if self.write_order(store, member)? {
                 drop_draco(store, member);
             }
         }
         Ok(())
+    }
+
+    /// Writes the triangles of a primitive, whose vertices did not change, if faces were dropped or flipped. Returns whether it did.
+    fn write_order(&self, store: &mut Store<'_>, member: &Member<'_>) -> Result<bool, WriteError> {
+        if !member.is_reshaped() {
+            return Ok(false);
+        }
+        let indices = member.corners().map(|corner| member.vertex(corner)).collect();
+        rewrite_indices(store, member, indices, member.block.count as usize)
     }
 
     /// Puts vertices without a finite position at the origin, where the mesh has them; no face uses them any more.
@@ -128,7 +165,7 @@ impl Group<'_, '_> {
     }
 
     fn corners(&self) -> impl Iterator<Item = (&Member<'_>, u32)> {
-        self.members.iter().flat_map(|member| member.corners.iter().map(move |&corner| (member, corner)))
+        self.members.iter().flat_map(|member| member.corners().map(move |corner| (member, corner)))
     }
 
     /// The JSON objects that list the vertex accessors of a set, one a primitive.
@@ -239,7 +276,7 @@ impl Group<'_, '_> {
     fn write_indices(&self, store: &mut Store<'_>, split: &VertexSplit) -> Result<(), WriteError> {
         let mut corners = split.corners.iter();
         for member in self.members {
-            let indices = corners.by_ref().take(member.corners.len()).copied().collect();
+            let indices = corners.by_ref().take(member.corner_count()).copied().collect();
             rewrite_indices(store, member, indices, split.source.len())?;
             drop_draco(store, member);
         }

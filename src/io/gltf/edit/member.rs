@@ -19,10 +19,10 @@ pub struct Member<'a> {
     pub block: &'a Block,
     pub mesh: &'a Mesh,
     pub edit: &'a PartEdit,
-    /// The corners that stay, as numbers of the part's mesh, in their new order.
-    pub corners: Vec<u32>,
-    /// Faces were dropped or flipped.
-    pub reshaped: bool,
+    /// Its corners, as numbers of the part's mesh.
+    all: Range<u32>,
+    /// Those that stay, in their new order, if faces were dropped or flipped.
+    order: Option<Vec<u32>>,
 }
 
 impl<'a> Member<'a> {
@@ -34,17 +34,16 @@ impl<'a> Member<'a> {
                 continue;
             }
             for piece in &layout.pieces {
-                let (corners, reshaped) = order(edit, piece);
                 let member = Member {
                     part,
                     primitive: &document.records.meshes[part].primitives[piece.primitive],
                     block: &layout.blocks[piece.block],
                     mesh: &loaded.parts[part].mesh,
                     edit,
-                    corners,
-                    reshaped,
+                    all: 3 * piece.first_face..3 * (piece.first_face + piece.faces),
+                    order: order(edit, piece),
                 };
-                if reshaped || member.has_normals() {
+                if member.is_reshaped() || member.has_normals() {
                     members.push(member);
                 }
             }
@@ -52,15 +51,33 @@ impl<'a> Member<'a> {
         members
     }
 
+    /// Whether faces were dropped or flipped.
+    pub fn is_reshaped(&self) -> bool {
+        self.order.is_some()
+    }
+
+    /// How many corners stay.
+    pub fn corner_count(&self) -> usize {
+        self.order.as_ref().map_or(self.all.len(), Vec::len)
+    }
+
+    /// The corners that stay, as numbers of the part's mesh, in their new order.
+    pub fn corners(&self) -> impl Iterator<Item = u32> + Clone {
+        (0..self.corner_count()).map(|number| match &self.order {
+            None => self.all.start + number as u32,
+            Some(order) => order[number],
+        })
+    }
+
     pub fn has_normals(&self) -> bool {
         let Some(normals) = &self.edit.normals else { return false };
-        self.corners.iter().any(|&corner| self.slot(normals, corner).is_some())
+        self.corners().any(|corner| self.slot(normals, corner).is_some())
     }
 
     /// Whether the edit has normals that are not the file's own.
     pub fn has_new_normals(&self) -> bool {
         let Some(normals) = &self.edit.normals else { return false };
-        let mut slots = self.corners.iter().filter_map(|&corner| self.slot(normals, corner));
+        let mut slots = self.corners().filter_map(|corner| self.slot(normals, corner));
         slots.any(|slot| self.stored_element(slot).is_none())
     }
 
@@ -119,7 +136,7 @@ impl<'a> Member<'a> {
             if moved {
                 return refuse(name, "vertices");
             }
-            if self.reshaped && has_triangles {
+            if self.is_reshaped() && has_triangles {
                 return refuse(name, "triangles");
             }
         }
@@ -134,23 +151,23 @@ impl<'a> Member<'a> {
 
     /// Whether `FB_ngon_encoding` still makes the same polygons: neighbouring triangles with the same first corner are one.
     fn same_polygons(&self, indices: &[u32]) -> bool {
-        let first_corners = || self.corners.chunks_exact(3).zip(indices.chunks_exact(3));
+        let first_corners = || self.corners().step_by(3).zip(indices.iter().step_by(3));
         first_corners().zip(first_corners().skip(1)).all(|((old, new), (old_next, new_next))| {
             // Triangles that were not neighbours before belong to different polygons whatever their corners.
-            let neighbours = old[0] / 3 + 1 == old_next[0] / 3;
-            let before = neighbours && self.vertex(old[0]) == self.vertex(old_next[0]);
-            before == (new[0] == new_next[0])
+            let neighbours = old / 3 + 1 == old_next / 3;
+            let before = neighbours && self.vertex(old) == self.vertex(old_next);
+            before == (new == new_next)
         })
     }
 }
 
-/// The corners of a primitive's faces that are kept, with flipped faces, and whether any face was dropped or flipped.
-fn order(edit: &PartEdit, piece: &Piece) -> (Vec<u32>, bool) {
+/// The corners of a primitive's faces that are kept, with flipped faces, if any face was dropped or flipped.
+fn order(edit: &PartEdit, piece: &Piece) -> Option<Vec<u32>> {
     let faces = piece.first_face..piece.first_face + piece.faces;
     let dropped = within(&edit.faces.dropped, &faces);
     let reversed = within(&edit.faces.reversed, &faces);
     if dropped.is_empty() && reversed.is_empty() {
-        return ((3 * faces.start..3 * faces.end).collect(), false);
+        return None;
     }
     let kept = faces.filter(|face| dropped.binary_search(face).is_err());
     let corners = kept.flat_map(|face| {
@@ -158,7 +175,7 @@ fn order(edit: &PartEdit, piece: &Piece) -> (Vec<u32>, bool) {
         let is_reversed = reversed.binary_search(&face).is_ok();
         if is_reversed { [first, first + 2, first + 1] } else { [first, first + 1, first + 2] }
     });
-    (corners.collect(), true)
+    Some(corners.collect())
 }
 
 fn within<'a>(sorted: &'a [u32], range: &Range<u32>) -> &'a [u32] {
@@ -175,8 +192,8 @@ pub fn rewrite_indices(
     vertices: usize,
 ) -> Result<bool, WriteError> {
     let primitive = member.primitive;
-    let moved = member.corners.iter().zip(&indices).any(|(&corner, &new)| member.vertex(corner) != new);
-    if !moved && !member.reshaped {
+    let moved = member.corners().zip(&indices).any(|(corner, &new)| member.vertex(corner) != new);
+    if !moved && !member.is_reshaped() {
         return Ok(false);
     }
     member.check_order(store.document, &indices, moved)?;

@@ -101,7 +101,7 @@ impl Group<'_, '_> {
                 Some((_, old)) => old.format.map_or(0, |format| format.size() * old.count as usize),
             };
             let text = if old.is_none() { TEXT_OF_INDICES } else { 0 };
-            saved += freed as i64 - (component.size() * member.corners.len() + text) as i64;
+            saved += freed as i64 - (component.size() * member.corner_count() + text) as i64;
         }
         saved
     }

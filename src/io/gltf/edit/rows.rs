@@ -135,6 +135,35 @@ impl Stored {
         self.is_same && self.rows.bytes == rows.bytes
     }
 
+    /// The rows of vertices, in order, if all corners at each have one normal: as stored where no corner uses the vertex. Also returns
+    /// the number of the normal of each vertex, or [`NONE`]. `None` if morph targets have normals too.
+    pub fn of_vertices(&self, members: &[Member<'_>]) -> Option<(Rows, Vec<u32>)> {
+        let first = members.first()?;
+        if self.targets > 0 || members.iter().any(|member| member.part != first.part) {
+            return None;
+        }
+        let normals = first.edit.normals.as_ref()?;
+        let mut slots = vec![NONE; first.block.count as usize];
+        for member in members {
+            for corner in member.corners() {
+                let slot = member.slot(normals, corner)?;
+                let known = &mut slots[member.vertex(corner) as usize];
+                if *known != NONE && *known != slot {
+                    return None;
+                }
+                *known = slot;
+            }
+        }
+        let mut bytes = Vec::with_capacity(self.rows.bytes.len());
+        for (vertex, &slot) in slots.iter().enumerate() {
+            match slot {
+                NONE => bytes.extend_from_slice(self.rows.get(vertex)),
+                slot => self.push_given(first, normals, slot, &mut bytes),
+            }
+        }
+        Some((self.rows.with(bytes), slots))
+    }
+
     /// The row of a normal that an edit gives to a vertex. One of the file's own keeps its bits, and its deltas.
     fn push_given(&self, member: &Member<'_>, normals: &Column<DVec3>, slot: u32, out: &mut Vec<u8>) {
         if let Some(element) = member.stored_element(slot) {
@@ -146,6 +175,12 @@ impl Stored {
         for moved in &member.edit.morph_normals[..self.targets] {
             push_floats(moved[slot as usize] - written, out);
         }
+    }
+
+    /// Repairs the normals of vertices that no corner uses, which `of_vertex` marks by [`NONE`].
+    pub fn repair_unused(&self, rows: &mut Rows, of_vertex: &[u32]) {
+        let rows = rows.bytes.chunks_exact_mut(rows.size).zip(of_vertex);
+        rows.filter(|(_, number)| **number == NONE).for_each(|(row, _)| self.repair(row));
     }
 
     /// Replaces a stored normal by +Z if readers would not accept it.
@@ -182,7 +217,7 @@ pub struct CornerRows<'a> {
 
 impl<'a> CornerRows<'a> {
     pub fn new(stored: &'a Stored, members: &[Member<'_>], tables: &mut Tables) -> CornerRows<'a> {
-        let corners = members.iter().map(|member| member.corners.len()).sum();
+        let corners = members.iter().map(Member::corner_count).sum();
         let vertices = members.first().map_or(0, |member| member.block.count as usize);
         let mut of_corner = Vec::with_capacity(corners);
         let mut bytes = Vec::with_capacity(vertices * stored.rows.size);
@@ -193,7 +228,7 @@ impl<'a> CornerRows<'a> {
             let Some(normals) = &member.edit.normals else { continue };
             let table = tables.entry(member.part).or_insert_with(|| vec![NONE; normals.values.len()]);
             let mut seen = Vec::new();
-            for &corner in &member.corners {
+            for corner in member.corners() {
                 let slot = member.slot(normals, corner);
                 let known = slot.map(|slot| table[slot as usize]).filter(|&row| row != NONE);
                 let row = known.unwrap_or(count);
@@ -259,12 +294,6 @@ impl<'a> CornerRows<'a> {
     /// The rows of the vertices of a split: as stored where no corner uses the vertex.
     pub fn gather(&self, split: &VertexSplit) -> Rows {
         self.rows.gather(&self.of_corner, &self.stored.rows, split)
-    }
-
-    /// Repairs the normals of those vertices of a split that no corner uses.
-    pub fn repair_unused(&self, rows: &mut Rows, split: &VertexSplit) {
-        let rows = rows.bytes.chunks_exact_mut(rows.size).zip(&split.sample);
-        rows.filter(|(_, sample)| **sample == NONE).for_each(|(row, _)| self.stored.repair(row));
     }
 }
 

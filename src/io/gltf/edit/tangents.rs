@@ -36,9 +36,7 @@ impl Group<'_, '_> {
             TangentPolicy::Auto => true,
             TangentPolicy::Regenerate => false,
         };
-        let space =
-            |member: &Member<'_>| TangentSpace::new(self.source.records, self.materials, member.primitive);
-        let spaces: Vec<TangentSpace> = self.members.iter().map(space).collect();
+        let spaces = self.tangent_spaces();
         if !has_tangents && !spaces.iter().any(|space| space.is_required) {
             return Ok(Tangents::Stay);
         }
@@ -72,6 +70,17 @@ impl Group<'_, '_> {
         new.of_corner = self.number(store, &new.rows, rows, locals);
         store.remark(Remark::TANGENTS_COMPUTED, self.members.len());
         Ok(Tangents::New(new))
+    }
+
+    fn tangent_spaces(&self) -> Vec<TangentSpace> {
+        let space =
+            |member: &Member<'_>| TangentSpace::new(self.source.records, self.materials, member.primitive);
+        self.members.iter().map(space).collect()
+    }
+
+    /// Whether there are no tangents, and none are needed.
+    pub fn is_without_tangents(&self) -> bool {
+        self.vertices.get("TANGENT").is_none() && !self.tangent_spaces().iter().any(|space| space.is_required)
     }
 
     /// The first of equal rows for each corner. Where vertices may not be split for tangents alone, the first corner of a vertex and a
@@ -132,7 +141,7 @@ impl Group<'_, '_> {
         let target = shape.checked_sub(1).map(|number| new.sets[number] - 1);
         let mut values: Vec<[f32; 4]> = Vec::with_capacity(locals.len());
         for (member, (accessor, coordinates)) in self.members.iter().zip(coordinates) {
-            let range = values.len()..values.len() + member.corners.len();
+            let range = values.len()..values.len() + member.corner_count();
             let normals: Vec<Vec3> = range.clone().map(|corner| rows.normal(corner, target)).collect();
             let locals = &locals[range];
             let old = locals.iter().map(|&vertex| new.stored(vertex as usize, shape));
@@ -144,7 +153,7 @@ impl Group<'_, '_> {
             let uvs = self.source.elements(accessor).map_err(unreadable)?.floats::<2>(0.0);
             let uvs: Vec<[f32; 2]> = uvs.map(|uv| coordinates.transform(uv)).collect();
             let mut surface = Surface {
-                positions: member.corners.iter().map(|&corner| position(member, corner, target)).collect(),
+                positions: member.corners().map(|corner| position(member, corner, target)).collect(),
                 normals,
                 uvs: locals.iter().map(|&vertex| uvs[vertex as usize]).collect(),
                 tangents,
