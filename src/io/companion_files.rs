@@ -32,7 +32,7 @@ impl Refusal {
             Refusal::Remote => "copy it to this machine",
             Refusal::Outside => "move it into that folder, or allow its folder with --root",
             Refusal::Missing if is_stream => "name its folder with --root",
-            Refusal::Missing => "copy the file to its place, or correct its name",
+            Refusal::Missing => "copy the file to that path, or correct its name",
             Refusal::NoFile => "name a file",
         }
     }

@@ -158,8 +158,11 @@ fn placed(
         }
         parts.push(part);
     }
-    let transforms = ["node transform flattens its mesh", "node transforms flatten their meshes"];
-    notes.extend(Note::counted(flattened, transforms, "and make normals undefined"));
+    let transforms = [
+        "node transform flattens its mesh and makes normals undefined",
+        "node transforms flatten their meshes and make normals undefined",
+    ];
+    notes.extend(Note::counted(flattened, transforms, ""));
     Ok(parts)
 }
 

@@ -1,7 +1,7 @@
 no-normals-title = no normals are stored
 no-normals-meaning =
-    Viewers compute their own: glTF asks for flat normals, other viewers smooth everything. So the same file looks
-    faceted in one and soft in another.
+    Viewers compute their own. The glTF standard requires flat normals, other viewers smooth everything. So the same
+    file looks faceted in one and soft in another.
 no-normals-advice = Store normals, so that the file looks the same everywhere.
 
 missing-normals-title = some corners have no normal
@@ -168,7 +168,7 @@ non-orientable-advice = Cut it open along a line, or draw it two-sided and with 
 
 inside-out-title = closed surfaces with reversed winding
 inside-out-meaning =
-    The signed volume has the wrong sign: negative for a solid, positive for a cavity in one. With back-face culling one
+    The signed volume has the wrong sign: negative for a solid, positive for a cavity in a solid. With back-face culling one
     sees the far side from inside; with lighting, the side towards the light is dark.
 inside-out-advice = Reverse its faces, unless it is meant to be seen from inside.
 
@@ -272,7 +272,7 @@ high-valence-poles-unit = faces at a vertex
 high-valence-poles-meaning = Shading around such a pole shows a star, because each thin face interpolates separately.
 high-valence-poles-advice = Mesh the cap in another way, for example as a grid.
 
-far-from-origin-title = the mesh is far from the origin for its detail
+far-from-origin-title = the mesh is too far from the origin for its level of detail
 far-from-origin-meaning =
     Viewers store positions in 32 bits: at this distance few bits remain for the size of a face. Normals that are
     computed there are wrong, and shading flickers even with correct stored normals.

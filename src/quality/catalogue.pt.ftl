@@ -25,12 +25,12 @@ zero-normals-advice = Substitua-os por vetores calculados.
 not-unit-normals-title = vetores normais que não são unitários
 not-unit-normals-meaning =
     O comprimento difere de 1 em mais de 0,00674, a tolerância do validador de glTF. Em um renderizador que não
-    normaliza, o brilho muda por esse fator, e o realce pelo fator elevado ao expoente especular.
+    normaliza, a luminância muda por esse fator, e o brilho especular pelo fator elevado ao expoente especular.
 not-unit-normals-advice = Divida-os pelo comprimento; as direções não mudam.
 
 loose-length-title = vetores normais com comprimento um pouco diferente de 1
 loose-length-meaning =
-    O comprimento difere de 1 em mais de 0,001, mas não mais do que o armazenamento em 8 bits causa. Só um realce
+    O comprimento difere de 1 em mais de 0,001, mas não mais do que o armazenamento em 8 bits causa. Só um brilho especular
     estreito mostra isso, em um renderizador que não normaliza.
 loose-length-advice = Nada a fazer, a menos que o renderizador não normalize: nesse caso, recalcule-os.
 
@@ -50,7 +50,7 @@ flipped-normals-advice = Substitua-os por vetores calculados; os outros não mud
 normals-against-face-title = vetores normais que apontam para trás da própria face
 normals-against-face-meaning =
     O vetor normal fica a mais de 95° da face, e nenhuma dobra explica isso. A luz de trás clareia partes dela.
-normals-against-face-advice = Substitua-os por vetores calculados, a menos que sejam intencionais.
+normals-against-face-advice = Substitua-os por vetores calculados, a menos que sejam definidos pelo autor.
 
 constant-normals-title = todos os vetores normais são iguais, embora a forma seja curva
 constant-normals-meaning =
@@ -70,7 +70,7 @@ rotated-normals-meaning =
     outro lado, em comparação com outros objetos.
 rotated-normals-advice = Calcule as normais, ou gire-as como as posições.
 
-untransformed-normals-title = os vetores normais estão em outro sistema de coordenadas que as posições
+untransformed-normals-title = os vetores normais estão em um sistema de coordenadas diferente do das posições
 untransformed-normals-meaning =
     Eles estão no espaço do mundo ou no espaço de outro nó, e o visualizador os transforma mais uma vez. A luz parece
     vir de outro lado, ou desliza sobre uma forma redimensionada.
@@ -102,10 +102,10 @@ soft-normals-meaning =
     gradientes perto das arestas e parecem inflados.
 soft-normals-advice = Calcule as normais com um ângulo de vinco, a menos que a malha deva parecer macia.
 
-coarse-normals-title = vetores normais armazenados com baixa precisão
+coarse-normals-title = normais gravadas com baixa precisão
 coarse-normals-meaning =
     Todos estão em uma mesma grade: componentes com poucas casas decimais ou poucos bits, ou códigos octaédricos. Um
-    realce estreito se move em degraus sobre superfícies suaves, e reflexos parecem de metal martelado.
+    brilho especular estreito se move em degraus sobre superfícies suaves, e reflexos parecem de metal martelado.
 coarse-normals-advice =
     Recalcule-os se o material for brilhante, e grave-os como ponto flutuante ou inteiros de 16 bits
     (`--normal-format` em glTF).
@@ -149,7 +149,7 @@ cracked-seam-advice = Calcule as normais com essas arestas unidas (`--weld`); os
 group-mismatch-title = grupos de suavização e vetores normais se contradizem
 group-mismatch-meaning =
     Os grupos pedem suavização onde as normais são separadas, ou aresta viva onde são comuns. Um programa que usa grupos
-    mostra outra forma que um que usa normais.
+    mostra uma forma diferente da de um que usa normais.
 group-mismatch-advice = Calcule as normais a partir dos grupos, ou ignore os grupos.
 
 no-faces-title = um arquivo sem faces
@@ -171,7 +171,7 @@ non-orientable-advice = Corte-as ao longo de uma linha, ou desenhe-as com dois l
 
 inside-out-title = superfícies fechadas com orientação invertida
 inside-out-meaning =
-    O volume com sinal tem o sinal errado: negativo em um sólido, positivo em uma cavidade. Com descarte de faces
+    O volume com sinal tem o sinal errado: negativo em um sólido, positivo em uma cavidade dele. Com descarte de faces
     traseiras, vê-se o lado oposto por dentro; com iluminação, o lado voltado para a luz é escuro.
 inside-out-advice = Inverta suas faces, a menos que ela deva ser vista por dentro.
 
@@ -276,7 +276,7 @@ high-valence-poles-meaning =
     A tonalização em torno desse polo mostra uma estrela, porque cada face fina interpola em separado.
 high-valence-poles-advice = Refaça a tampa de outro modo, por exemplo como uma grade.
 
-far-from-origin-title = a malha está longe da origem para o seu detalhe
+far-from-origin-title = a malha está longe demais da origem para seu nível de detalhe
 far-from-origin-meaning =
     Visualizadores guardam posições em 32 bits: a essa distância, restam poucos bits para o tamanho de uma face.
     Vetores normais calculados ali são errados, e a tonalização pisca mesmo com normais corretas.
@@ -300,10 +300,10 @@ shading-terminator-meaning =
     sombra, a superfície se divide em triângulos.
 shading-terminator-advice = Use faces menores ali, ou um vinco.
 
-mach-bands-title = arestas suaves com uma quebra visível do brilho
+mach-bands-title = arestas suaves com uma quebra visível da luminância
 mach-bands-unit = níveis de cinza por pixel
 mach-bands-meaning =
-    O brilho interpolado muda de inclinação na aresta, o que se vê como uma linha clara ou escura ao longo dela.
+    A luminância interpolada muda de inclinação na aresta, o que se vê como uma linha clara ou escura ao longo dela.
 mach-bands-advice = Use mais faces onde a superfície se curva, ou tonalização de Phong em vez de Gouraud.
 
 coarse-outline-title = arestas que tornam o contorno poligonal
@@ -313,8 +313,8 @@ coarse-outline-meaning =
     contorno poligonal.
 coarse-outline-advice = Use mais faces onde a superfície se curva.
 
-lost-highlight-title = faces grandes demais para o realce
+lost-highlight-title = faces grandes demais para o brilho especular
 lost-highlight-meaning =
-    Os vetores normais nos cantos da face diferem mais que a largura do realce. Com tonalização de Gouraud, o realce
+    Os vetores normais nos cantos da face diferem mais que a largura do brilho especular. Com tonalização de Gouraud, o brilho especular
     desaparece dentro da face e, em movimento, salta de canto em canto.
 lost-highlight-advice = Use tonalização de Phong, ou mais faces.

@@ -10,7 +10,7 @@ note = nota
 warning = aviso
 error = erro
 
-stored = vetores normais armazenados
+stored = normais gravadas
 smoothing = suavização
 geometry = geometria
 shading = risco de tonalização

@@ -44,6 +44,7 @@ pub fn main(args: &RenderArgs, color: Color) -> Exit {
 
 /// The page of scene files for a terminal of 100 columns: table rows become a line of keys and an indented line of meaning.
 fn scene_help(page: &str) -> String {
+    let page = without_links(page);
     let (mut out, mut is_code) = (String::new(), false);
     let is_rule = |line: &str| line.starts_with("|---");
     let mut lines = page.lines().peekable();
@@ -64,7 +65,7 @@ fn scene_help(page: &str) -> String {
                 let keys: Vec<String> = keys.collect();
                 push_wrapped(&mut out, &keys.join("  "), ["  "; 2]);
                 if !meaning.is_empty() {
-                    push_wrapped(&mut out, &without_links(meaning), ["      "; 2]);
+                    push_wrapped(&mut out, meaning, ["      "; 2]);
                 }
             }
             None if is_code || line.is_empty() => out.extend([line, "\n"]),
@@ -87,9 +88,9 @@ fn cells(row: &str) -> impl Iterator<Item = &str> {
     row.split(" |").map(str::trim)
 }
 
-/// A text with the words of links to other parts of its page only.
+/// A text with the words of links only.
 fn without_links(text: &str) -> String {
-    match text.split_once("](#") {
+    match text.split_once("](") {
         Some((before, after)) => {
             let after = after.split_once(')').map_or("", |(_, after)| after);
             let (text, label) = before.rsplit_once('[').unwrap_or((before, ""));
@@ -202,11 +203,11 @@ fn small(file: &SceneFile, drawings: &[Drawing]) -> Option<String> {
     if share >= SMALL || file.settings.shading == Shading::Wireframe {
         return None;
     }
-    let percent = three_digits(100.0 * share);
-    Some(format!(
-        "the objects cover only {percent} % of the picture{HELP}{} frames them",
-        framing_camera(file)?
-    ))
+    let percent = match 100.0 * share {
+        ..0.001 => "less than 0.001".to_owned(),
+        percent => format!("only {}", three_digits(percent)),
+    };
+    Some(format!("the objects cover {percent} % of the picture{HELP}{} frames them", framing_camera(file)?))
 }
 
 /// The option with a camera that frames all objects of a scene; `None` for a scene without extent.

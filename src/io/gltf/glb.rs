@@ -40,11 +40,10 @@ impl Glb {
         }
         let length = length as usize;
         if length > size {
-            return truncated(8, format!("the length of the file is {length}, but it has only {size} bytes"));
+            return truncated(8, format!("the header states {length} bytes, but the file has only {size}"));
         }
         if length < SHORTEST {
-            let found =
-                format!("the length of the file is {length}, but its headers alone have {SHORTEST} bytes");
+            let found = format!("the header states {length} bytes, but the headers alone have {SHORTEST}");
             return truncated(8, found);
         }
         if length < size {
@@ -192,10 +191,8 @@ mod tests {
         let error = |file: &[u8]| Glb::parse(file, &mut Vec::new()).unwrap_err().to_string();
         let header = |length: u32| [&b"glTF\x02\0\0\0"[..], &length.to_le_bytes()].concat();
         assert!(error(b"glTF\x02\0").contains("the file has only 6"));
-        assert!(
-            error(&header(12)).contains("the length of the file is 12, but its headers alone have 20 bytes")
-        );
-        assert!(error(&header(13)).contains("the length of the file is 13, but it has only 12 bytes"));
+        assert!(error(&header(12)).contains("the header states 12 bytes, but the headers alone have 20"));
+        assert!(error(&header(13)).contains("the header states 13 bytes, but the file has only 12"));
         let mut file = glb("{}", vec![&b"1234"[..]]).unwrap();
         file[12] = 200;
         let error = error(&file);

@@ -61,7 +61,7 @@ impl Json {
         let begin = if text.starts_with('\u{FEFF}') { '\u{FEFF}'.len_utf8() } else { 0 };
         let nodes = scan(text.as_bytes(), begin, max_depth).map_err(|at| {
             let found = format!("the JSON is nested more than {max_depth} deep");
-            error(Problem::Limit, at, found, "check where the file comes from")
+            error(Problem::Limit, at, found, "export the file again, with less nesting")
         })?;
         serde_json::from_str::<IgnoredAny>(&text[begin..])
             .map_err(|error| syntax(begin + offset_of(&error, &text[begin..]), without_position(&error)))?;

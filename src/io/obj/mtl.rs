@@ -147,8 +147,7 @@ impl Search<'_> {
 
     fn notes(&self, used: &[String]) -> Vec<Note> {
         let missing = self.missing.iter();
-        let missing = missing
-            .map(|(refusal, names)| (names, format!("{}; the output still refers to it", refusal.in_note())));
+        let missing = missing.map(|(refusal, names)| (names, refusal.in_note()));
         let text = "cannot be copied with the output, because its name leads out of the folder";
         let not_copied = Some((&self.not_copied, text.to_owned())).filter(|(names, _)| !names.is_empty());
         let mut notes: Vec<Note> =

@@ -186,7 +186,7 @@ fn element(line: &Line<'_>) -> Result<Element, ReadError> {
     };
     let text = str::from_utf8(count).ok();
     let Some(number) = text.and_then(|text| text.parse::<u64>().ok()) else {
-        let found = format!("`{}` is not a number of rows", shown(count));
+        let found = format!("`{}` is not a valid row count", shown(count));
         return Err(line.fault(found, "correct the count"));
     };
     Ok(Element {

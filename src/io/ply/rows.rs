@@ -154,7 +154,7 @@ impl<'a> Rows<'a> {
         let Kind::List { count, .. } = kind else { return Ok(first) };
         let word = &self.bytes[first.clone()];
         let Some(number) = count.read(word, Encoding::Ascii).filter(|n| *n >= 0.0 && n.fract() == 0.0) else {
-            let found = format!("`{}` is not a number of list items", shown(word));
+            let found = format!("`{}` is not a valid list length", shown(word));
             return Err(damaged(Problem::Syntax, first.start, found));
         };
         // Each number takes two bytes or more.

@@ -22,7 +22,7 @@ far-from-origin =
     { $bits } bits remain for the height of a typical face, and rounding rotates its normal by up to { $largest }°; the
     expected mean over all faces, including slender ones, is { $mean }°
 slope = the slope of brightness jumps by up to { $steps } steps a pixel
-outline = by up to { $pixels } pixels where the mesh is { $size } wide
+outline = off by up to { $pixels } pixels if the mesh is { $size } pixels wide
 
 quantised = { $grid }, { $error }
 quantised-measured = { $grid }, { $measured }; { $error }
@@ -53,12 +53,12 @@ or-other-changes = { $change } (or one of { $count } changes with the same effec
 rotated-by = by { $degrees }°
 rotated-and-reversed = by { $degrees }°, and reversed
 
-applied-twice-node = the matrix of node `{ $first }` is already applied to them and applies twice
-applied-twice-nodes = the matrices of nodes `{ $first }` to `{ $last }` are already applied to them and apply twice
-undone-node = the matrix of node `{ $first }` is undone in them
-undone-nodes = the matrices of nodes `{ $first }` to `{ $last }` are undone in them
-applied-elsewhere-node = the matrix of node `{ $first }` is applied to them in the wrong space
-applied-elsewhere-nodes = the matrices of nodes `{ $first }` to `{ $last }` are applied to them in the wrong space
-undone-elsewhere-node = the matrix of node `{ $first }` is undone in them in the wrong space
-undone-elsewhere-nodes = the matrices of nodes `{ $first }` to `{ $last }` are undone in them in the wrong space
+applied-twice-node = the matrix of node `{ $first }` is already applied to the normals and applies twice
+applied-twice-nodes = the matrices of nodes `{ $first }` to `{ $last }` are already applied to the normals and apply twice
+undone-node = the matrix of node `{ $first }` is undone in the normals
+undone-nodes = the matrices of nodes `{ $first }` to `{ $last }` are undone in the normals
+applied-elsewhere-node = the matrix of node `{ $first }` is applied to the normals in the wrong space
+applied-elsewhere-nodes = the matrices of nodes `{ $first }` to `{ $last }` are applied to the normals in the wrong space
+undone-elsewhere-node = the matrix of node `{ $first }` is undone in the normals in the wrong space
+undone-elsewhere-nodes = the matrices of nodes `{ $first }` to `{ $last }` are undone in the normals in the wrong space
 or-another-mistake = { $mistake }, or another mistake with the same effect

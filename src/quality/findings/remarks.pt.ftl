@@ -12,17 +12,17 @@ could-be-merged = { $count } { $count ->
     [one] vértice poderia ser unido
    *[other] vértices poderiam ser unidos
  }
-contradicted = { $sum }, em contradição com as normais gravadas; não contada{ $components ->
-    [one] : outra
-   *[other] s: outras { $components }
+contradicted = { $sum }, em contradição com as normais gravadas; fora da contagem: { $components ->
+    [one] outra componente
+   *[other] outras { $components } componentes
  } de { $count } faces, que nenhuma normal gravada contradiz
-of-lower-severity = não contados: { $count } de menor gravidade em outras submalhas
+of-lower-severity = fora da contagem: { $count } de menor gravidade em outras submalhas
 
 far-from-origin =
     restam { $bits } bits para a altura de uma face típica, e o arredondamento gira sua normal em até { $largest }°; a média
     esperada de todas as faces, incluindo as finas, é { $mean }°
-slope = a inclinação do brilho salta até { $steps } níveis por pixel
-outline = em até { $pixels } pixels quando a malha tem { $size } de largura
+slope = salto de até { $steps } níveis por pixel na inclinação da luminância
+outline = desvio de até { $pixels } pixels com a malha em { $size } pixels de largura
 
 quantised = { $grid }, { $error }
 quantised-measured = { $grid }, { $measured }; { $error }
@@ -44,21 +44,21 @@ decimals = { $count ->
  }
 signed-integers = inteiros com sinal de { $bits } bits divididos por { $scale }
 unsigned-integers = inteiros sem sinal de { $bits } bits, 2k/{ $largest } − 1
-renormalised = { $numbers }, renormalizados
+renormalised = { $numbers }, com renormalização
 octahedral-codes = códigos octaédricos de 2 × { $numbers }
 
 stored-as = { $from } está gravado como { $to }
 or-another-change = { $change } (ou outra troca com o mesmo efeito nesta forma)
 or-other-changes = { $change } (ou uma de { $count } trocas com o mesmo efeito nesta forma)
-rotated-by = em { $degrees }°
-rotated-and-reversed = em { $degrees }°, e invertidas
+rotated-by = de { $degrees }°
+rotated-and-reversed = de { $degrees }°, com inversão de sentido
 
-applied-twice-node = a matriz do nó `{ $first }` já está aplicada a elas e é aplicada duas vezes
-applied-twice-nodes = as matrizes dos nós `{ $first }` a `{ $last }` já estão aplicadas a elas e são aplicadas duas vezes
-undone-node = a matriz do nó `{ $first }` está desfeita nelas
-undone-nodes = as matrizes dos nós `{ $first }` a `{ $last }` estão desfeitas nelas
-applied-elsewhere-node = a matriz do nó `{ $first }` está aplicada a elas no espaço errado
-applied-elsewhere-nodes = as matrizes dos nós `{ $first }` a `{ $last }` estão aplicadas a elas no espaço errado
-undone-elsewhere-node = a matriz do nó `{ $first }` está desfeita nelas no espaço errado
-undone-elsewhere-nodes = as matrizes dos nós `{ $first }` a `{ $last }` estão desfeitas nelas no espaço errado
+applied-twice-node = a matriz do nó `{ $first }` já está aplicada aos vetores normais e é aplicada duas vezes
+applied-twice-nodes = as matrizes dos nós `{ $first }` a `{ $last }` já estão aplicadas aos vetores normais e são aplicadas duas vezes
+undone-node = a matriz do nó `{ $first }` está desfeita nos vetores normais
+undone-nodes = as matrizes dos nós `{ $first }` a `{ $last }` estão desfeitas nos vetores normais
+applied-elsewhere-node = a matriz do nó `{ $first }` está aplicada aos vetores normais no espaço errado
+applied-elsewhere-nodes = as matrizes dos nós `{ $first }` a `{ $last }` estão aplicadas aos vetores normais no espaço errado
+undone-elsewhere-node = a matriz do nó `{ $first }` está desfeita nos vetores normais no espaço errado
+undone-elsewhere-nodes = as matrizes dos nós `{ $first }` a `{ $last }` estão desfeitas nos vetores normais no espaço errado
 or-another-mistake = { $mistake }, ou outro erro com o mesmo efeito

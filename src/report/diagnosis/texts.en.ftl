@@ -112,7 +112,7 @@ elements-mesh = { $count } { $count ->
 up-to = { $elements }, up to { $degrees }°
 legend-plain = no finding
 legend-clean = no errors or warnings
-not-shown = { $count } more findings are not shown: --heatmap-of shows one of them
+not-shown = findings not shown: { $count } (--heatmap-of shows one of them)
 
 before-and-after = Before and after
 lit-before = the mesh lit with the normals that it had before
@@ -130,7 +130,7 @@ numbers =
     rms { $rms }°. Half of the changes are at most { $median }°, 95 % at most { $p95 }°, 99 % at most { $p99 }°. Corners that
     gained a normal: { $gained }; that lost one: { $lost }. Faces with reversed winding: { $turned }; { $faces }.
 same-faces = no faces were added or removed
-other-faces = { $here } faces were removed, { $there } added
+other-faces = faces removed: { $here }, added: { $there }
 findings-before-and-after = Findings, before and after
 column-finding = finding
 column-before = before

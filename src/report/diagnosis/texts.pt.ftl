@@ -1,6 +1,6 @@
 # A página e as imagens de um diagnóstico.
 
-contents = Conteúdo
+contents = Sumário
 heat-alternative = a malha colorida pelo desvio de suas normais gravadas, { $scale }
 facing-alternative = a malha com a frente das faces em azul-claro e o verso em vermelho-escuro
 creases-alternative = a malha tonalizada, com linhas ao longo de vincos e costuras
@@ -111,7 +111,7 @@ elements-mesh = { $count } { $count ->
 up-to = { $elements }, até { $degrees }°
 legend-plain = sem achado
 legend-clean = sem erros nem avisos
-not-shown = mais { $count } achados não são mostrados: --heatmap-of mostra um deles
+not-shown = achados não mostrados: { $count } (--heatmap-of mostra um deles)
 
 before-and-after = Antes e depois
 lit-before = a malha iluminada com as normais de antes
@@ -130,7 +130,7 @@ numbers =
     máximo { $p99 }°. Cantos que ganharam uma normal: { $gained }; que perderam a sua: { $lost }. Faces com orientação
     invertida: { $turned }; { $faces }.
 same-faces = nenhuma face foi acrescentada nem removida
-other-faces = { $here } faces foram removidas, { $there } acrescentadas
+other-faces = faces removidas: { $here }, acrescentadas: { $there }
 findings-before-and-after = Achados, antes e depois
 column-finding = achado
 column-before = antes
