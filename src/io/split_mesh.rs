@@ -1,7 +1,7 @@
 //! A mesh for a format that stores every value per vertex: vertices are split where corners differ.
 
 use super::options::Merge;
-use crate::mesh::{Column, ColumnIndex, Mesh, NONE, Storage, VertexSplit, split_vertices};
+use crate::mesh::{Column, ColumnIndex, Mesh, NONE, SplitView, Storage, VertexSplit, split_vertices};
 use std::borrow::Cow;
 
 /// A mesh whose vertices have one value of every column.
@@ -32,10 +32,12 @@ impl<'a> SplitMesh<'a> {
         let keys: Vec<&[u32]> = per_corner.iter().copied().filter(|&keys| keys != corners).collect();
         let merges = merge.applies_to(mesh);
         if merges || !keys.is_empty() {
-            let mut split = split_vertices(mesh.vertex_count(), corners, &keys);
-            if merges {
-                split = mesh.merge_split(&split, storage);
-            }
+            let split = || split_vertices(mesh.vertex_count(), corners, &keys);
+            let mut split = match merges {
+                true if mesh.is_soup() => mesh.merge_split(SplitView::of_soup(corners), storage),
+                true => mesh.merge_split((&split()).into(), storage),
+                false => split(),
+            };
             let vertex_of = Cow::Owned(std::mem::take(&mut split.corners));
             return Self { mesh, vertex_of, split: Some(split), is_used: Vec::new() };
         }

@@ -61,7 +61,7 @@ pub(crate) use rings::{Rings, Scatter};
 pub use topology::Topology;
 pub use transform::{NormalMatrix, TransformFault, normal_matrix};
 pub use triangulate::{Triangulation, triangulate};
-pub(crate) use vertices::merge::{first_positions, place_key};
+pub(crate) use vertices::merge::{SplitView, first_positions, place_key};
 pub use vertices::near::Movement;
 pub use vertices::split::{VertexSplit, split_vertices};
 pub use weld::Weld;

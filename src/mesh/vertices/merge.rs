@@ -143,6 +143,27 @@ pub(crate) fn first_positions(positions: PositionsRef<'_>) -> Vec<u32> {
     first_at_place(positions.len(), &[positions], |vertex| vertex)
 }
 
+/// A [`VertexSplit`], borrowed.
+#[derive(Clone, Copy)]
+pub(crate) struct SplitView<'a> {
+    source: &'a [u32],
+    sample: &'a [u32],
+    corners: &'a [u32],
+}
+
+impl<'a> SplitView<'a> {
+    /// The split of separate triangles, none of whose vertices has two corners: each number is that of its corner.
+    pub(crate) fn of_soup(corners: &'a [u32]) -> Self {
+        Self { source: corners, sample: corners, corners }
+    }
+}
+
+impl<'a> From<&'a VertexSplit> for SplitView<'a> {
+    fn from(split: &'a VertexSplit) -> Self {
+        Self { source: &split.source, sample: &split.sample, corners: &split.corners }
+    }
+}
+
 impl Mesh {
     /// For each vertex the first one at the same position.
     pub(crate) fn first_vertices(&self) -> Vec<u32> {
@@ -172,7 +193,7 @@ impl Mesh {
     /// is written. Points and lines of the mesh must be none.
     ///
     /// Cost: as [`first_at_place`].
-    pub(crate) fn merge_split(&self, split: &VertexSplit, normals: Storage) -> VertexSplit {
+    pub(crate) fn merge_split(&self, split: SplitView<'_>, normals: Storage) -> VertexSplit {
         let columns = &self.columns;
         let sample = |item: u32| (split.sample[item as usize], split.source[item as usize]);
         let bits = |n: &DVec3| match normals {
@@ -223,7 +244,7 @@ impl Mesh {
 
     /// Some vertices of a split and, for each of all, the number of one among them that agrees with it. In a mesh that was smoothed
     /// across equal positions, most corners at a place have one entry of the normals: that is found without hashing.
-    fn representatives(&self, split: &VertexSplit, shapes: usize) -> (Vec<u32>, Vec<u32>) {
+    fn representatives(&self, split: SplitView<'_>, shapes: usize) -> (Vec<u32>, Vec<u32>) {
         let normals = self.columns.normals.as_ref().filter(|_| shapes == 2);
         let entries = normals.and_then(|column| match &column.index {
             ColumnIndex::PerCorner(index) => Some((index, vec![NONE; column.values.len()])),
