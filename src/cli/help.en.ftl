@@ -27,7 +27,7 @@ journal = Journal of the batch, a line of JSON for each file. A run with the sam
     inputs, outputs and the options are unchanged
 retries = Further tries for files that cannot be read or written
 jobs = Inputs that are processed at the same time. Outputs and reports are the same for any number
-memory = Memory that all of them may need together, such as 8G, estimated from their sizes and formats; a larger input is
+memory = Memory that concurrent inputs may need together, such as 8G, estimated from their sizes and formats; a larger input is
     processed alone [default: three quarters of the available memory]
 root = Further folder from which companion files (MTL, glTF buffers) may be read; the only one for standard input [default:
     the input's folder]

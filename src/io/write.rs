@@ -138,7 +138,11 @@ fn placed(
         return Ok((0..loaded.parts.len()).map(|number| edited(number, true)).collect());
     }
     let unused = uses.iter().filter(|&&uses| uses == 0).count();
-    notes.extend(Note::counted(unused, ["mesh", "meshes"], "without a node omitted"));
+    notes.extend(Note::counted(
+        unused,
+        ["mesh has no node and was omitted", "meshes have no node and were omitted"],
+        "",
+    ));
     let mut flattened = 0;
     let mut parts = Vec::with_capacity(loaded.nodes.len());
     for node in &loaded.nodes {

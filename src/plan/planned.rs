@@ -88,7 +88,10 @@ fn find(
         })
         .collect();
     if models.iter().map(Vec::len).sum::<usize>() > MOST_MODELS {
-        let found = format!("{} objects have too many models together; open fewer axes", models.len());
+        let found = format!(
+            "{} objects have too many models together; allow fewer axes with --only or --keep",
+            models.len()
+        );
         return Err(PlanError::Invalid(found));
     }
     let lights = light_models(&whole, middle, is_open(Axis::Lights));

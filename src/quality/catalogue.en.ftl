@@ -1,6 +1,6 @@
 no-normals-title = no normals are stored
 no-normals-meaning =
-    Viewers compute their own. The glTF standard requires flat normals, other viewers smooth everything. So the same
+    Viewers compute their own. The glTF standard requires flat normals, but some viewers smooth everything. So the same
     file looks faceted in one and soft in another.
 no-normals-advice = Store normals, so that the file looks the same everywhere.
 
@@ -164,19 +164,19 @@ non-orientable-title = surfaces with only one side
 non-orientable-meaning =
     Their faces cannot all have the same winding, as on a Möbius strip. Where the two windings meet, shading jumps
     from one side to the other.
-non-orientable-advice = Cut it open along a line, or draw it two-sided and with flat normals.
+non-orientable-advice = Cut them open along a line, or draw them two-sided and with flat normals.
 
 inside-out-title = closed surfaces with reversed winding
 inside-out-meaning =
     The signed volume has the wrong sign: negative for a solid, positive for a cavity in a solid. With back-face culling one
     sees the far side from inside; with lighting, the side towards the light is dark.
-inside-out-advice = Reverse its faces, unless it is meant to be seen from inside.
+inside-out-advice = Reverse their faces, unless they are meant to be seen from inside.
 
 open-inside-out-title = open surfaces whose front is the less visible side
 open-inside-out-meaning =
     An open surface has no inside, but usually an outer side: the one from which more rays escape. With back-face
     culling one sees through the surface from outside.
-open-inside-out-advice = Reverse its faces, unless it is meant to be seen from this side.
+open-inside-out-advice = Reverse their faces, unless they are meant to be seen from this side.
 
 room-title = closed surfaces that face inwards, around other surfaces
 room-meaning =

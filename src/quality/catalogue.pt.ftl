@@ -104,10 +104,10 @@ soft-normals-advice = Calcule as normais com um ângulo de vinco, a menos que a 
 
 coarse-normals-title = normais gravadas com baixa precisão
 coarse-normals-meaning =
-    Todos estão em uma mesma grade: componentes com poucas casas decimais ou poucos bits, ou códigos octaédricos. Um
+    Todas estão em uma mesma grade: componentes com poucas casas decimais ou poucos bits, ou códigos octaédricos. Um
     brilho especular estreito se move em degraus sobre superfícies suaves, e reflexos parecem de metal martelado.
 coarse-normals-advice =
-    Recalcule-os se o material for brilhante, e grave-os como ponto flutuante ou inteiros de 16 bits
+    Recalcule-as se o material for brilhante, e grave-as como ponto flutuante ou inteiros de 16 bits
     (`--normal-format` em glTF).
 
 tangents-off-normals-title = tangentes que não concordam com os vetores normais
@@ -116,7 +116,7 @@ tangents-off-normals-meaning =
     relevo dos mapas de normais é iluminado do lado errado, e as costuras são visíveis.
 tangents-off-normals-advice = Recalcule ambos.
 
-wrong-morph-normals-title = vetores normais de formas transformadas que não concordam com a forma
+wrong-morph-normals-title = vetores normais de formas deformadas que não concordam com a forma
 wrong-morph-normals-meaning =
     Com o peso total do alvo de deformação, o vetor normal fica longe do que as faces deformadas dão. A superfície se
     move, e a tonalização não acompanha.
@@ -173,13 +173,13 @@ inside-out-title = superfícies fechadas com orientação invertida
 inside-out-meaning =
     O volume com sinal tem o sinal errado: negativo em um sólido, positivo em uma cavidade dele. Com descarte de faces
     traseiras, vê-se o lado oposto por dentro; com iluminação, o lado voltado para a luz é escuro.
-inside-out-advice = Inverta suas faces, a menos que ela deva ser vista por dentro.
+inside-out-advice = Inverta suas faces, a menos que elas devam ser vistas por dentro.
 
 open-inside-out-title = superfícies abertas cuja frente é o lado menos visível
 open-inside-out-meaning =
     Uma superfície aberta não tem interior, mas em geral tem um lado externo: aquele de onde escapam mais raios. Com
     descarte de faces traseiras, vê-se através da superfície por fora.
-open-inside-out-advice = Inverta suas faces, a menos que ela deva ser vista desse lado.
+open-inside-out-advice = Inverta suas faces, a menos que elas devam ser vistas desse lado.
 
 room-title = superfícies fechadas voltadas para dentro, em torno de outras superfícies
 room-meaning =

@@ -26,7 +26,7 @@ pub fn show_legend(scene: &Scene, settings: &RenderSettings, is_fitted: bool) ->
             };
             let other = match (has_truth(true), has_truth(false)) {
                 (true, false) => "that of the analytic surface",
-                (true, true) => "that of the analytic surface, or of the face without one",
+                (true, true) => "that of the analytic surface, or of the face if there is none",
                 _ => "that of the face",
             };
             legend.title = format!("Angle between the interpolated normal and {other}, in degrees");

@@ -202,7 +202,7 @@ fn objects_and_materials_of_obj_become_those_of_gltf() {
         said,
         [
             "omitted from materials: map_Kd (`a.png` is not a PNG or JPEG) of `red`",
-            "1 vertex without an object omitted"
+            "omitted, because no object uses them: 1 vertex"
         ]
     );
     assert_eq!(

@@ -491,13 +491,13 @@ fn files() -> Result<(), Box<dyn std::error::Error>> {
 #[rustfmt::skip]
 fn slices() -> Result<(), Box<dyn std::error::Error>> {
     // README example: begin
-    use crease::normals::{Averaging, Scratch, vertex_normals};
+    use crease::normals::{Averaging, Scratch, Weight, vertex_normals};
 
     let positions = [[0.0_f32, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, -1.0], [-1.0, 0.0, -1.0]];
     let triangles = [[0, 2, 1], [0, 1, 3]];
-    let mut normals = [[0.0; 3]; 4];
-    let mut scratch = Scratch::new(); // reuse it for the next mesh
-    let faults = vertex_normals(&positions, &triangles, Averaging::default(), &mut scratch, &mut normals)?;
+    let (mut normals, mut scratch) = ([[0.0; 3]; 4], Scratch::new()); // reuse the scratch for the next mesh
+    let averaging = Averaging { weight: Weight::Angle, ..Averaging::default() };
+    let faults = vertex_normals(&positions, &triangles, averaging, &mut scratch, &mut normals)?;
     assert_eq!(normals[0], [0.0, 0.0, 1.0]);
     // README example: end
     assert!(faults.is_empty());

@@ -322,7 +322,7 @@ fn without_coordinates_tangents_stay_where_normals_turn_little() {
         let lost: Vec<&String> = lost.iter().filter(|text| text.contains("lost")).collect();
         let Some(found) = tangents(&written.bytes) else {
             assert!(!stays, "{degrees}°");
-            let wanted = "/meshes/0/primitives/0: material \"brushed\" lost the tangents of its anisotropy: normals turned by 30°";
+            let wanted = "/meshes/0/primitives/0: material \"brushed\" lost the tangents of its anisotropy: normals rotated by 30°";
             assert!(lost.len() == 1 && lost[0].starts_with(wanted), "{lost:?}");
             continue;
         };

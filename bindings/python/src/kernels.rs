@@ -35,7 +35,7 @@ type Given<'a, 'py> = &'a Bound<'py, PyAny>;
 /// precision : str
 ///     "faithful": sums in double precision. "fast": sums in single precision, eight triangles at a time.
 /// threads : int, optional
-///     Most threads; default: one for each processor. It changes no bit of the result.
+///     Maximum number of threads; default: one for each processor. It changes no bit of the result.
 /// out : array (n, 3), optional
 ///     C-contiguous, writeable, of the same type as the result; it is filled and returned.
 /// return_faults : bool
@@ -54,7 +54,7 @@ type Given<'a, 'py> = &'a Bound<'py, PyAny>;
 /// ------
 /// ValueError
 ///     Wrong shape or type, no vertices or faces, a position that is not finite, an index that is negative or out of range, an
-///     unknown name, or an `out` that does not fit or is read-only. Nothing is written then.
+///     unknown name, or an `out` that does not fit or is read-only. In these cases `out` stays unchanged.
 ///
 /// Notes
 /// -----
@@ -85,7 +85,7 @@ pub fn vertex_normals<'py>(
 
 /// Unit normals of faces.
 ///
-/// Of a triangle: (P1 − P0) × (P2 − P0), made unit. Of a polygon: its vector area, made unit. With float32 each component is
+/// Triangle: (P1 − P0) × (P2 − P0), made unit. Polygon: its vector area, made unit. With float32 each component is
 /// within 1 ulp of the exact value; with float64 the normal is within 1e-12 rad. A face without a direction has the unit sum
 /// of the normals of its neighbours, else +z, and is in the faults with its reason.
 ///

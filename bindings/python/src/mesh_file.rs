@@ -108,7 +108,7 @@ impl Mesh {
         &self.path
     }
 
-    /// The format of the file: "obj", "ply", "stl", "gltf" or "glb".
+    /// The format of the file: "obj", "ply", "stl", "gltf", "glb" or "3mf".
     #[getter]
     fn format(&self) -> &'static str {
         self.state().0.format.extension()

@@ -6,7 +6,7 @@ source-1 = Lectures: 1.3.1.7, 1.6.6, 1.6.11, 1.6.17, 1.6.26, 1.6.41
 formula-1 = {"I(ρ) = \\frac{I_0 h}{\\sqrt{h^2 + ρ^2}} f(\\sqrt{h^2 + ρ^2})"}
 formula-1-says = diffuse light on a floor at the distance ρ from the point below a point light at the height h
 formula-2 = {"ρ^2 < (I_0 h)^{2/3} − h^2"}
-formula-2-says = region where f = 1/d² makes it more than 1; with f = 1/(d + k) it is at most I₀/(h + k)
+formula-2-says = region where f = 1/d² makes I more than 1; with f = 1/(d + k), I is at most I₀/(h + k)
 formula-3 = {"\\frac{I_1}{I_2} = \\frac{d_2 + k}{d_1 + k}"}
 formula-3-says = depth cueing: luminance ratio of the same surface at two distances from the viewer
 shown-by = Use a larger picture to show it.

@@ -18,7 +18,7 @@ lamp-small-faces-measure = point light at 2 circumradii, { $segments } × { $seg
 plate-effect = largest error of flat shading of a plate under a near point light
 plate-cure = { $segments } × { $segments } smaller faces
 holds-only-if =
-    light or viewer are near. From 510 circumradii of a face on, the bound for diffuse light on plane faces is half an
+    the light or the viewer is near. From 510 circumradii of a face on, the bound for diffuse light on plane faces is half an
     8-bit step; often the error is that small at shorter distances. Then one colour per face is visually exact.
 note-1 =
     The error depends on the distance of the light over the size of the face, not of the object. Smaller faces therefore

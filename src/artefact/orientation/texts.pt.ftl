@@ -57,11 +57,11 @@ halves-seen = As duas metades não combinam na emenda.
 halves-triangles-title = triângulos: 0° acima, 90° abaixo
 halves-triangles-caption = A mesma comparação com triângulos.
 halves-triangles-seen = Não há emenda.
-position-1-title = linha de varredura, 0°
+position-1-title = varredura, 0°
 position-1-seen = Depois de uma rotação, o polígono tem outras cores.
-turned-45-title = linha de varredura, 45°
+turned-45-title = varredura, 45°
 turned-45-seen = As cores mudam com a rotação.
-position-2-title = linha de varredura, 90°
+position-2-title = varredura, 90°
 position-2-seen = O mesmo polígono tem outras cores.
 difference-title = diferença, 90° e volta
 difference-caption =
@@ -73,9 +73,9 @@ diagonals-title =
        *[polygon] diferença da triangulação
     }
 diagonals-caption = Diferença entre as duas triangulações. Amarelo é { $full } da faixa total numa componente.
-r-scanline-curve = R, linha de varredura
-g-scanline-curve = G, linha de varredura
-b-scanline-curve = B, linha de varredura
+r-scanline-curve = R, varredura
+g-scanline-curve = G, varredura
+b-scanline-curve = B, varredura
 g-triangles-curve = G, triângulos
 r-law-curve = R, fórmula
 g-law-curve = G, fórmula

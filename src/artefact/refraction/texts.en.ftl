@@ -6,7 +6,7 @@ formula-1 = {"\\sin θ = n \\sin θ′, \\quad \\frac{d′}{d} = \\frac{\\tan θ
 formula-1-says = Snell's law, and the apparent depth d′ of a point at the depth d, seen at the angle θ from the vertical
 formula-2 = {"f(h) = \\frac{h}{\\sin\\left(2(\\arcsin\\frac{h}{R} − \\arcsin\\frac{h}{n R})\\right)}"}
 formula-2-says =
-    distance from the centre of a ball of radius R at which a ray crosses the axis that enters at the height h; for small
+    distance from the centre of a ball of radius R at which a ray that enters at the height h crosses the axis; for small
     h it is nR/(2(n − 1))
 shown-by = Use larger pictures (--size) to show it.
 depth-measure = water (n = { $water }): apparent depth over depth, { $view }° from the vertical

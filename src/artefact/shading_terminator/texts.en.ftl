@@ -58,7 +58,7 @@ note-2 =
     There are three lights. The light of the sphere is { $light }° to the side of the viewer and 25° above, so the
     terminator crosses facets obliquely. The light for counting pixels of the prism is also at { $light }°, but
     horizontal; if the terminator of the prism is not visible, no pixel is affected. The light of the films is
-    horizontal and rotates about the angle at which the facet left of the middle turns away.
+    horizontal and rotates to both sides of the angle at which the facet left of the middle turns away.
 smooth-curve = only interpolated normal
 soft-curve = softened
 popping-title = One facet as the light rotates

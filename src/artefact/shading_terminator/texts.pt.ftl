@@ -60,8 +60,8 @@ note-1 =
 note-2 =
     Há três luzes. A luz da esfera está { $light }° ao lado do observador e 25° acima dele, e por isso o terminador
     cruza facetas obliquamente. A luz para contar pixels do prisma também está a { $light }°, mas na horizontal; se o
-    terminador do prisma não é visível, nenhum pixel é afetado. A luz dos filmes é horizontal e gira em torno do ângulo
-    em que a faceta à esquerda do meio vira de costas para ela.
+    terminador do prisma não é visível, nenhum pixel é afetado. A luz dos filmes é horizontal e gira para os dois lados do
+    ângulo em que a faceta à esquerda do meio vira de costas para ela.
 smooth-curve = só a normal interpolada
 soft-curve = suavizado
 popping-title = Uma faceta quando a luz gira

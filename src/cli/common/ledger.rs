@@ -63,7 +63,7 @@ impl Ledger {
     pub fn note(&self, console: &Console) {
         let bad = self.journal.as_ref().map(|journal| journal.lock().map_or(0, |journal| journal.bad));
         if let Some(bad @ 1..) = bad {
-            console.note(&format!("the journal has {bad} incomplete lines, which are ignored"));
+            console.note(&format!("incomplete lines of the journal are ignored: {bad}"));
         }
     }
 

@@ -33,7 +33,7 @@ meshcompression-none = no compression: every program reads it
 meshcompression-meshopt = without loss by meshopt (EXT_meshopt_compression), which not every program reads
 
 tangentpolicy-auto = computed by MikkTSpace where normals change, from the texture coordinates of the normal or anisotropy
-    texture. Without coordinates they stay if normals turn by less than 30°, else they are omitted with a warning
+    texture. Without coordinates they stay if normals rotate by less than 30°, else they are omitted with a warning
 tangentpolicy-drop = omitted, with a note; viewers then generate them if there is a normal texture
 tangentpolicy-keep = kept unchanged
 tangentpolicy-regenerate = computed by MikkTSpace, also where normals do not change; omitted without coordinates

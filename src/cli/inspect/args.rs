@@ -5,7 +5,7 @@ use crate::cli::common::choice::{choices, one_of};
 use crate::cli::common::console::HELP;
 use crate::cli::common::nearest::did_you_mean;
 use crate::cli::common::options::{CompanionArgs, RunArgs, confidence};
-use clap::{ArgGroup, Args};
+use clap::Args;
 use crease::io::Format;
 use crease::mesh::Confidence;
 use crease::normals::Weight;
@@ -18,7 +18,6 @@ use glam::DVec3;
 use std::path::PathBuf;
 
 #[derive(Args, Clone, Debug)]
-#[command(group(ArgGroup::new("translated").args(["explain", "html", "heatmap"]).multiple(true)))]
 pub struct InspectArgs {
     #[arg(value_name = "INPUT", required_unless_present_any = ["explain", "manifest"], conflicts_with = "manifest")]
     pub inputs: Vec<PathBuf>,
@@ -96,9 +95,8 @@ pub struct FindingArgs {
     pub places: Option<usize>,
     #[arg(long, value_name = "WORD", num_args = 1.., conflicts_with_all = OF_INPUTS)]
     pub explain: Vec<String>,
-    #[arg(long, value_name = "LANG", default_value = "en", value_parser = one_of::<Language>(),
-          requires = "translated")]
-    pub lang: Language,
+    #[arg(long, value_name = "LANG", value_parser = one_of::<Language>())]
+    pub lang: Option<Language>,
 }
 
 impl FindingArgs {

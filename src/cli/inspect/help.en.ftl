@@ -22,13 +22,13 @@ heatmap-of = Content of the heat map: one finding by its id, `deviation` (angle 
 view = View direction of the pictures
 fail-on = Exit with code 1 if a reported finding has at least this severity. If a file of a batch cannot be read, the exit
     code is 5
-severity = Report only findings of at least this severity, and count the others; --fail-on ignores these [default: note in
+severity = Report only findings of at least this severity, and count the others; --fail-on ignores the others [default: note in
     JSON, warning in text without -v]
 ignore = Omit these findings; repeatable
 only = Report only these findings; repeatable
 places = Positions to report for each finding, worst first [default: 10 in JSON, 1 as text, 10 with -v]
 explain = Explain findings by id or symptom (faceted, dark, seam, inside out), or all, and exit
-lang = Language of --explain, --html and --heatmap
+lang = Language of --explain, --html and --heatmap [default: en]
 deviation = Maximum angle between a stored normal and the one computed with the estimated recipe, in degrees [default: 15]
 past-face = Maximum angle of a stored normal beyond 90° from its face, in degrees [default: 5]
 rotation = Maximum common rotation of all stored normals, in degrees [default: 5]

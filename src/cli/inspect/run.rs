@@ -40,7 +40,11 @@ pub fn main(args: &InspectArgs, color: Color) -> Exit {
     let console = Console::new(&args.run, color, to_stdout.map(|path| path.as_path()));
     if !args.findings.explain.is_empty() {
         let findings = &args.findings;
-        console.report(&explained(&findings.explain.join(" "), findings.lang, console.report_style));
+        console.report(&explained(
+            &findings.explain.join(" "),
+            findings.lang.unwrap_or_default(),
+            console.report_style,
+        ));
         return exit_code(Ok(Exit::Done), &console);
     }
     let jobs = match jobs(args) {
@@ -85,7 +89,7 @@ fn run(jobs: &[Job], args: &InspectArgs, console: &Console) -> Exit {
         if report.is_grave {
             batch.exit = Exit::Findings;
         }
-        if report.lacks_normals {
+        if report.lacks_normals && console.verbosity != Verbosity::Quiet {
             console.note(&format!("{}: {NO_DEVIATION}", report.input.path));
         }
         print(&report, &job.args, jobs.len() > 1, console);
@@ -218,7 +222,7 @@ fn draw(
             omitted: report.hidden.total(),
             after,
             sight: *view,
-            language: args.findings.lang,
+            language: args.findings.lang.unwrap_or_default(),
         };
         let page = page.html(loaded, diagnosis).map_err(Failure::input)?;
         report.written.push(("page", Target::of(path).store(page.into_bytes())?));
@@ -237,8 +241,9 @@ fn draw(
             None if args.findings.names_notes() => HeatMap::AllFindings,
             None => HeatMap::Findings,
         };
-        let picture = heat_map(loaded, (shown, thresholds), of, *view, SIDE, args.findings.lang)
-            .map_err(Failure::input)?;
+        let picture =
+            heat_map(loaded, (shown, thresholds), of, *view, SIDE, args.findings.lang.unwrap_or_default())
+                .map_err(Failure::input)?;
         let png = encode_png(&picture, None, Transfer::Srgb).map_err(Failure::input)?;
         report.written.push(("picture", Target::of(path).store(png)?));
     }
@@ -327,6 +332,11 @@ fn jobs(args: &InspectArgs) -> Result<Vec<Job>, Failure> {
     let mut files = Files::read(sources().filter_map(Source::path).chain(compared));
     for Job { input, args, .. } in &jobs {
         let refused = |message: String| input.refused(Failure::usage(message));
+        if args.findings.lang.is_some() && args.pictures.paths().next().is_none() {
+            return Err(refused(
+                "--lang needs --explain, --html or --heatmap\nhelp: the text report is in English".into(),
+            ));
+        }
         if args.against.as_deref().map(Source::of) == Some(Source::Standard)
             && sources().any(|source| *source == Source::Standard)
         {

@@ -36,7 +36,7 @@ scale = Unit of the file that is not glTF (mm, cm, m, in), converted to or from 
     of a new file
 degenerate = Treatment of faces without area
 flip = Reverse every face, and its normals with it
-orient = Reverse faces so that neighbours agree, or also outward. Stored normals that --when keeps stay unchanged
+orient = Reverse faces so that neighbours agree; `outward` also makes components face outward. Stored normals that --when keeps stay unchanged
 confidence = Minimum confidence for --orient outward to reverse an open component, whose outer side is found by counting
     escaping rays: from 0.5 to 1; 1 reverses none
 force = Drop faces whose positions are infinite or not a number, instead of refusing the file

@@ -42,13 +42,13 @@ pub fn refusal(args: &PlanArgs) -> Option<String> {
         ("--reference accurate", args.reference == options::Reference::Accurate),
     ];
     if let Some((option, _)) = of_scenes.into_iter().find(|(_, is_given)| *is_given) {
-        return Some(format!("{option} does not apply to --apply{HELP}plan the scene without --apply"));
+        return Some(format!("{option} cannot be used with --apply{HELP}plan the scene without --apply"));
     }
     if target.as_os_str() == "-" {
-        return Some(format!("--apply writes no stream{HELP}name a file"));
+        return Some(format!("--apply cannot write to standard output{HELP}name a file"));
     }
     if is_scene(args.scene()) {
-        let advice = "of a scene, all mesh files are written into a folder";
+        let advice = "for a scene, all mesh files are written into a folder";
         let is_file =
             target.is_file() || target.extension().is_some_and(|_| Format::from_path(target).is_some());
         if is_file {

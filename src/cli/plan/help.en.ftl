@@ -16,7 +16,7 @@ metric = Comparison of pictures
 reference = Scene that the pictures are compared with
 share = Share of the covered pixels that may be beyond the tolerance [default: 0]
 outline = Largest distance of outlines, in pixels [default: 0.5]
-apply = Planned glTF file, .glb or .gltf. Of a scene, a folder for its glTF files and the planned scene. Only axes that files hold may
+apply = Planned glTF file, .glb or .gltf. For a scene: a folder for its glTF files and the planned scene. Only axes that files hold may
     change: weight, creases, precision and storage, in which `none` means flat faces. A file is compared with what its standard
     says: stored normals, and flat faces without any
 minimise = Quantity to minimise [default: work; bytes with --apply]
@@ -38,7 +38,7 @@ explain = Print how costs and bounds are computed
 output-short = Planned scene file, or `-` for standard output
 tolerance-short = Largest difference of a pixel, in steps of 1/255
 metric-short = Comparison of pictures
-apply-short = Planned glTF file; of a scene, a folder
+apply-short = Planned glTF file; for a scene, a folder
 minimise-short = Quantity to minimise [default: work; bytes with --apply]
 html-short = HTML page of the plan
 views-short = Number of views around the scene

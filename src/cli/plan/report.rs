@@ -122,7 +122,7 @@ pub fn text(report: &Report, style: Style) -> String {
         ),
     };
     if report.light_cone > 0.0 {
-        worst += &format!("; lights turned by {}° and {}°", 0.5 * report.light_cone, report.light_cone);
+        worst += &format!("; lights rotated by {}° and {}°", 0.5 * report.light_cone, report.light_cone);
     }
     row(&mut out, "worst", &worst);
     if plan.views > 1 {
@@ -189,7 +189,7 @@ fn about(combinations: f64) -> String {
 fn place(place: &Place) -> String {
     let list = |vector: [f64; 3]| vector.map(six_digits).join(",");
     let turn = place.turn.map_or(String::new(), |turn| {
-        format!(", lights turned by {}° around {}", three_digits(turn.degrees), list(turn.axis))
+        format!(", lights rotated by {}° around {}", three_digits(turn.degrees), list(turn.axis))
     });
     format!("--camera 'eye={} target={}'{turn}", list(place.eye), list(place.target))
 }

@@ -24,7 +24,7 @@ compare = Draw panels side by side that differ in shading or interpolation, as -
 turntable = Draw an animation of N frames: one rotation about the upright axis; camera and lights stay. Needs a GIF output
 probe = Print the numbers behind a pixel, from 0 at the upper left: the visible face, N, L, V, R, H and every term. Objects,
     faces, vertices and lights count from 0
-shading = Where colours are computed [default: phong]
+shading = Points at which colours are computed [default: phong]
 interpolation = Interpolation of values over a face [default: perspective]
 reflection = Highlight model, or the stored vertex colours without light [default: blinn]
 exponent = Exponent of the highlight, 0 or more: a larger exponent gives a smaller highlight [default: the material's, or 32]
@@ -32,7 +32,7 @@ flat-sample = Point at which flat faces are lit [default: centroid]
 show = Draw normals, facing, depth, face-id or deviation in place of light, with a legend below. `normals`: (n + 1)/2; `facing`:
     front light blue, back dark red; `depth`: white near, black far; `face-id`: a colour for each face. `deviation[=DEG]`: the
     angle between the interpolated normal and that of the analytic surface, or of the face if there is none. Its colours run from
-    black over red and yellow to white at the given angle, or at one that no visible deviation exceeds
+    black through red and yellow to white at the given angle, or else at an angle that no visible deviation exceeds
 no-legend = Omit the legend of --show, which adds to the height of the picture
 overlay = Draw lines over the picture
 hidden-lines = Treatment of lines behind surfaces [default: remove]
@@ -67,7 +67,7 @@ samples-short = Samples per pixel, each shaded separately [default: 4]
 compare-short = Draw panels side by side that differ in shading or interpolation
 turntable-short = Draw an animation of N frames
 probe-short = Print the numbers behind a pixel, from 0 at the upper left
-shading-short = Where colours are computed [default: phong]
+shading-short = Points at which colours are computed [default: phong]
 interpolation-short = Interpolation of values over a face [default: perspective]
 show-short = Draw normals, facing, depth, face-id or deviation in place of light
 overlay-short = Draw lines over the picture

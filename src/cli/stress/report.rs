@@ -291,7 +291,7 @@ pub fn breach(result: &StressResult) -> String {
         _ => ("faithful", measured.faithful, case.bound),
     };
     format!(
-        "{case:?}: {way} is off by {}, allowed are {} ({})",
+        "{case:?}: {way} is off by {} (allowed: {}; {})",
         error(worst, bound.unit),
         amount(bound.most, bound.unit),
         bound.source()

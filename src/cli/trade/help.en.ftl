@@ -3,7 +3,7 @@
 about = Measure accuracy against speed
 
     Without an input, crease measures the error and the cost of every weight on surfaces with known normals. It also measures
-    encodings of normals and kinds of shading. This takes about a minute and a half. Errors are the same in every run, times
+    encodings of normals and kinds of shading. This takes about a minute and a half. Errors are the same in every run; times
     depend on the machine. With a mesh, it measures the errors and costs of the weights on that mesh, and recommends one. The true
     normals of a mesh are estimated by fits, together with the error of these fits, unless `--truth stored` reads them from the
     file.

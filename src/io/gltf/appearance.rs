@@ -118,7 +118,8 @@ fn optics(
         ));
     }
     if thickness < 0.0 || distance <= 0.0 || !colour.iter().all(|share| (0.0..=1.0).contains(share)) {
-        let found = "the volume has a negative thickness, a distance of 0 or less, or a colour out of 0 to 1";
+        let found =
+            "the volume has a negative thickness, a distance of 0 or less, or a colour outside 0 to 1";
         return Err(out_of_range(place(), found));
     }
     let lost = factor * (1.0 - metallic);

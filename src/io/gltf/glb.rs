@@ -48,7 +48,7 @@ impl Glb {
         }
         if length < size {
             let rest = counted(size - length, "byte", "bytes");
-            let text = format!("{rest} after the end of the GLB ignored");
+            let text = format!("ignored after the end of the GLB: {rest}");
             notes.push(Note::warning(Place::Byte(length as u64), text));
         }
         let mut chunks = Vec::new();

@@ -228,7 +228,7 @@ pub fn draw(source: &Source<'_>, primitive: &Primitive, count: usize) -> Result<
             let rest = order.len() % 3;
             if rest > 0 {
                 let corners = counted(rest, "corner", "corners");
-                let text = format!("{corners} after the last whole triangle ignored");
+                let text = format!("ignored after the last whole triangle: {corners}");
                 source.warn(primitive.place(), text);
                 order.truncate(order.len() - rest);
             }

@@ -34,8 +34,10 @@ pub(in crate::io) fn edit(
         written.companions.clone_from(companions);
     } else if let Some(first) = companions.first() {
         let files = counted(companions.len(), "file", "files");
-        let text =
-            format!("{files} that the output refers to not copied to a stream (first: `{}`)", first.name);
+        let text = format!(
+            "not copied to a stream, although the output refers to it: {files} (first: `{}`)",
+            first.name
+        );
         written.notes.push(Note::remark(text));
     }
     Ok(written)

@@ -302,7 +302,7 @@ fn notes(reading: &Reading, rows: &Rows<'_>, header: &Header) -> Vec<Note> {
     let rest = &rows.bytes[rows.at..];
     if !rest.trim_ascii().is_empty() {
         let bytes_left = counted(rest.len(), "byte", "bytes");
-        let text = format!("{bytes_left} after the last row ignored");
+        let text = format!("ignored after the last row: {bytes_left}");
         notes.push(Note::warning(places(&[rows.at]).remove(0), text));
     }
     let mut names = BTreeSet::new();

@@ -81,7 +81,7 @@ fn read_binary(
         0 => {}
         rest if rest < FACET => {
             let rest = counted(rest, "byte", "bytes");
-            notes.push(Note::remark(format!("{rest} after the last facet ignored")));
+            notes.push(Note::remark(format!("ignored after the last facet: {rest}")));
         }
         rest => {
             let text = format!(

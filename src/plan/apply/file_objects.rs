@@ -41,7 +41,7 @@ impl FileObject {
             let output = Path::new(name).with_extension("glb");
             let advice =
                 format!("crease normals {} -o {}", shell_word(name), shell_word(&output.to_string_lossy()));
-            let found = format!("{name} is no glTF file, which planned meshes are written to");
+            let found = format!("{name} is not a glTF file, but planned meshes are written as glTF");
             return Err(PlanError::Invalid(format!("{found}; convert it with `{advice}`")));
         }
         let scene = SceneFile::from_toml(&document.only(number).to_string(), base, load)?;

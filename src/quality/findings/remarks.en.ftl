@@ -13,9 +13,9 @@ could-be-merged = { $count } { $count ->
    *[other] vertices
  } could be merged
 contradicted = { $sum }, contradicted by the stored normals; not counted: { $components } { $components ->
-    [one] other
-   *[other] others
- } of { $count } faces, which no stored normals contradict
+    [one] other component
+   *[other] other components
+ } with { $count } faces, which no stored normals contradict
 of-lower-severity = not counted: { $count } of lower severity in other submeshes
 
 far-from-origin =

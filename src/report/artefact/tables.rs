@@ -221,7 +221,7 @@ mod tests {
         );
         assert!(en.contains("x: 0.25"), "{en}");
         let [_, halved] = said(&Effect { cured: 0.1, ..vanished.clone() });
-        assert!(halved.contains("2,5 vezes menos. Há artefato acima de 0,112 ("), "{halved}");
+        assert!(halved.contains("2,5 vezes menor. O artefato é visível acima de 0,112 ("), "{halved}");
         let rounded = Effect { cured: 1e-6, ..vanished };
         let [en, pt] = said(&rounded);
         assert!(en.contains("0 after the cure (x): gone, except for rounding."), "{en}");

@@ -47,13 +47,13 @@ role-truth = referência
 role-seen = artefato tênue
 gone = sumiu
 gone-but-for-rounding = sumiu, salvo arredondamento
-times-less = { $times } vezes menos
+times-less = { $times } vezes menor
 effect-absent =
     Grandeza medida: { $name }. Vale { $bad }. Um artefato é visível acima de { $from } ({ $why }); portanto não há
     artefato aqui. Com a cura ({ $cure }) a grandeza vale { $cured }.
 effect-present =
-    Grandeza medida: { $name }. Vale { $bad } com o artefato, { $cured } depois da cura ({ $cure }): { $less }. Há
-    artefato acima de { $from } ({ $why }). A cura deve levar a grandeza para baixo desse limiar ou torná-la ao menos
+    Grandeza medida: { $name }. Vale { $bad } com o artefato, { $cured } depois da cura ({ $cure }): { $less }. O
+    artefato é visível acima de { $from } ({ $why }). A cura deve levar a grandeza para baixo desse limiar ou torná-la ao menos
     { $factor } vezes menor.
 absent-below-threshold =
     o artefato não é visível ({ $name } vale { $bad }; limiar { $from }, { $why }). { $shown-by }

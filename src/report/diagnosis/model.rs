@@ -32,7 +32,7 @@ pub(super) struct PartModel {
     /// Every corner is a separate vertex.
     pub(super) mesh: Mesh,
     pub(super) field: NormalField,
-    /// The normals of the estimated weighting: their creases show the form, whatever is wrong.
+    /// The normals of the estimated recipe: their creases show the form, whatever is wrong.
     ruled: NormalField,
     /// The deviation of each corner, in degrees.
     pub(super) deviations: Vec<Option<f64>>,

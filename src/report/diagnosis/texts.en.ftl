@@ -5,7 +5,7 @@ heat-alternative = the mesh coloured by the deviation of its stored normals, { $
 facing-alternative = the mesh with front faces light blue and back faces dark red
 creases-alternative = the shaded mesh, with lines along creases and seams
 overview-caption =
-    First: angle between stored normals and normals computed with the estimated weighting{ $marks }. Second: front faces
+    First: angle between stored normals and normals computed with the estimated recipe{ $marks }. Second: front faces
     light blue, back faces dark red. Third: the shaded mesh, with orange lines at edges whose two sides have different
     normals.
 marks-dots = ; dots mark large deviations on faces too small to be visible
@@ -21,7 +21,7 @@ close-up-hidden = First: { -close-up } Second: a ring marks it in the whole mesh
 close-up-alone = This is { -close-up }
 -close-up =
     the worst position, viewed from in front of its face, with the edges of faces. Faces that cover it are cut away.
-whole-alternative = the whole mesh, with a ring around that location
+whole-alternative = the whole mesh, with a ring around that position
 node-caption = The whole mesh, with a ring around the centre of the geometry of the first of these nodes.
 node-alternative = the whole mesh, with a ring around a node
 fix = The command below fixes { $fixed }.
@@ -62,7 +62,7 @@ finding = { $severity }: { $cause }. { $count } of { $of } ({ $share } %){ $deta
 finding-steps = ; up to { $angle }{ $steps } of 255 grey steps under a key light
 finding-worst = ; at worst { $amount } { $unit }
 finding-confidence = ; confidence { $confidence }
-worst-locations = Worst locations
+worst-locations = Worst positions
 column-location = location
 column-face = face
 column-corner = corner
@@ -121,9 +121,9 @@ changed = the mesh coloured by how far its normals changed, { $scale }
 lit-caption =
     First: before. Second: after. Third: the angle by which the normal of each corner changed; a ring marks the largest
     visible change.
-off-before = before: the mesh coloured by the deviation of its normals from its own weighting, { $scale }
-off-after = after: the mesh coloured by the deviation of its normals from its own weighting, { $scale }
-off-caption = Angle between the stored normals and those computed with the estimated weighting. First: before. Second: after.
+off-before = before: the mesh coloured by the deviation of its normals from its own recipe, { $scale }
+off-after = after: the mesh coloured by the deviation of its normals from its own recipe, { $scale }
+off-caption = Angle between the stored normals and those computed with the estimated recipe. First: before. Second: after.
 numbers =
     In { $name }, { $changed } of { $corners } normals changed direction, { $visible } of them visibly. The largest change is { $largest }°
     ({ $largest-steps } of 255 grey steps under a key light), the mean { $mean }° ({ $mean-steps } steps), the
@@ -142,7 +142,7 @@ deviation-unit = degrees
 deviation-caption = Correct normals are at the left end, faults at the right. The vertical axis is logarithmic, so that a single corner is visible. Normals without a direction are omitted.
 dihedral-angle-title = Dihedral angles
 dihedral-angle-unit = degrees
-dihedral-angle-caption = A gap between small and large angles is a good crease angle.
+dihedral-angle-caption = An angle in a gap between small and large angles is a good crease angle.
 corner-angle-title = Angles of faces at their corners
 corner-angle-unit = degrees
 corner-angle-caption = Many angles near 0° or 180° mean thin faces, whose normals are inaccurate.

@@ -5,7 +5,7 @@ heat-alternative = a malha colorida pelo desvio de suas normais gravadas, { $sca
 facing-alternative = a malha com a frente das faces em azul-claro e o verso em vermelho-escuro
 creases-alternative = a malha tonalizada, com linhas ao longo de vincos e costuras
 overview-caption =
-    Primeira: ângulo entre as normais gravadas e as calculadas com o peso estimado{ $marks }. Segunda: frente das faces em
+    Primeira: ângulo entre as normais gravadas e as calculadas com a receita estimada{ $marks }. Segunda: frente das faces em
     azul-claro, verso em vermelho-escuro. Terceira: a malha tonalizada, com linhas laranja nas arestas cujos dois lados têm
     normais diferentes.
 marks-dots = ; pontos marcam desvios grandes em faces pequenas demais para serem visíveis
@@ -120,9 +120,9 @@ changed = a malha colorida por quanto suas normais mudaram, { $scale }
 lit-caption =
     Primeira: antes. Segunda: depois. Terceira: o ângulo em que a normal de cada canto mudou; um anel marca a maior
     mudança visível.
-off-before = antes: a malha colorida pelo desvio de suas normais em relação ao seu próprio peso, { $scale }
-off-after = depois: a malha colorida pelo desvio de suas normais em relação ao seu próprio peso, { $scale }
-off-caption = Ângulo entre as normais gravadas e as calculadas com o peso estimado. Primeira: antes. Segunda: depois.
+off-before = antes: a malha colorida pelo desvio de suas normais em relação à sua própria receita, { $scale }
+off-after = depois: a malha colorida pelo desvio de suas normais em relação à sua própria receita, { $scale }
+off-caption = Ângulo entre as normais gravadas e as calculadas com a receita estimada. Primeira: antes. Segunda: depois.
 numbers =
     Em { $name }, { $changed } de { $corners } normais mudaram de direção, { $visible } delas visivelmente. A maior mudança é
     { $largest }° ({ $largest-steps } de 255 níveis de cinza sob uma luz principal), a média { $mean }° ({ $mean-steps }
@@ -142,7 +142,7 @@ deviation-unit = graus
 deviation-caption = As normais corretas ficam à esquerda, as falhas à direita. O eixo vertical é logarítmico, para que um único canto seja visível. Normais sem direção são omitidas.
 dihedral-angle-title = Ângulos diedros
 dihedral-angle-unit = graus
-dihedral-angle-caption = Uma lacuna entre ângulos pequenos e grandes é um bom ângulo de vinco.
+dihedral-angle-caption = Um ângulo em uma lacuna entre ângulos pequenos e grandes é um bom ângulo de vinco.
 corner-angle-title = Ângulos das faces em seus cantos
 corner-angle-unit = graus
 corner-angle-caption = Muitos ângulos perto de 0° ou 180° indicam faces finas, cujas normais são imprecisas.

@@ -15,7 +15,7 @@ pictures = Pictures
 pictures-caption = The view with the largest difference: { $worst } (tolerance { $tolerance }).
 worst-place = The largest difference is seen from the eye { $eye } towards { $target }.
 held-out-place = Of the views that the plan was not found with, the worst is seen from the eye { $eye } towards { $target }.
-turned = The lights are turned by { $angle } around the axis { $axis }.
+turned = The lights are rotated by { $angle } around the axis { $axis }.
 shot-reference = Reference
 shot-planned = Plan
 shot-step = With the cheaper step
@@ -123,12 +123,12 @@ because-shading =
     that colours differ by { $difference } at most.
 because-weight = Averaging by { $to } in place of { $from } changes colours by { $difference }.
 because-weight-angle =
-    Averaging by { $to } in place of { $from } turns normals by at most { $angle }, which changes colours by { $difference }.
+    Averaging by { $to } in place of { $from } rotates normals by at most { $angle }, which changes colours by { $difference }.
 because-creases = The hard edges of { $what } are not visible here: one normal for each vertex changes colours by { $difference }.
 because-creases-angle =
-    One normal for each vertex turns normals by up to { $angle } at hard edges, but visible colours change by only { $difference }.
+    One normal for each vertex rotates normals by up to { $angle } at hard edges, but visible colours change by only { $difference }.
 because-precision = Single precision changes colours by { $difference }.
-because-precision-angle = Single precision turns normals by at most { $angle }, which changes colours by { $difference }.
+because-precision-angle = Single precision rotates normals by at most { $angle }, which changes colours by { $difference }.
 because-storage = Normals stored as { $to } change colours by { $difference }.
 because-storage-angle = Normals stored as { $to } are off by at most { $angle }, which changes colours by { $difference }.
 because-interpolation =

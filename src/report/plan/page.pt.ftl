@@ -40,7 +40,7 @@ refused-lead =
 refused-title = { $what }: { $axis } { $from } → { $to }
 refused-caption =
     Economiza { $saved }, mas o pixel { $pixel } da vista { $view } difere em { $difference } (tolerância { $tolerance }).
-refused-outline = Economiza { $saved }, mas a silhueta se desloca { $outline } na vista { $view }.
+refused-outline = Economiza { $saved }, mas o contorno se desloca { $outline } na vista { $view }.
 tried = Tudo o que foi testado
 tried-caption =
     Modelos de um só objeto, com o resto como planejado, e planos inteiros. Um modelo recusado pode diferir mais do que o erro
@@ -102,7 +102,7 @@ value-kept = mantidas
 value-given = dado
 value-on = sim
 value-off = não
-value-flat = constante
+value-flat = plana
 value-gouraud = de Gouraud
 value-phong = de Phong
 value-perspective = em perspectiva

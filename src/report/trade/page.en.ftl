@@ -11,7 +11,7 @@ weights-lead =
     sum of face normals. The weights quadric and jet are not sums of face normals: they fit a surface to the neighbours of each
     vertex. The weight best chooses between them and angle for each mesh.
 frontier-caption =
-    Lower left is better. Hollow signs are dominated weightings: another one is both cheaper and more accurate.
+    Lower left is better. Hollow markers are dominated weightings: another one is both cheaper and more accurate.
 frontier-class = Medians over { $surfaces } surfaces, without boundary vertices. { $spread }
 frontier-spread = Other seeds change a median by at most { $share } %.
 frontier-no-spread = These meshes have no random numbers.
@@ -37,8 +37,8 @@ boxes-lead =
 
 cost-title = Cost
 cost-lead =
-    One thread. The plain loop sums cross products in single precision, without any checks. Slices are this crate's
-    kernel on the same arrays. A mesh includes topology, creases and fault checks. Ratios are measured in the same run
+    One thread. The plain loop sums cross products in single precision, without any checks. The column for slices is this
+    crate's kernel on the same arrays. The column for a mesh includes topology, creases and fault checks. Ratios are measured in the same run
     and differ little between machines; nanoseconds differ more.
 
 precision-title = Precision

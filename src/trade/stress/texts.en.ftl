@@ -139,7 +139,7 @@ straight-bound = cross products of such integers are exact, and exactly zero
 split-prisms-what =
     prisms with 8, 9, 12 sides in 40 rotations each, crease angle 45, 40, 30: edges that split contrary to their angle
     in 256 bits, and side edges that split
-split-prisms-expected = no side edge splits, all other edges do
+split-prisms-expected = no side edge splits; all other edges do
 split-prisms-plain = dot(n1, n2) < cos(angle), normals of three corners
 split-prisms-bound =
     dihedral angle > crease angle + 0.01 degrees, in 256 bits; rounding rotates these faces by less than that

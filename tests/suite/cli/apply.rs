@@ -128,12 +128,15 @@ fn impossible_requests_are_refused() {
         (&[&mesh, "--apply", &out, "--only", "interpolation"], "not interpolation"),
         (&[&mesh, "--apply", &out, "--only", "storage,shading"], "flat shading is a value of `storage`"),
         (&[&mesh, "--apply", &out, "--only", "lights"], "not lights"),
-        (&[&mesh, "--apply", &out, "--reference", "accurate"], "--reference accurate does not apply"),
-        (&[&mesh, "--apply", &out, "--allow", "antialiasing"], "--allow does not apply"),
+        (
+            &[&mesh, "--apply", &out, "--reference", "accurate"],
+            "--reference accurate cannot be used with --apply",
+        ),
+        (&[&mesh, "--apply", &out, "--allow", "antialiasing"], "--allow cannot be used with --apply"),
         (&[&mesh, "--apply", &mesh], "this would overwrite the input"),
         (&[&mesh, "--apply", &at(&folder, "out.obj")], "--apply writes glTF"),
         (&[&mesh, "--apply", &at(&folder, "out")], "--apply writes glTF"),
-        (&[&mesh, "--apply", "-"], "--apply writes no stream"),
+        (&[&mesh, "--apply", "-"], "--apply cannot write to standard output"),
         (&[&mesh, "--apply", &path(folder.path())], "is a folder"),
         (&[&mesh, "--apply", &out, "-o", &out], "two outputs would both be written"),
         (

@@ -128,7 +128,7 @@ fn nothing_is_said_to_go_with_a_stream() {
     let gear = path(data("gear.obj"));
     let output = succeed([&gear, "-o", "-", "--to", "obj"]);
     assert!(!text(&output.stderr).contains("with gear.mtl"), "{}", text(&output.stderr));
-    assert!(text(&output.stderr).contains("that the output refers to not copied to a stream"));
+    assert!(text(&output.stderr).contains("not copied to a stream, although the output refers to it"));
     let output = succeed([&gear, "-o", "-", "--to", "obj", "--json"]);
     let report: serde_json::Value = serde_json::from_slice(&output.stderr).unwrap();
     assert_eq!(report["output"]["companions"], serde_json::json!([]));

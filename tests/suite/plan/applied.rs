@@ -384,7 +384,7 @@ fn what_files_cannot_hold_is_refused() {
     };
     let refused = [
         ("surface = { sphere = { radius = 1 } }", "no object of the scene has a mesh file"),
-        ("mesh = \"part.obj\"", "part.obj is no glTF file"),
+        ("mesh = \"part.obj\"", "part.obj is not a glTF file"),
         ("mesh = \"shape.glb\"\nnormal-format = \"oct8\"", "glTF cannot store normals as oct8"),
     ];
     for (keys, message) in refused {

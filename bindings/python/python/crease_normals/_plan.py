@@ -32,7 +32,7 @@ def plan(path: Union[str, "os.PathLike[str]"], *, threads: Optional[int] = None,
     path : str or path
         A scene in TOML, or a mesh file.
     threads : int, optional
-        Most threads; default: one for each processor.
+        Maximum number of threads; default: one for each processor.
     **options
         The options of `crease plan`, with underscores: tolerance=2 (steps of 1/255), metric="flip", views=8, size=(320, 240),
         light_cone=10 (degrees), keep=("lights",), minimise="bytes", budget, seconds.

@@ -65,9 +65,9 @@ def inspect(path: Union[str, "os.PathLike[str]"], *, threads: Optional[int] = No
     path : str or path
         OBJ, PLY, STL, glTF, GLB or 3MF.
     threads : int, optional
-        Most threads; default: one for each processor.
+        Maximum number of threads; default: one for each processor.
     **options
-        The options of `crease inspect`, with underscores: severity="warning", only=("flipped-faces",), ignore, places=10, format,
+        The options of `crease inspect`, with underscores: severity="warning", only=("flipped-normals",), ignore, places=10, format,
         and the thresholds. `python -m crease_normals inspect --help` describes them.
 
     Returns

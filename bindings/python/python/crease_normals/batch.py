@@ -270,7 +270,7 @@ def finished(pending: dict[Future[Any], Chunk]) -> Iterator[tuple[Chunk, Any]]:
 
 
 def on_ray(all_chunks: Iterator[Chunk], address: str, retries: int) -> Iterator[tuple[Chunk, Any]]:
-    """Runs chunks as tasks of a Ray cluster. Ray repeats the tasks of a worker that dies on another one."""
+    """Runs chunks as tasks of a Ray cluster. If a worker dies, Ray repeats its tasks on another worker."""
     import ray
 
     if not ray.is_initialized():
@@ -297,7 +297,7 @@ def on_ray(all_chunks: Iterator[Chunk], address: str, retries: int) -> Iterator[
 
 
 def open_journal(path: str) -> IO[str]:
-    """The journal, at its end, made if there is none. It is locked until it is closed, as by the program.
+    """Opens the journal for appending, and creates it if there is none. Like the program, it locks the file until it is closed.
 
     Raises ValueError if another run writes it."""
     file = open(path, "a+", encoding="utf-8", errors="replace")

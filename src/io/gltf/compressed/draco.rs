@@ -140,7 +140,7 @@ impl Decoder<'_, '_> {
         let width = usize::from(attribute.num_components());
         let format = format.filter(|format| format.columns == 1 && format.width == width);
         let format = format.ok_or_else(|| {
-            format!("Draco attribute {id} has {width} components, other than accessor {accessor}")
+            format!("Draco attribute {id} has {width} components and does not match accessor {accessor}")
         })?;
         self.spend(mesh.num_points(), format.size())?;
         let bytes = values(attribute, mesh.num_points(), format.component);

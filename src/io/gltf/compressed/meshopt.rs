@@ -62,7 +62,7 @@ fn stream<'a>(
     if count.checked_mul(stride) != Some(view.length) || count == 0 {
         let length = view.length;
         let found =
-            format!("{count} compressed elements of {stride} bytes are not the {length} bytes of the view");
+            format!("{count} compressed elements of {stride} bytes do not match the view of {length} bytes");
         return Err(out_of_range(extension.place(), found));
     }
     let mode = extension.required_string("mode")?.into_owned();

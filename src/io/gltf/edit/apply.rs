@@ -331,8 +331,8 @@ impl Package<'_> {
             }
         }
         if let Some(first) = left.first() {
-            let text = format!("that the output refers to not copied (first: {first:?})");
-            self.written.notes.extend(Note::counted(left.len(), ["image", "images"], text));
+            let text = format!("not copied, although the output refers to it (first: {first:?})");
+            self.written.notes.extend(Note::counted(left.len(), ["image was", "images were"], text));
         }
     }
 }

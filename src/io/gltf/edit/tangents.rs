@@ -188,7 +188,7 @@ impl Group<'_, '_> {
         let why = match self.options.tangents {
             TangentPolicy::Regenerate => String::new(),
             _ if self.vertices.get("NORMAL").is_none() => "they had no normals, and ".to_owned(),
-            _ => format!("normals turned by {}° or more, and ", LARGEST_TURN.0),
+            _ => format!("normals rotated by {}° or more, and ", LARGEST_TURN.0),
         };
         for (member, space) in self.members.iter().zip(spaces) {
             let material = member.primitive.material.and_then(|number| self.materials.get(number));

@@ -310,7 +310,7 @@ fn notes(parts: &[Part], unused: usize, omitted: Option<Note>) -> Vec<Note> {
     notes.extend(omitted);
     if unused > 0 {
         let vertices = counted(unused, "vertex", "vertices");
-        notes.push(Note::remark(format!("{vertices} without an object omitted")));
+        notes.push(Note::remark(format!("omitted, because no object uses them: {vertices}")));
     }
     notes
 }

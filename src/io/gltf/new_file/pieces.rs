@@ -187,8 +187,8 @@ pub fn groups(mesh: &Mesh, notes: &mut Vec<Note>) -> Vec<(Group, Option<Vec<u32>
     let triangles = (!mesh.faces().is_triangles()).then(|| {
         let cut = triangulate(mesh);
         if let Some(first) = cut.failed.first() {
-            let text = format!("without area or with crossing edges cut into fans (first: face {first})");
-            notes.extend(Note::counted(cut.failed.len(), ["polygon", "polygons"], text));
+            let text = format!("cut into fans, for lack of area or for crossing edges (first: face {first})");
+            notes.extend(Note::counted(cut.failed.len(), ["polygon was", "polygons were"], text));
         }
         (cut.triangles, cut.source_face)
     });

@@ -128,7 +128,7 @@ impl<'a> Builder<'a> {
         if normal_matrix(DMat3::from_mat4(transform)).is_none() || !transform.is_finite() {
             let span = self.source.member(&span, &["transform"]);
             let advice = "scale no axis by 0, and keep numbers moderate";
-            return Err(self.source.error(&span, "it flattens space, or is out of range", advice));
+            return Err(self.source.error(&span, "the transform flattens space, or is out of range", advice));
         }
         let material = table.material.as_ref().map(|table| MaterialTable::material(self.source, table));
         let material = material.transpose()?.flatten();
