@@ -290,7 +290,7 @@ fn the_page_shows_the_plan_and_what_was_refused() {
     let (input, page) = (path(folder.path().join("scene <1>.toml")), path(folder.path().join("page.html")));
     for (language, title, reason) in [
         ("en", "needs", "block is lit by flat shading in place of Phong shading"),
-        ("pt", "precisa de", "block recebe tonalização constante em vez de tonalização de Phong"),
+        ("pt", "precisa de", "block recebe tonalização plana em vez de tonalização de Phong"),
     ] {
         let done = plan(&[&input, "--html", &page, "--lang", language]);
         assert_eq!(code(&done), 0, "{}", text(&done.stderr));
