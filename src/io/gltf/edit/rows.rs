@@ -136,10 +136,10 @@ impl Stored {
     }
 
     /// The rows of vertices, in order, if all corners at each have one normal: as stored where no corner uses the vertex. Also returns
-    /// the number of the normal of each vertex, or [`NONE`]. `None` if morph targets have normals too.
+    /// the number of the normal of each vertex, or [`NONE`].
     pub fn of_vertices(&self, members: &[Member<'_>]) -> Option<(Rows, Vec<u32>)> {
         let first = members.first()?;
-        if self.targets > 0 || members.iter().any(|member| member.part != first.part) {
+        if members.iter().any(|member| member.part != first.part) {
             return None;
         }
         let normals = first.edit.normals.as_ref()?;
