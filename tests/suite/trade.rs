@@ -180,7 +180,7 @@ fn a_mesh_of_ones_own_gets_a_recommendation() {
     // Error against cost with its frontier, how errors are spread, and where they are.
     assert!(page.contains("Pareto frontier") && page.contains("Errors of normals"));
     assert!(page.contains("grey where there is none"));
-    assert!(page.contains("Hollow signs are dominated"));
+    assert!(page.contains("Hollow markers are dominated"));
     assert!(
         text.contains("Costs were measured on"),
         "a gear is too small for its costs to mean much: {text}"

@@ -134,7 +134,8 @@ fn rooms_are_not_counted_with_what_is_inside_out() {
             found.cause.english()
         );
         let rooms = found.of / 4 - 1;
-        let others = format!("{rooms} other{} of {} faces", if rooms == 1 { "" } else { "s" }, 4 * rooms);
+        let others =
+            format!("{rooms} other component{} with {} faces", if rooms == 1 { "" } else { "s" }, 4 * rooms);
         assert!(found.cause.english().contains(&others), "{}", found.cause.english());
         let first = &found.places[0];
         assert_eq!((first.part, first.face), (first_fault.0, Some(first_fault.1)));
