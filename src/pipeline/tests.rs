@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::io::Document;
-use crate::io::{Emit, Format, Loaded, Part, PartEdit};
+use crate::io::{Emit, Format, Loaded, Part, PartEdit, ReadOptions, read_bytes};
 use crate::mesh::Orient;
 use crate::mesh::{Column, ColumnIndex, Faces, MeshBuilder, NONE};
 use crate::normals::{self, Crease, NormalRecipe, Weight, When};
@@ -307,4 +307,31 @@ fn reported_faces_add_up_to_all() {
         let is_expected = if weight.is_fit() { reported.len() > 1 } else { reported.len() == 1 };
         assert!(is_expected, "{reported:?}");
     }
+}
+
+/// A primitive whose faces are all dropped has no computed normals. Its morph targets keep what is stored.
+#[test]
+fn morph_targets_without_faces_keep_their_normals() {
+    let bytes = std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/data/morph.gltf")).unwrap();
+    // Indices without a buffer view are zeros.
+    let text = String::from_utf8(bytes).unwrap().replacen("\"bufferView\": 4, ", "", 1);
+    let loaded = read_bytes(text.into_bytes(), Some(Format::Gltf), None, &ReadOptions::default()).unwrap();
+    let stored = loaded.parts[0].mesh.columns().normals.clone().unwrap();
+    let task = Task { when: When::Missing, degenerate: Degenerate::Drop, ..Task::default() };
+    let revision = revise(&loaded, &task, Some(Format::Glb), &|_| {});
+    assert_eq!(revision.edits[0].faces.dropped.len(), 128);
+    for normals in &revision.edits[0].morph_normals {
+        assert_eq!(normals, &stored.values);
+    }
+}
+
+/// A stored normal that is not finite has no text. Formats get a computed one also with `--when missing`.
+#[test]
+fn normals_that_are_not_finite_are_never_written() {
+    let normals = Column::per_corner(vec![DVec3::new(0.0, f64::NAN, 1.0)], vec![0; 18]);
+    let part = part(Some(normals));
+    let task = Task { when: When::Missing, ..Task::default() };
+    let (edit, outcome) = revise_one(&part, &task, Some(Format::Obj));
+    assert_eq!((outcome.kept_corners, outcome.replaced_corners["NotFinite"]), (0, 15));
+    assert!(written(&part, &edit).iter().all(|normal| normal.is_normalized()));
 }

@@ -13,7 +13,7 @@ pub enum When {
     /// All.
     #[default]
     Always,
-    /// Missing ones.
+    /// Missing ones, and those that are not finite: no format can store them.
     Missing,
     /// Missing ones and broken ones: see [`Broken`].
     Broken,
@@ -93,7 +93,9 @@ pub(super) fn replace(mesh: &Mesh, field: &NormalField, when: When) -> Replaceme
             let entry = entry_of[corner];
             let computed = field.normals.values[entry as usize];
             let (cause, value) = match slot.map(|slot| fault(values[slot as usize], own, computed)) {
-                Some(Some((cause, value))) if when == When::Broken => (Some(cause), value),
+                Some(Some((cause, value))) if when == When::Broken || cause == Broken::NotFinite => {
+                    (Some(cause), value)
+                }
                 None => (None, computed),
                 Some(_) => {
                     index.extend(slot);
@@ -176,8 +178,8 @@ mod tests {
         let field = compute(&mesh, &NormalRecipe::default());
 
         let missing = replace(&mesh, &field, When::Missing);
-        assert_eq!((missing.missing, missing.broken), (vec![5], vec![]));
-        assert_eq!(missing.normals.index, ColumnIndex::PerCorner(vec![0, 1, 2, 3, 4, 5]));
+        assert_eq!((missing.missing, missing.broken), (vec![5], vec![(1, Broken::NotFinite)]));
+        assert_eq!(missing.normals.index, ColumnIndex::PerCorner(vec![0, 5, 2, 3, 4, 6]));
 
         let broken = replace(&mesh, &field, When::Broken);
         let causes = [(1, Broken::NotFinite), (2, Broken::Zero), (3, Broken::AgainstFace)];

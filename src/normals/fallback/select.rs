@@ -1,6 +1,6 @@
 //! The normals of a mesh: stored ones and computed ones, combined by a policy.
 
-use crate::mesh::{Column, Mesh};
+use crate::mesh::{Column, Mesh, NONE};
 use crate::normals::fallback::replace::{Broken, Replacement, When, replace};
 use crate::normals::field::NormalField;
 use glam::DVec3;
@@ -60,12 +60,12 @@ pub fn select(mesh: &Mesh, field: NormalField, when: When) -> Selection {
 }
 
 /// The normals of morphed shapes for every value: that of its entry, or, for a stored value, of the entry of the
-/// first corner that uses it.
+/// first corner that uses it. A stored value that no corner uses stays as it is.
 fn morph_normals(mesh: &Mesh, field: &NormalField, replacement: &Replacement) -> Vec<Vec<DVec3>> {
     if field.morph_normals.is_empty() {
         return Vec::new();
     }
-    let mut entry_of_value = vec![0; replacement.kept];
+    let mut entry_of_value = vec![NONE; replacement.kept];
     entry_of_value.extend_from_slice(&replacement.entries);
     for (corner, &vertex) in mesh.faces().corners().iter().enumerate().rev() {
         let value =
@@ -74,8 +74,11 @@ fn morph_normals(mesh: &Mesh, field: &NormalField, replacement: &Replacement) ->
             entry_of_value[value as usize] = entry;
         }
     }
-    let pick = |shape: &Vec<DVec3>| entry_of_value.iter().map(|&entry| shape[entry as usize]).collect();
-    field.morph_normals.iter().map(pick).collect()
+    let of_shape = |shape: &Vec<DVec3>| {
+        let entries = entry_of_value.iter().zip(&replacement.normals.values);
+        entries.map(|(&entry, &stored)| shape.get(entry as usize).copied().unwrap_or(stored)).collect()
+    };
+    field.morph_normals.iter().map(of_shape).collect()
 }
 
 fn face_normals(mesh: &Mesh, field: &NormalField, replacement: &Replacement) -> Vec<DVec3> {
@@ -112,7 +115,7 @@ impl NormalField {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{ColumnIndex, Columns, Faces, MeshBuilder, NONE};
+    use crate::mesh::{ColumnIndex, Columns, Faces, MeshBuilder};
     use crate::normals::compute::compute;
     use crate::normals::recipe::NormalRecipe;
 
