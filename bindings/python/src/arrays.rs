@@ -236,7 +236,11 @@ pub fn output<'py, T: Element>(
     given: Option<&Bound<'py, PyAny>>,
     n: usize,
 ) -> PyResult<PyReadwriteArray2<'py, T>> {
-    let Some(given) = given else { return Ok(PyArray2::zeros(py, [n, 3], false).readwrite()) };
+    let Some(given) = given else {
+        // Without zeros, which a result overwrites.
+        let empty = py.import("numpy")?.call_method1("empty", ((n, 3), dtype::<T>(py)))?;
+        return Ok(empty.cast_into::<PyArray2<T>>()?.readwrite());
+    };
     let fits = given.cast::<PyArray2<T>>().ok().filter(|out| out.shape() == [n, 3] && out.is_c_contiguous());
     let Some(out) = fits else {
         let expected = dtype::<T>(py);

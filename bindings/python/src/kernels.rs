@@ -3,6 +3,7 @@
 use crate::arrays::{FaceArrays, Number, Vertices, check_finite, from_rows, output, rows, wrong};
 use crate::faults::fault_array;
 use crate::recipe::{WeldArgument, averaging, crease_angle};
+use crate::scratch::with_scratch;
 use crate::threads::{interruptible, without_lock};
 use crease::mesh::{ColumnIndex, Mesh, MeshBuilder, Weld};
 use crease::normals::{
@@ -310,8 +311,9 @@ fn of_vertices<'py, T: Number + Into<f64>>(
     let faults = match faces.as_triangles().filter(|_| !averaging.weight.is_fit()) {
         Some(triangles) => without_lock(py, threads, || {
             check_finite(points)?;
-            normals::vertex_normals(points, triangles, averaging, &mut Scratch::new(), normals)
-                .map_err(Refusal::from)
+            let compute =
+                |scratch: &mut _| normals::vertex_normals(points, triangles, averaging, scratch, normals);
+            with_scratch(points.len(), compute).map_err(Refusal::from)
         })?
         .map_err(|refusal| refusal.exception(faces, points.len()))?,
         None => {
@@ -350,7 +352,8 @@ fn of_faces<'py, T: Number + Into<f64>>(
     let faults = match faces.as_triangles() {
         Some(triangles) => without_lock(py, threads, || {
             check_finite(points)?;
-            normals::face_normals(points, triangles, &mut Scratch::new(), normals).map_err(Refusal::from)
+            let compute = |scratch: &mut _| normals::face_normals(points, triangles, scratch, normals);
+            with_scratch(triangles.len(), compute).map_err(Refusal::from)
         })?
         .map_err(|refusal| refusal.exception(faces, points.len()))?,
         None => {

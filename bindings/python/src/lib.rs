@@ -14,6 +14,7 @@ mod kernels;
 mod mesh_file;
 // Names and angles in arguments.
 mod recipe;
+mod scratch;
 // Threads, the interpreter lock and Ctrl-C.
 mod threads;
 // Diagnosis, pictures, plans, and the program as a whole.

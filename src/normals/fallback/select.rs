@@ -3,6 +3,7 @@
 use crate::mesh::{Column, Mesh, NONE};
 use crate::normals::fallback::replace::{Broken, Replacement, When, replace};
 use crate::normals::field::NormalField;
+use crate::num::UnitVec3;
 use glam::DVec3;
 
 /// Normals as they are written and drawn, on the faces of the mesh that they were computed for.
@@ -60,7 +61,7 @@ pub fn select(mesh: &Mesh, field: NormalField, when: When) -> Selection {
 }
 
 /// The normals of morphed shapes for every value: that of its entry, or, for a stored value, of the entry of the
-/// first corner that uses it. A stored value that no corner uses stays as it is.
+/// first corner that uses it. A stored value that no corner uses keeps its direction.
 fn morph_normals(mesh: &Mesh, field: &NormalField, replacement: &Replacement) -> Vec<Vec<DVec3>> {
     if field.morph_normals.is_empty() {
         return Vec::new();
@@ -74,9 +75,12 @@ fn morph_normals(mesh: &Mesh, field: &NormalField, replacement: &Replacement) ->
             entry_of_value[value as usize] = entry;
         }
     }
+    let direction = |stored: DVec3| UnitVec3::new(stored).map_or(DVec3::Z, UnitVec3::get);
     let of_shape = |shape: &Vec<DVec3>| {
         let entries = entry_of_value.iter().zip(&replacement.normals.values);
-        entries.map(|(&entry, &stored)| shape.get(entry as usize).copied().unwrap_or(stored)).collect()
+        let normal =
+            |(&entry, &stored)| shape.get(entry as usize).copied().unwrap_or_else(|| direction(stored));
+        entries.map(normal).collect()
     };
     field.morph_normals.iter().map(of_shape).collect()
 }
