@@ -321,8 +321,8 @@ fn morph_targets_without_faces_keep_their_normals() {
     let revision = revise(&loaded, &task, Some(Format::Glb), &|_| {});
     assert_eq!(revision.edits[0].faces.dropped.len(), 128);
     for normals in &revision.edits[0].morph_normals {
-        let angles = normals.iter().zip(&stored.values).map(|(normal, stored)| normal.angle_between(*stored));
-        assert!(normals.iter().all(|normal| normal.is_normalized()) && angles.fold(0.0, f64::max) < 1e-6);
+        // The stored ones are rounded to single precision.
+        assert!(normals.iter().zip(&stored.values).all(|(normal, stored)| normal.distance(*stored) < 1e-6));
     }
 }
 

@@ -8,6 +8,10 @@ use std::thread;
 /// The stack of a thread in bytes, as large as that of a program on most systems.
 const STACK: usize = 8 << 20;
 
+/// An item that needs fewer bytes than this is processed on one thread: waking the others takes longer than the work. A mesh of a few
+/// thousand triangles needs as much.
+const SMALL: u64 = 1 << 20;
+
 /// How many inputs are processed at the same time.
 #[derive(Clone, Copy, Debug)]
 pub struct Jobs {
@@ -108,8 +112,13 @@ impl Jobs {
         let queue = Queue { needs, memory: self.memory, state: Mutex::default(), changed: Condvar::new() };
         let (sender, receiver) = mpsc::channel();
         let work_off = |sender: mpsc::Sender<(usize, R)>| {
+            let mut alone = None;
             while let Some(turn) = queue.next() {
-                let result = work(&items[turn.number], &turn);
+                let work = || work(&items[turn.number], &turn);
+                let result = match needs[turn.number] {
+                    ..SMALL => alone.get_or_insert_with(one_thread).install(work),
+                    _ => work(),
+                };
                 // Without a receiver the batch has ended.
                 let _ = sender.send((turn.number, result));
             }
@@ -134,6 +143,12 @@ impl Jobs {
             }
         });
     }
+}
+
+/// A pool in which loops are not divided.
+fn one_thread() -> rayon::ThreadPool {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).stack_size(STACK);
+    pool.build().expect("the system has no more threads")
 }
 
 #[cfg(test)]

@@ -352,7 +352,7 @@ pub fn forgive_broken_pipe(result: io::Result<()>) -> io::Result<()> {
 }
 
 /// The file behind a chain of links, which need not exist yet.
-fn follow_links(path: &Path) -> Result<PathBuf> {
+pub fn follow_links(path: &Path) -> Result<PathBuf> {
     // As many steps as Linux takes before it calls a chain endless.
     const LONGEST: usize = 40;
     let mut path = path.to_path_buf();

@@ -1,27 +1,29 @@
 //! No output may replace an input or another output.
 
-use super::output::resolve_parent;
-use std::collections::BTreeMap;
+use super::output::{follow_links, resolve_parent};
+use std::cell::RefCell;
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 /// The files that a run reads and writes.
 pub struct Files<'a> {
-    inputs: BTreeMap<PathBuf, &'a Path>,
+    folders: Folders,
+    inputs: HashMap<PathBuf, &'a Path>,
     /// Each output with the name of what it is made of.
-    outputs: BTreeMap<PathBuf, String>,
+    outputs: HashMap<PathBuf, String>,
 }
 
 impl<'a> Files<'a> {
-    /// Inputs that do not exist are reported when they are read.
     pub fn read(inputs: impl IntoIterator<Item = &'a Path>) -> Self {
-        let real = |path: &'a Path| Some((path.canonicalize().ok()?, path));
-        Self { inputs: inputs.into_iter().filter_map(real).collect(), outputs: BTreeMap::new() }
+        let folders = Folders::default();
+        let inputs = inputs.into_iter().map(|path| (folders.resolve(path), path)).collect();
+        Self { folders, inputs, outputs: HashMap::new() }
     }
 
     /// # Errors
     /// If the output is an input.
     pub fn check(&self, output: &Path) -> Result<(), String> {
-        match self.inputs.get(&resolve_parent(output)) {
+        match self.inputs.get(&self.folders.resolve(output)) {
             Some(input) => {
                 let input = input.display();
                 Err(format!("this would overwrite the input {input}\nhelp: name another output"))
@@ -35,8 +37,67 @@ impl<'a> Files<'a> {
     /// # Errors
     /// If it is another output too.
     pub fn write(&mut self, output: &Path, of: String) -> Result<(), String> {
-        let Some(other) = self.outputs.insert(resolve_parent(output), of.clone()) else { return Ok(()) };
+        let output_file = self.folders.resolve(output);
+        let Some(other) = self.outputs.insert(output_file, of.clone()) else { return Ok(()) };
         let both = if other == of { "two outputs".into() } else { format!("{other} and {of}") };
         Err(format!("{both} would both be written to {}\nhelp: name a file for each", output.display()))
+    }
+}
+
+/// Folders without symbolic links; `None` if they do not exist. Millions of files are in few folders, and each access to shared
+/// storage takes time.
+#[derive(Default)]
+struct Folders(RefCell<HashMap<PathBuf, Option<PathBuf>>>);
+
+impl Folders {
+    /// A path without symbolic links, whether or not the file exists.
+    fn resolve(&self, path: &Path) -> PathBuf {
+        let (Some(parent), Some(name)) = (path.parent(), path.file_name()) else {
+            return resolve_parent(path);
+        };
+        let mut known = self.0.borrow_mut();
+        if !known.contains_key(parent) {
+            let folder = if parent.as_os_str().is_empty() { Path::new(".") } else { parent };
+            known.insert(parent.to_owned(), folder.canonicalize().ok());
+        }
+        let Some(folder) = &known[parent] else { return path.to_owned() };
+        let file = folder.join(name);
+        match file.read_link() {
+            Ok(_) => resolve_parent(&follow_links(&file).unwrap_or(file)),
+            Err(_) => file,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    #[cfg(unix)]
+    #[test]
+    fn a_file_is_recognised_by_all_its_paths() {
+        let folder = tempfile::tempdir().unwrap();
+        let root = folder.path();
+        fs::create_dir_all(root.join("a/b")).unwrap();
+        fs::write(root.join("a/in.obj"), "").unwrap();
+        std::os::unix::fs::symlink("a", root.join("link")).unwrap();
+        std::os::unix::fs::symlink("a/in.obj", root.join("also.obj")).unwrap();
+        std::os::unix::fs::symlink("a/new.obj", root.join("later.obj")).unwrap();
+        let input = root.join("a/in.obj");
+        let mut files = Files::read([input.as_path()]);
+        for path in ["a/in.obj", "a/b/../in.obj", "link/in.obj", "also.obj", "link/b/../in.obj"] {
+            assert!(files.check(&root.join(path)).is_err(), "{path}");
+        }
+        for path in ["a/other.obj", "in.obj", "none/in.obj"] {
+            files.check(&root.join(path)).unwrap();
+        }
+        files.write(&root.join("a/new.obj"), "x".into()).unwrap();
+        assert!(files.write(&root.join("later.obj"), "y".into()).is_err());
+        files.write(&root.join("none/new.obj"), "x".into()).unwrap();
+        assert!(files.write(&root.join("none/new.obj"), "y".into()).is_err());
+        assert!(Files::read([root.join("also.obj").as_path()]).check(&input).is_err());
+        // The working folder has no name in a path.
+        assert!(Files::read([Path::new("in.obj")]).check(Path::new("./in.obj")).is_err());
     }
 }
