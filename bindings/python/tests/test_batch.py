@@ -107,6 +107,14 @@ def test_urls_are_read_and_written_with_their_companions(work):
     assert run() == {"done": 2, "skipped": 1}
 
 
+def test_a_cluster_that_is_not_there_is_a_usage_error(work, monkeypatch, capsys):
+    pytest.importorskip("ray")
+    monkeypatch.delenv("RAY_ADDRESS", raising=False)
+    with pytest.raises(SystemExit) as end:
+        batch.main(["--manifest", "list", "--out", "out", "--ray", "auto"])
+    assert end.value.code == 2 and "`ray start --head`" in capsys.readouterr().err
+
+
 def test_a_killed_worker_of_a_cluster_loses_nothing(work):
     ray = pytest.importorskip("ray")
     expected = alone("--crease", "30")

@@ -274,7 +274,11 @@ def on_ray(all_chunks: Iterator[Chunk], address: str, retries: int) -> Iterator[
     import ray
 
     if not ray.is_initialized():
-        ray.init(address=None if address == "local" else address, log_to_driver=False)
+        try:
+            ray.init(address=None if address == "local" else address, log_to_driver=False)
+        except ConnectionError as error:
+            advice = "start one with `ray start --head`, or choose --ray local"
+            raise ValueError(f"no Ray cluster at the address {address!r}: {advice}") from error
     task = ray.remote(max_retries=retries, retry_exceptions=[RuntimeError])(run_chunk)
     most = 2 * max(1, int(ray.cluster_resources().get("CPU", 1)))
     pending: dict[Any, Chunk] = {}
