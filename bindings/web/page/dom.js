@@ -41,6 +41,11 @@ export function subscripted(words) {
   return element('span', {}, ...parts.map((part, k) => (k % 2 ? element('sub', {}, part) : part)));
 }
 
+/** Text in which names and commands are between backquotes. @param {string} words */
+export function withCode(words) {
+  return element('p', {}, ...words.split('`').map((part, k) => (k % 2 ? element('code', {}, part) : part)));
+}
+
 let ids = 0;
 const nextId = () => `c${++ids}`;
 

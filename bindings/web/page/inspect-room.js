@@ -1,6 +1,6 @@
 // The room Inspect: the findings of a mesh, each turning the view to its place.
 
-import { button, commandBlock, drawing, element, slider, group } from './dom.js';
+import { button, commandBlock, drawing, element, group, slider, withCode } from './dom.js';
 import { currentLanguage, number, text } from './texts.js';
 import { draggable, figure, put, stageWidth } from './canvas.js';
 import { meshGroup, viewOf } from './mesh-controls.js';
@@ -64,8 +64,8 @@ export function inspectRoom(lab) {
       return element('details', { class: `finding ${finding.severity}` },
         element('summary', {}, element('span', { class: `role ${finding.severity}` }, text(`severity-${finding.severity}`)),
           ' ', element('strong', {}, finding.title[currentLanguage()]), ` ${amount}`),
-        details ? element('p', {}, `${details[0].toUpperCase()}${details.slice(1)}.`) : null,
-        element('p', {}, finding.meaning[currentLanguage()]), element('p', {}, finding.advice[currentLanguage()]),
+        details ? withCode(`${details[0].toUpperCase()}${details.slice(1)}.`) : null,
+        withCode(finding.meaning[currentLanguage()]), withCode(finding.advice[currentLanguage()]),
         places.length ? element('div', { class: 'buttons' }, ...places) : null,
         finding.command ? commandBlock([finding.command]) : null);
     }));

@@ -102,6 +102,18 @@ await test('each room opens from disk: no message on the console, no request', a
   await close();
 });
 
+await test('findings have no marks of Markdown', async () => {
+  const { page, close } = await open('#room=inspect');
+  let findings = 0;
+  for (const subject of ['gear', 'bracket', 'leaf', 'teapot']) {
+    await go(page, `#room=inspect&subject=${subject}`);
+    findings += await page.locator('details.finding').count();
+    assert.ok(!(await page.textContent('.room')).includes('`'), subject);
+  }
+  assert.ok(findings > 0);
+  await close();
+});
+
 await test(SAME_BITS, async () => {
   const { page, close } = await open('#room=exercises');
   const requests = JSON.parse(readFileSync(`${here}/tests/requests.json`, 'utf8'));

@@ -54,6 +54,7 @@ fn every_fault_is_reported_with_its_line_and_key() {
         ("[camera]\neye = \"a\"\n", &["found string \"a\", expected a list"]),
         ("[settings]\ndepth-cue = -1\n", &["found -1;"]),
         ("[camera]\neye = [0, 0, 1]\n", &["`camera`", "target"]),
+        ("[light.ambient]\ncolour = 1\n", &["`light.ambient`: found a table", "write `[[light.ambient]]`"]),
         ("[[light.ambient]]\ncolour = [1, 2]\n", &["line 4: `light.ambient.colour`", "3 linear"]),
         ("[[light.ambient]]\ncolour = \"blue\"\n", &["line 4: `light.ambient.colour`"]),
         ("[settings]\nsize = [0, 480]\n", &["line 4: `settings.size`", "1 to 16384"]),

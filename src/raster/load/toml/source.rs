@@ -81,7 +81,13 @@ impl Source<'_> {
             Some(value) if message.starts_with("expected") => format!("`{value}`: {message}"),
             _ => message,
         };
-        ReadError { problem: Problem::Syntax, ..self.error(&span, &found, "") }
+        let advice = match self.key(&span) {
+            Some(key) if found == "found a table, expected a list" => {
+                format!("write `[[{key}]]`: there may be several")
+            }
+            _ => String::new(),
+        };
+        ReadError { problem: Problem::Syntax, ..self.error(&span, &found, &advice) }
     }
 
     pub(super) fn error(self, span: &Range<usize>, found: &str, advice: &str) -> ReadError {
