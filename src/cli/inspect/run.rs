@@ -223,6 +223,7 @@ fn draw(
             after,
             sight: *view,
             language: args.findings.lang.unwrap_or_default(),
+            thresholds,
         };
         let page = page.html(loaded, diagnosis).map_err(Failure::input)?;
         report.written.push(("page", Target::of(path).store(page.into_bytes())?));

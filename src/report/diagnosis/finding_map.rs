@@ -2,7 +2,7 @@
 //!
 //! A colour fades to grey with the angle, so that interpolated colours are those of interpolated angles.
 
-use super::legend::coded;
+use super::legend::{Marks, coded};
 use super::markers::{HeatScale, dot_lines, end_above, is_small, longest_edge};
 use super::model::{Model, draw};
 use super::texts::Texts;
@@ -104,36 +104,66 @@ pub(super) fn finding_picture(
     (sight, side): (Sight, u32),
     texts: Texts,
 ) -> Result<Picture> {
-    let all: Vec<&Finding> =
-        diagnosis.findings.iter().filter(|it| with_notes || it.severity > Severity::Note).collect();
-    let shown = &all[..all.len().min(COLOURS.len())];
-    let kinds: Vec<_> = shown.iter().map(|finding| finding.kind).collect();
-    let found = if kinds.is_empty() { Vec::new() } else { occurrences(loaded, thresholds, &kinds) };
-    let layers: Vec<Layer> = shown
-        .iter()
-        .zip(found)
-        .zip(COLOURS)
-        .map(|((finding, found), colour)| Layer::new(finding, found, colour))
-        .collect();
+    let map = FindingMap::new(loaded, (diagnosis, thresholds), with_notes);
     let surveys = survey(loaded);
     let model = Model::new(loaded, &surveys, HeatScale::of(surveys.iter()))?;
-    let sites = sites(loaded, &layers);
+    let sites = sites(loaded, &map.layers);
     let camera = camera_of_sites(&model, &sites, sight).ok_or(ReportError::Empty)?;
-    let colours = corner_colours(&model, &layers, &camera);
-    let mut scene = model.coloured(camera, &colours);
-    let scale = (f64::from(side) / 480.0).max(1.0);
-    for layer in layers.iter().rev() {
-        scene.lines.extend(edges(&model, layer, LINE * scale));
-        scene.lines.extend(dots(&model, loaded, layer, &camera, side));
+    Ok(map.draw(&model, loaded, (camera, side), texts)?.0)
+}
+
+/// Findings that are shown in a map.
+pub(super) struct FindingMap<'a> {
+    layers: Vec<Layer<'a>>,
+    /// How many findings there are beyond the colours.
+    omitted: usize,
+}
+
+impl<'a> FindingMap<'a> {
+    pub(super) fn new(
+        loaded: &Loaded,
+        (diagnosis, thresholds): (&'a Diagnosis, &Thresholds),
+        with_notes: bool,
+    ) -> Self {
+        let all = diagnosis.findings.iter().filter(|it| with_notes || it.severity > Severity::Note);
+        let all: Vec<&Finding> = all.collect();
+        let shown = &all[..all.len().min(COLOURS.len())];
+        let kinds: Vec<_> = shown.iter().map(|finding| finding.kind).collect();
+        let found = if kinds.is_empty() { Vec::new() } else { occurrences(loaded, thresholds, &kinds) };
+        let layers = shown.iter().zip(found).zip(COLOURS);
+        let layers = layers.map(|((finding, found), colour)| Layer::new(finding, found, colour)).collect();
+        Self { layers, omitted: all.len() - shown.len() }
     }
-    let mut picture = draw(&scene, side, Show::Shaded)?;
-    let worst: Vec<&Site> = shown.iter().filter_map(|finding| finding.places.first()).collect();
-    let marks = model.mark_worst(&mut picture, &camera, side, &worst);
-    let mut legend = legend(&layers, all.len() - shown.len(), texts);
-    if marks.rings || marks.hidden {
-        legend.keys.push((Key::Ring, marks.of_rings(texts)));
+
+    /// Whether there is no finding to show.
+    pub(super) fn is_empty(&self) -> bool {
+        self.layers.is_empty()
     }
-    Ok(legend.below(&picture))
+
+    /// The picture with its legend, and the marks on it.
+    pub(super) fn draw(
+        &self,
+        model: &Model,
+        loaded: &Loaded,
+        (camera, side): (Camera, u32),
+        texts: Texts,
+    ) -> Result<(Picture, Marks)> {
+        let colours = corner_colours(model, &self.layers, &camera);
+        let mut scene = model.coloured(camera, &colours);
+        let scale = (f64::from(side) / 480.0).max(1.0);
+        for layer in self.layers.iter().rev() {
+            scene.lines.extend(edges(model, layer, LINE * scale));
+            scene.lines.extend(dots(model, loaded, layer, &camera, side));
+        }
+        let mut picture = draw(&scene, side, Show::Shaded)?;
+        let worst: Vec<&Site> = self.layers.iter().filter_map(|it| it.finding.places.first()).collect();
+        let marks = model.mark_worst(&mut picture, &camera, side, &worst);
+        let mut legend = legend(&self.layers, self.omitted, texts);
+        if marks.rings || marks.hidden {
+            legend.keys.push((Key::Ring, marks.of_rings(texts)));
+        }
+        Ok((legend.below(&picture), marks))
+    }
 }
 
 /// Some positions of each finding, evenly chosen, by the weight of its severity. Edges and vertices count from any side.

@@ -2,6 +2,7 @@
 
 use super::comparison::{self, After};
 use super::deviation::worst_places;
+use super::finding_map::FindingMap;
 use super::histograms::histograms;
 use super::legend::Marks;
 use super::markers::HeatScale;
@@ -12,7 +13,7 @@ use crate::io::Loaded;
 use crate::mesh::Obstacles;
 use crate::num::{powers_of_ten, three_digits};
 use crate::quality::catalogue::Kind;
-use crate::quality::{Diagnosis, Finding, Fix, Severity, Site, survey};
+use crate::quality::{Diagnosis, Finding, Fix, Severity, Site, Thresholds, survey};
 use crate::raster::Camera;
 use crate::report::error::Result;
 use crate::report::html::{Page, with_code};
@@ -41,6 +42,8 @@ pub struct DiagnosisPage<'a> {
     pub sight: Sight,
     /// The language of the texts.
     pub language: Language,
+    /// Those that the findings were found with.
+    pub thresholds: &'a Thresholds,
 }
 
 impl DiagnosisPage<'_> {
@@ -59,7 +62,8 @@ impl DiagnosisPage<'_> {
             .in_language(self.language.tag(), &texts.get("contents"))
             .set_by(with_code);
         let camera = camera(&model, diagnosis, self.after.map(|after| after.comparison), self.sight);
-        let top = overview(&mut page, &model, diagnosis, camera, texts)?;
+        let map = FindingMap::new(loaded, (diagnosis, self.thresholds), false);
+        let top = overview(&mut page, (&model, loaded), (diagnosis, &map), camera, texts)?;
         if let Some(fix) = self.fix {
             page.paragraph(&fix_text(fix, diagnosis, texts));
             page.push(html! { pre { code { (fix.command) } } });
@@ -68,6 +72,11 @@ impl DiagnosisPage<'_> {
             comparison::section(&mut page, &model, after, &later, camera, texts)?;
         }
         weightings(&mut page, diagnosis, texts);
+        if let Some(camera) = camera.filter(|_| !map.is_empty()) {
+            let (heat, marks) = model.deviation("", camera, OVERVIEW, &worst_places(diagnosis), texts)?;
+            let words = caption("caption-of-deviations", marks, diagnosis, texts);
+            page.pictures(&[(&heat, &deviations_in_words(&model, texts))], &words)?;
+        }
         let obstacles = model.obstacles();
         let mut drawn = 0;
         for finding in &diagnosis.findings {
@@ -136,10 +145,12 @@ fn fix_text(fix: &Fix, diagnosis: &Diagnosis, texts: Texts) -> String {
 }
 
 /// The pictures of the whole and the list of findings. Returns the id of its heading.
+///
+/// The first picture has the errors and warnings, or the deviation of stored normals if there are none.
 fn overview(
     page: &mut Page,
-    model: &Model,
-    diagnosis: &Diagnosis,
+    (model, loaded): (&Model, &Loaded),
+    (diagnosis, map): (&Diagnosis, &FindingMap<'_>),
     camera: Option<Camera>,
     texts: Texts,
 ) -> Result<String> {
@@ -148,14 +159,23 @@ fn overview(
         page.paragraph(&texts.get("there-is-nothing"));
         return Ok(top);
     };
-    let (heat, marks) = model.deviation("", camera, OVERVIEW, &worst_places(diagnosis), texts)?;
+    let ((first, marks), in_words, words) = match map.is_empty() {
+        true => {
+            let heat = model.deviation("", camera, OVERVIEW, &[], texts)?;
+            (heat, deviations_in_words(model, texts), "overview-caption")
+        }
+        false => {
+            let found = map.draw(model, loaded, (camera, OVERVIEW), texts)?;
+            (found, texts.get("findings-alternative"), "overview-caption-findings")
+        }
+    };
     let (facing, creases) = (model.facing(camera, OVERVIEW)?, model.creases(camera, OVERVIEW)?);
     let pictures: [(&Picture, &str); 3] = [
-        (&heat, &texts.with("heat-alternative", &[("scale", model.scale.words(texts).into())])),
+        (&first, &in_words),
         (&facing, &texts.get("facing-alternative")),
         (&creases, &texts.get("creases-alternative")),
     ];
-    page.pictures(&pictures, &caption(marks, diagnosis, texts))?;
+    page.pictures(&pictures, &caption(words, marks, diagnosis, texts))?;
     if !diagnosis.findings.is_empty() {
         page.push(html! { ul { @for finding in &diagnosis.findings {
             @let id = finding.kind.id();
@@ -165,18 +185,24 @@ fn overview(
     Ok(top)
 }
 
-fn caption(marks: Marks, diagnosis: &Diagnosis, texts: Texts) -> String {
+/// The alternative text of a picture of deviations.
+fn deviations_in_words(model: &Model, texts: Texts) -> String {
+    texts.with("heat-alternative", &[("scale", model.scale.words(texts).into())])
+}
+
+fn caption(key: &str, marks: Marks, diagnosis: &Diagnosis, texts: Texts) -> String {
+    let is_of_deviations = key != "overview-caption-findings";
     let of_edges = [Kind::AveragedCrease, Kind::SplitSeam, Kind::GroupMismatch];
     let marks = [
         (marks.dots, "marks-dots"),
-        (of_edges.iter().any(|&kind| diagnosis.get(kind).is_some()), "marks-edges"),
+        (is_of_deviations && of_edges.iter().any(|&kind| diagnosis.get(kind).is_some()), "marks-edges"),
         (marks.lines, "marks-lines"),
         (marks.rings, "marks-rings"),
         (marks.hidden, "marks-hidden"),
     ];
     let shown = marks.into_iter().filter(|(is_shown, _)| *is_shown);
     let shown: String = shown.map(|(_, key)| texts.get(key)).collect();
-    texts.with("overview-caption", &[("marks", shown.into())])
+    texts.with(key, &[("marks", shown.into())])
 }
 
 fn weightings(page: &mut Page, diagnosis: &Diagnosis, texts: Texts) {

@@ -8,6 +8,11 @@ overview-caption =
     First: angle between stored normals and normals computed with the estimated recipe{ $marks }. Second: front faces
     light blue, back faces dark red. Third: the shaded mesh, with orange lines at edges whose two sides have different
     normals.
+overview-caption-findings =
+    First: errors and warnings, each in a colour of its own{ $marks }. Second: front faces light blue, back faces dark red.
+    Third: the shaded mesh, with orange lines at edges whose two sides have different normals.
+caption-of-deviations = The angle between stored normals and normals computed with the estimated recipe{ $marks }.
+findings-alternative = the shaded mesh with each error and warning in a colour of its own
 marks-dots = ; dots mark large deviations on faces too small to be visible
 marks-edges =
     ; all corners deviate at edges whose smoothing does not match the estimated crease angle (see the findings)

@@ -8,6 +8,11 @@ overview-caption =
     Primeira: ângulo entre as normais gravadas e as calculadas com a receita estimada{ $marks }. Segunda: frente das faces em
     azul-claro, verso em vermelho-escuro. Terceira: a malha tonalizada, com linhas laranja nas arestas cujos dois lados têm
     normais diferentes.
+overview-caption-findings =
+    Primeira: erros e avisos, cada um em uma cor própria{ $marks }. Segunda: frente das faces em azul-claro, verso em
+    vermelho-escuro. Terceira: a malha tonalizada, com linhas laranja nas arestas cujos dois lados têm normais diferentes.
+caption-of-deviations = O ângulo entre as normais gravadas e as calculadas com a receita estimada{ $marks }.
+findings-alternative = a malha tonalizada com cada erro e aviso em uma cor própria
 marks-dots = ; pontos marcam desvios grandes em faces pequenas demais para serem visíveis
 marks-edges =
     ; todos os cantos desviam em arestas cuja suavização não corresponde ao ângulo de vinco estimado (veja os achados)

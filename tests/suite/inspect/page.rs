@@ -43,6 +43,7 @@ fn the_page_of_a_fault_is_whole() {
             after: None,
             sight: Sight::Auto,
             language,
+            thresholds: &Thresholds::default(),
         };
         check(&page.html(&file, &diagnosis).unwrap(), &diagnosis, language);
     }
@@ -242,6 +243,7 @@ fn names_in_pages_are_code() {
         after: None,
         sight: Sight::Auto,
         language: Language::English,
+        thresholds: &Thresholds::default(),
     };
     let page = page.html(&file, &diagnosis).unwrap();
     assert!(diagnosis.get(Kind::Custom).is_some());
