@@ -43,6 +43,31 @@ def row(name, files, jobs, seconds, memory):
     print(f"| {name} | {len(files)} | {jobs or ''} | {seconds:.2f} | {rates} | {memory / 1e6:.0f} |", flush=True)
 
 
+def merge(folder, small):
+    """Seconds to merge ten journals."""
+    text = (folder / "journal").read_text()
+    journals = [folder / f"journal-{number}" for number in range(10)]
+    for number, journal in enumerate(journals):
+        journal.write_text(text.replace('"input":"', f'"input":"{number}'))
+    with open(folder / "merged", "wb") as merged:
+        start = time.perf_counter()
+        subprocess.run([CREASE, "journal", "merge", *journals], stdout=merged, check=True)
+        seconds = time.perf_counter() - start
+    notes.append(f"journal: {len(text) / small:.0f} bytes a file; merging {10 * small / seconds:.0f} lines a second")
+
+
+def share(folder, lines):
+    """Seconds and memory for an empty share of a long list."""
+    with open(folder / "long", "w") as long:
+        long.writelines(f"set-{number // 1000}/{number}.obj\n" for number in range(lines))
+    words = ["normals", "--manifest", folder / "long", "--out-dir", folder / "out", "--to", "glb", "--dry-run", "-q"]
+    seconds, memory = run(*words, "--shard", f"0/{1 << 62}")
+    notes.append(f"a share without files of a list of {lines} lines: {seconds:.1f} s, {memory / 1e6:.0f} MB")
+
+
+notes = []
+
+
 def main():
     small, large = map(int, [*sys.argv[1:3], *["10000", "20"][len(sys.argv) - 1 :]])
     with tempfile.TemporaryDirectory() as name:
@@ -63,12 +88,16 @@ def main():
                 row("small", few[:count], jobs, *batch(few[:count], folder, jobs, *journal))
         again = run("normals", "--manifest", folder / "list", "--out-dir", folder / "out", "--to", "glb", "-q", *journal)
         row("small, again", few, 0, *again)
+        merge(folder, small)
+        share(folder, 100 * small)
         many = [folder / f"large-{number}.glb" for number in range(large)]
         run("surface", "torus", "--segments", "1000x500", "-o", many[0], "-q")
         for file in many[1:]:
             shutil.copyfile(many[0], file)
         for jobs in (1, 2):
             row("large", many, jobs, *batch(many, folder, jobs, "--crease", "off"))
+    print()
+    print(*notes, sep="\n")
 
 
 if __name__ == "__main__":

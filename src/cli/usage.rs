@@ -2,6 +2,7 @@
 
 use super::common::console::{Console, HELP};
 use super::common::failure::{Exit, Failure, FailureKind};
+use super::common::nearest::did_you_mean;
 use super::common::options::{Color, RunArgs};
 use clap::Error;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
@@ -70,10 +71,13 @@ fn refusal(error: &Error, verb: &str) -> (String, String) {
         ErrorKind::UnknownArgument => {
             (format!("unexpected argument {argument:?}"), see(verb, "lists the arguments"))
         }
-        ErrorKind::InvalidSubcommand => (
-            format!("unknown verb {:?}", one(ContextKind::InvalidSubcommand)),
-            or_similar(&one(ContextKind::SuggestedSubcommand), verbs),
-        ),
+        ErrorKind::InvalidSubcommand => {
+            let word = one(ContextKind::InvalidSubcommand);
+            // Clap's own list is not in the order of similarity.
+            let similar = all(ContextKind::SuggestedSubcommand);
+            let similar = did_you_mean(&word, similar.iter().map(String::as_str));
+            (format!("unknown verb {word:?}"), format!("{similar}{verbs}"))
+        }
         ErrorKind::MissingSubcommand => ("no verb is given".into(), verbs),
         ErrorKind::MissingRequiredArgument => {
             let missing = all(ContextKind::InvalidArg);
@@ -171,6 +175,11 @@ mod tests {
                 "crease normls",
                 "unknown verb \"normls\" / did you mean normals? `crease --help` lists the verbs",
             ),
+            (
+                "crease nrmals",
+                "unknown verb \"nrmals\" / did you mean normals? `crease --help` lists the verbs",
+            ),
+            ("crease stres", "unknown verb \"stres\" / did you mean stress? `crease --help` lists the verbs"),
             ("crease --color never", "no verb is given / `crease --help` lists the verbs"),
             ("crease normals", "<INPUT>... is required / usage: crease normals "),
             ("crease normals a -q -v", "--quiet cannot be used with --verbose / omit one of them"),

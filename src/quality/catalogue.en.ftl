@@ -1,7 +1,7 @@
 no-normals-title = no normals are stored
 no-normals-meaning =
-    Viewers compute their own. The glTF standard requires flat normals, but some viewers smooth everything. So the same
-    file looks faceted in one and soft in another.
+    Each viewer computes its own: the glTF standard requires flat normals, but some viewers smooth everything. So the
+    same file looks faceted in one and soft in another.
 no-normals-advice = Store normals, so that the file looks the same everywhere.
 
 missing-normals-title = some corners have no normal
@@ -89,11 +89,10 @@ custom-normals-advice = Keep them: `--when missing` and `--when broken` leave th
 
 faceted-normals-title = flat normals on a smooth shape
 faceted-normals-meaning =
-    Every face has its own normal, although the dihedral angles of most edges are small. Each facet is visible, and
-    each vertex is stored once for every face.
+    Every face has its own normal, although the dihedral angles of most edges are small: each facet is visible.
 faceted-normals-advice =
-    Compute smooth normals, unless the facets are intended. An STL always looks faceted and is not reported: the format
-    stores facet normals only. Convert it to GLB: `crease normals part.stl -o part.glb`.
+    Compute smooth normals, unless the facets are intended. An STL, which stores facet normals only, always looks
+    faceted and is not reported: convert it with `crease normals part.stl -o part.glb`.
 
 soft-normals-title = smooth normals on a shape with sharp edges
 soft-normals-meaning =

@@ -90,11 +90,11 @@ custom-normals-advice = Mantenha-os: `--when missing` e `--when broken` não os 
 
 faceted-normals-title = normais de face em uma forma suave
 faceted-normals-meaning =
-    Cada face tem um vetor normal próprio, embora os ângulos diedros da maioria das arestas sejam pequenos. Cada faceta
-    é visível, e cada vértice é armazenado uma vez por face.
+    Cada face tem um vetor normal próprio, embora os ângulos diedros da maioria das arestas sejam pequenos: cada faceta é
+    visível.
 faceted-normals-advice =
-    Calcule normais suaves, a menos que as facetas sejam intencionais. Um STL sempre parece facetado e não é relatado:
-    o formato só armazena normais de faces. Converta-o para GLB: `crease normals part.stl -o part.glb`.
+    Calcule normais suaves, a menos que as facetas sejam intencionais. Um STL, que só armazena normais de faces, sempre
+    parece facetado e não é relatado: converta-o com `crease normals part.stl -o part.glb`.
 
 soft-normals-title = normais suaves em uma forma com arestas vivas
 soft-normals-meaning =

@@ -218,7 +218,7 @@ impl Animation {
             picture.check("GIF", Self::LARGEST, None)?;
             let (found, first) = (picture.size, *first.get_or_insert(picture.size));
             if found != first {
-                return Err(ReportError::Frame { number: number + 1, found, first }.into());
+                return Err(ReportError::Frame { number, found, first }.into());
             }
             let pixels = picture.into_eight_bits();
             count.add(&pixels);
@@ -308,7 +308,7 @@ mod tests {
             0 => frame(0),
             _ => Picture::filled([7, 8], true, [0.0; 3]),
         };
-        assert!(matches!(gif(2, other), Err(ReportError::Frame { number: 2, .. })));
+        assert!(matches!(gif(2, other), Err(ReportError::Frame { number: 1, .. })));
     }
 
     fn palette(pictures: &[&[[u8; 3]]]) -> Palette {

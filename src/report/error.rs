@@ -23,7 +23,7 @@ pub enum ReportError {
     /// Frames of an animation that do not match its first one.
     #[error("frame {number} is {found:?} pixels, the first one {first:?}")]
     Frame {
-        /// Which frame, counted from 1.
+        /// Which frame, counted from 0.
         number: usize,
         /// Its size.
         found: [u32; 2],

@@ -20,6 +20,37 @@ fn pages() -> Vec<(PathBuf, String)> {
     paths.into_iter().map(|path| (path.clone(), fs::read_to_string(path).unwrap())).collect()
 }
 
+/// Sources that a page names are in the repository. `ID` is a placeholder.
+#[test]
+fn named_sources_exist() {
+    let of = |folder: &str| [".rs", ".ftl"].map(|ending| sources(&root().join(folder), ending)).concat();
+    let all: Vec<String> = ["src", "tests", "benches", "bindings/web/src", "bindings/python/src"]
+        .map(of)
+        .concat()
+        .into_iter()
+        .map(|it| it.0)
+        .collect();
+    let exists = |name: &str| {
+        let inside = format!("/{name}");
+        all.iter().any(|path| format!("/{path}").ends_with(&inside))
+    };
+    let is_source = |code: &&str| {
+        let is_name = code.chars().all(|c| c.is_ascii_alphanumeric() || "_-./".contains(c));
+        is_name && !code.contains("ID") && (code.ends_with(".rs") || code.ends_with(".ftl"))
+    };
+    let (mut missing, mut count) = (Vec::new(), 0);
+    for (page, text) in pages() {
+        for name in text.split('`').skip(1).step_by(2).filter(is_source) {
+            count += 1;
+            if !exists(name) {
+                missing.push(format!("{}: {name}", page.display()));
+            }
+        }
+    }
+    assert!(missing.is_empty() && count >= 40, "{missing:?} of {count}");
+    assert!(exists("src/normals/compute.rs") && exists("creases/fans.rs") && !exists("no_such_file.rs"));
+}
+
 /// All files of a kind below a folder, with their paths from the root.
 fn sources(folder: &Path, ending: &str) -> Vec<(String, String)> {
     let mut found = Vec::new();

@@ -55,8 +55,8 @@ flicker-caption =
     { $is-cured ->
         [yes]
             Luminance of the brightest pixel against rotation. With Gouraud shading it falls and rises with every
-            segment, like the closed form. It is slightly lower than the closed form, because pixel centres are up to
-            half a pixel from the vertex. With Phong shading it is constant.
+            segment, slightly lower than the closed form, because pixel centres are up to half a pixel from the vertex.
+            With Phong shading it is constant.
        *[no]
             Luminance of the brightest pixel against rotation, with Gouraud and Phong shading, and the closed form for
             Gouraud.

@@ -55,8 +55,8 @@ flicker-caption =
     { $is-cured ->
         [yes]
             Luminância do pixel mais claro em função da rotação. Na tonalização de Gouraud, ela cai e sobe a cada
-            segmento, como na fórmula. O valor medido é um pouco menor que o da fórmula, pois os centros dos pixels
-            ficam a até meio pixel do vértice. Na de Phong, ela é constante.
+            segmento, um pouco abaixo da fórmula, pois os centros dos pixels ficam a até meio pixel do vértice. Na de
+            Phong, ela é constante.
        *[no]
             Luminância do pixel mais claro em função da rotação, nas tonalizações de Gouraud e de Phong, e a fórmula
             para Gouraud.

@@ -184,7 +184,9 @@ fn inspect(
     report.seconds.inspect = start.elapsed().as_secs_f64();
     let stem = source.path().map_or("stdin".into(), |path| stem(path).unwrap_or_default());
     let number = if job.number == 1 { String::new() } else { format!("-{}", job.number) };
-    report.fix_as = format!("{stem}-fixed{number}.{}", loaded.format.extension());
+    // 3MF is not written.
+    let format = if loaded.format == Format::ThreeMf { Format::Glb } else { loaded.format };
+    report.fix_as = format!("{stem}-fixed{number}.{}", format.extension());
     let (wanted, names) = (&args.findings, [&*report.input.path, &*report.fix_as]);
     report.fix = diagnosis.fix(|finding| wanted.takes(finding), wanted.names_notes(), names);
     report.hidden = keep_wanted(&mut diagnosis, wanted);

@@ -4,7 +4,7 @@ use super::args::SurfaceArgs;
 use super::report::{MeshReport, SurfaceReport};
 use super::request::Request;
 use crate::cli::common::choice::Choose;
-use crate::cli::common::console::Console;
+use crate::cli::common::console::{Console, HELP};
 use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
 use crate::cli::common::options::Color;
 use crate::cli::common::output::{Store, stem};
@@ -71,15 +71,15 @@ fn placement_note(shape: &Mesh, placed: &Mesh, args: &SurfaceArgs) -> Option<Not
     let size = shape.bounds().map_or(0.0, |(low, high)| ((high - low) * scale).length());
     if size < SMALLEST {
         let text = format!(
-            "the surface is {size:e} wide: doubles near zero have few digits or none; use a larger --scale"
+            "the surface is {size:e} wide: doubles near zero have few digits or none{HELP}use a larger --scale"
         );
         return Some(Note::warning(Place::File, text));
     }
     // As where positions are rounded to 32 bits.
     (largest > size / f64::from(1 << 20)).then(|| {
         let text = format!(
-            "far from the origin, positions are rounded by up to {largest:.3e}, {:.1e} of the surface's size; use a smaller \
-             --offset or a larger --scale",
+            "far from the origin, positions are rounded by up to {largest:.3e}, {:.1e} of the surface's \
+             size{HELP}use a smaller --offset or a larger --scale",
             largest / size
         );
         Note::warning(Place::File, text)

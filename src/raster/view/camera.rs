@@ -34,13 +34,13 @@ pub struct Camera {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum CameraError {
     /// A coordinate, angle, height or distance that is infinite or not a number.
-    #[error("the camera's {0} is not finite; give finite numbers")]
+    #[error("the camera's {0} is not finite")]
     NonFinite(&'static str),
     /// There is no direction to look in.
-    #[error("the camera's eye and target are the same point {0}; move one of them")]
+    #[error("the camera's eye and target are the same point {0}")]
     NoDirection(DVec3),
     /// The picture could be turned any way round its axis.
-    #[error("the camera's up vector {0} is zero or parallel to its axis; give another one")]
+    #[error("the camera's up vector {0} is zero or parallel to its axis")]
     NoUp(DVec3),
     /// The opening angle is not between 0 and 180 degrees.
     #[error("the camera's vertical angle is {0} degrees; it must lie between 0 and 180")]

@@ -248,15 +248,15 @@ impl CameraTable {
         let up = table.up.map_or(DVec3::Y, DVec3::from);
         let camera = Camera { eye, target, up, projection, near: table.near.unwrap_or(near) };
         let error = |error: CameraError| {
-            let names: Vec<&str> = match error {
-                CameraError::NonFinite(field) => field.split(' ').collect(),
-                CameraError::NoDirection(_) => vec!["target"],
-                CameraError::NoUp(_) => vec!["up"],
-                CameraError::Angle(_) => vec!["angle"],
-                CameraError::Height(_) => vec!["height"],
-                CameraError::Near(_) => vec!["near"],
+            let (names, advice): (Vec<&str>, _) = match error {
+                CameraError::NonFinite(field) => (field.split(' ').collect(), "write finite numbers"),
+                CameraError::NoDirection(_) => (vec!["target"], "move one of them"),
+                CameraError::NoUp(_) => (vec!["up"], "choose another `up`"),
+                CameraError::Angle(_) => (vec!["angle"], ""),
+                CameraError::Height(_) => (vec!["height"], ""),
+                CameraError::Near(_) => (vec!["near"], ""),
             };
-            source.error(&source.member(&span, &names), &error.to_string(), "")
+            source.error(&source.member(&span, &names), &error.to_string(), advice)
         };
         camera.check().map(|()| camera).map_err(error)
     }
