@@ -3,7 +3,7 @@
 use crease::normals::Scratch;
 use std::sync::{Mutex, PoisonError};
 
-/// Most elements of a mesh whose memory stays for the next call: 28 bytes for each vertex, about 60 MB.
+/// Most elements of a mesh whose memory stays for the next call. After calls of all kinds on two million elements, 150 MB stay.
 const MOST: usize = 1 << 21;
 
 /// Calls work with the memory of an earlier call, if no other thread uses it. `elements` is the number of results.

@@ -8,8 +8,8 @@ use std::thread;
 /// The stack of a thread in bytes, as large as that of a program on most systems.
 const STACK: usize = 8 << 20;
 
-/// An item that needs fewer bytes than this is processed on one thread: waking the others takes longer than the work. A mesh of a few
-/// thousand triangles needs as much.
+/// An item that needs fewer bytes than this is processed on one thread if other items keep the other threads busy: waking them takes
+/// longer than the work. A mesh of a few thousand triangles needs as much.
 const SMALL: u64 = 1 << 20;
 
 /// How many inputs are processed at the same time.
@@ -111,12 +111,13 @@ impl Jobs {
     ) {
         let queue = Queue { needs, memory: self.memory, state: Mutex::default(), changed: Condvar::new() };
         let (sender, receiver) = mpsc::channel();
+        let all_busy = self.most.min(items.len()) >= rayon::current_num_threads();
         let work_off = |sender: mpsc::Sender<(usize, R)>| {
             let mut alone = None;
             while let Some(turn) = queue.next() {
                 let work = || work(&items[turn.number], &turn);
                 let result = match needs[turn.number] {
-                    ..SMALL => alone.get_or_insert_with(one_thread).install(work),
+                    ..SMALL if all_busy => alone.get_or_insert_with(one_thread).install(work),
                     _ => work(),
                 };
                 // Without a receiver the batch has ended.
