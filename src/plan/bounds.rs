@@ -9,16 +9,18 @@
 //!   I (k_d (δ + λ) + k_s (M(n) times this angle) + J).
 //! - **The cut J** of the highlight where N·L = 0: Blinn's has k_s (N·H)ⁿ there, at most k_s sinⁿ(θ/2), Phong's
 //!   k_s max(0, −cos θ)ⁿ. It vanishes unless the light comes from behind.
-//! - **Positions** off by s see a light, or a viewer, at the distance of D − r or more in a direction that is off by asin(s/(D − r)).
-//! - **A point light taken as directional** over a ball of radius r at the distance D has λ = asin(r/D).
-//! - **A strength off by ΔI** changes the light by at most ΔI (k_d + k_s).
+//! - **Positions** off by s see a viewer at the distance of D − r or more in a direction that is off by asin(s/(D − r)).
+//! - **A strength off by ΔI** changes the light by at most ΔI (k_d + k_s). The module `light_bounds` has I, ΔI and λ of each light.
+//! - **The highlight of an area light** comes from one of its points, which may be any other one for another normal or position: λ is the
+//!   angle at which the light is seen.
 //! - **Steps.** The transfer curve is concave and 0 at 0, so |encode(a) − encode(b)| ≤ encode(|a − b|): a difference E in linear light is at
 //!   most 255 encode(E) steps.
 
 use super::axes::Terms;
+use super::light_bounds::Ball;
 use crate::num::{Radians, Transfer, steepest_slope};
 use crate::raster::{Camera, Projection, RenderSettings};
-use crate::shade::{Attenuation, Guards, Light, Material, Reflection, Terminator, ToneRule};
+use crate::shade::{Guards, Light, Material, Reflection, Terminator, ToneRule};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -26,8 +28,7 @@ use std::f64::consts::PI;
 pub struct Setting<'a> {
     settings: &'a RenderSettings,
     cameras: Vec<Camera>,
-    middle: DVec3,
-    radius: f64,
+    ball: Ball,
     /// The angle by which lights may turn around the middle.
     cone: Radians,
 }
@@ -49,30 +50,33 @@ impl<'a> Setting<'a> {
     pub fn new(
         settings: &'a RenderSettings,
         cameras: Vec<Camera>,
-        (middle, radius): (DVec3, f64),
+        ball: Ball,
         cone: Radians,
     ) -> Option<Self> {
         let is_plain = settings.tone == ToneRule::Clamp
             && settings.guards == Guards::default()
             && settings.terminator == Terminator::Smooth
             && settings.depth_cue.is_none();
-        let is_outside = cameras.iter().all(|camera| camera.eye.distance(middle) > radius);
-        (is_plain && is_outside).then_some(Self { settings, cameras, middle, radius, cone })
+        let is_outside = cameras.iter().all(|camera| camera.eye.distance(ball.middle) > ball.radius);
+        (is_plain && is_outside).then_some(Self { settings, cameras, ball, cone })
     }
 
     /// The bound on the light of normals and lit positions that are off by a shift.
     pub fn shifted(&self, material: &Material, lights: &[Light], shift: Shift) -> Option<f64> {
         let mut error = 0.0;
         for light in lights.iter().filter(|light| !matches!(light, Light::Ambient { .. })) {
-            let to_light = self.direction_off(light, shift.position)?;
+            let to_light = self.ball.direction_off(light, shift.position)?;
             let rate = diffuse(material) * (shift.normal + to_light);
+            let is_shifted = shift.normal + shift.position > 0.0;
+            let to_highlight = to_light.max(if is_shifted { self.ball.width(light)? } else { 0.0 });
             let slope = self.highlight_off(
                 material,
                 light,
-                [shift.normal, to_light, self.viewer_off(shift.position)?],
+                [shift.normal, to_highlight, self.viewer_off(shift.position)?],
             )?;
-            error += self.strength(light)? * (rate + slope);
-            error += self.strength_off(light, shift.position)? * (diffuse(material) + specular(material));
+            error += self.ball.strength(light)? * (rate + slope);
+            let [of_diffuse, of_highlight] = self.ball.strength_off(light, shift.position)?;
+            error += of_diffuse * diffuse(material) + of_highlight * specular(material);
         }
         Some(error)
     }
@@ -82,7 +86,7 @@ impl<'a> Setting<'a> {
         const ROUNDING: f64 = 8.0 / (1 << 24) as f64;
         let reflected = diffuse(material) + specular(material) * material.exponent;
         let lights = lights.iter().filter(|light| !matches!(light, Light::Ambient { .. }));
-        lights.map(|light| Some(self.strength(light)? * reflected * ROUNDING)).sum()
+        lights.map(|light| Some(self.ball.strength(light)? * reflected * ROUNDING)).sum()
     }
 
     /// The bound on the light of terms that are omitted: the highlight, or all but ambient light. A highlight in place of another one is
@@ -94,31 +98,27 @@ impl<'a> Setting<'a> {
             Terms::Ambient => diffuse(material) + specular(material),
         };
         let lights = lights.iter().filter(|light| !matches!(light, Light::Ambient { .. }));
-        lights.map(|light| Some(self.strength(light)? * reflected)).sum()
+        lights.map(|light| Some(self.ball.strength(light)? * reflected)).sum()
     }
 
-    /// The bound on the light of another light in place of a point light, or of an omitted one.
+    /// The bound on the light of a cheaper light in place of another one, or of an omitted one.
     pub fn replaced(&self, material: &Material, old: &Light, new: Option<&Light>) -> Option<f64> {
-        let most = self.strength(old)?;
         let Some(new) = new else {
             let reflected = match old {
                 Light::Ambient { .. } => material.ambient.merged().largest(),
                 _ => diffuse(material) + specular(material),
             };
-            return Some(most * reflected);
+            return Some(self.ball.strength(old)? * reflected);
         };
-        let Light::Point { position, colour, attenuation } = old else { return None };
-        let distance = position.distance(self.middle);
-        let least = colour.largest() * attenuation.factor(distance + self.radius);
-        let strength = new.colour().largest();
-        let spread = (most - strength).abs().max((strength - least).abs());
-        let error = spread * (diffuse(material) + specular(material));
-        if !matches!(new, Light::Directional { .. }) {
-            return Some(error);
+        let (mut error, mut at) = (0.0, *old);
+        for step in self.ball.replacements(old, new)? {
+            let off = step.direction;
+            let highlight = self.highlight_off(material, &at, [0.0, off, 0.0])?;
+            error += self.ball.strength(&step.light)? * (diffuse(material) * off + highlight);
+            error += step.strength[0] * diffuse(material) + step.strength[1] * specular(material);
+            at = step.light;
         }
-        let off = libm::asin(self.radius / distance);
-        let highlight = self.highlight_off(material, old, [0.0, off, 0.0])?;
-        Some(error + strength * (diffuse(material) * off + highlight))
+        Some(error)
     }
 
     /// The bound on the highlight if the normal and the directions to light and viewer are off by these angles.
@@ -139,16 +139,6 @@ impl<'a> Setting<'a> {
         Some(slope(material)? * off + cut(material, angle))
     }
 
-    /// The angle by which the direction to a light is off at a position that is off by a distance.
-    fn direction_off(&self, light: &Light, position: f64) -> Option<f64> {
-        match light {
-            _ if position == 0.0 => Some(0.0),
-            Light::Point { position: place, .. } => self.angle_off(*place, position),
-            Light::Directional { .. } => Some(0.0),
-            _ => None,
-        }
-    }
-
     fn viewer_off(&self, position: f64) -> Option<f64> {
         let off = |camera: &Camera| match self.is_far(camera) {
             true => Some(0.0),
@@ -159,58 +149,19 @@ impl<'a> Setting<'a> {
 
     /// asin(s/(D − r)) for a distance s between two positions in the ball.
     fn angle_off(&self, from: DVec3, position: f64) -> Option<f64> {
-        let share = position / (from.distance(self.middle) - self.radius);
+        let share = position / (from.distance(self.ball.middle) - self.ball.radius);
         (0.0..1.0).contains(&share).then(|| libm::asin(share))
-    }
-
-    /// How much the strength of a light varies between positions in the ball at a distance of each other.
-    fn strength_off(&self, light: &Light, position: f64) -> Option<f64> {
-        let Light::Point { position: place, attenuation, colour } = light else { return Some(0.0) };
-        if position == 0.0 {
-            return Some(0.0);
-        }
-        let nearest = place.distance(self.middle) - self.radius;
-        let farthest = match attenuation {
-            // 1/d² is steepest where it is nearest.
-            Attenuation::InverseSquare => nearest + position,
-            _ => nearest + 2.0 * self.radius,
-        };
-        let off = attenuation.factor(nearest) - attenuation.factor(farthest);
-        (nearest > 0.0 && off.is_finite()).then(|| off * colour.largest())
-    }
-
-    /// The largest strength of a light on the ball; `None` without a bound.
-    fn strength(&self, light: &Light) -> Option<f64> {
-        let colour = light.colour().largest();
-        match *light {
-            Light::Ambient { .. } | Light::Directional { .. } => Some(colour),
-            Light::Point { position, attenuation, .. } | Light::Spot { position, attenuation, .. } => {
-                let nearest = position.distance(self.middle) - self.radius;
-                let factor = attenuation.factor(nearest.max(0.0));
-                (nearest > 0.0 && factor.is_finite()).then_some(colour * factor)
-            }
-            Light::Area { .. } => None,
-        }
     }
 
     /// The largest angle between the directions to a light and to the viewer, over the ball and all cameras; `None` for lights in it.
     fn largest_angle(&self, light: &Light) -> Option<f64> {
-        let turn = |place: DVec3| {
-            let share = self.radius / place.distance(self.middle);
-            (share < 1.0).then(|| libm::asin(share))
-        };
-        let (to_light, slack) = match *light {
-            Light::Directional { towards, .. } => (towards, 0.0),
-            Light::Point { position, .. } | Light::Spot { position, .. } => {
-                (position - self.middle, turn(position)?)
-            }
-            Light::Ambient { .. } | Light::Area { .. } => return None,
-        };
+        let (to_light, slack) = self.ball.directions(light)?;
+        let Ball { middle, radius } = self.ball;
         let mut largest = 0.0_f64;
         for camera in &self.cameras {
             let (to_viewer, more) = match self.is_far(camera) {
                 true => (camera.eye - camera.target, 0.0),
-                false => (camera.eye - self.middle, turn(camera.eye)?),
+                false => (camera.eye - middle, libm::asin((radius / camera.eye.distance(middle)).min(1.0))),
             };
             let between = libm::atan2(to_light.cross(to_viewer).length(), to_light.dot(to_viewer));
             largest = largest.max(between + slack + more + self.cone.0);
@@ -220,7 +171,7 @@ impl<'a> Setting<'a> {
 
     /// The distance of a light in radii of the ball, and asin(r/D).
     pub fn lamp(&self, position: DVec3) -> Option<(f64, f64)> {
-        let radii = position.distance(self.middle) / self.radius;
+        let radii = position.distance(self.ball.middle) / self.ball.radius;
         (radii > 1.0 && radii.is_finite()).then(|| (radii, libm::asin(1.0 / radii)))
     }
 
@@ -261,10 +212,15 @@ fn cut(material: &Material, angle: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::axes::LightModel;
+    use super::super::lights::replacements;
     use super::*;
     use crate::num::LinearRgb;
-    use crate::shade::Reflectance;
+    use crate::shade::{
+        AreaShape, Attenuation, Cone, Reflectance, ShadeSettings, Shader, SurfacePoint, Viewer,
+    };
     use crate::trade::direction;
+    use glam::DQuat;
 
     fn material(reflection: Reflection) -> Material {
         let grey = |k: f64| Reflectance::Merged(LinearRgb::grey(k));
@@ -312,6 +268,81 @@ mod tests {
                 assert!(of_viewer <= factor * slope + cut(&material, largest) + 1e-12, "{seed}");
             }
             assert!(needs_cut, "{reflection:?}");
+        }
+    }
+
+    /// A light around the unit ball, of every kind that a plan replaces.
+    fn lamp(seed: u32) -> Light {
+        let share = |k: u32| direction(8 * seed + k).z.abs();
+        let position = direction(8 * seed) * (2.0 + 8.0 * share(1));
+        let (towards, colour) = (direction(8 * seed + 2), LinearRgb::grey(0.3 * position.length_squared()));
+        // It shines towards the ball, more or less.
+        let axis = (towards - position).normalize();
+        let attenuation = [Attenuation::InverseSquare, Attenuation::Offset(1.0)][seed as usize / 4 % 2];
+        match seed % 4 {
+            0 => Light::Point { position, colour, attenuation },
+            1 => {
+                let (cut_off, soft_edge) = (Radians(0.3 + share(3)), Radians(0.3 * share(4)));
+                let cone = Cone { axis, cut_off, soft_edge, exponent: 4.0 * share(5) };
+                Light::Spot { position, colour, attenuation, cone }
+            }
+            2 => {
+                let (u, v) = axis.any_orthonormal_pair();
+                // u × v is the axis.
+                let shape = AreaShape::Rectangle { centre: position, u: u * share(3), v: v * share(4) };
+                Light::Area { shape, colour }
+            }
+            _ => Light::Area {
+                shape: AreaShape::Disc { centre: position, normal: axis, radius: share(3) },
+                colour,
+            },
+        }
+    }
+
+    /// Light of lamps around a ball at random points, normals and viewers: neither a cheaper lamp nor another point changes it by more than
+    /// the bounds, which are not out of reach.
+    #[test]
+    fn no_point_exceeds_the_bounds_of_lights() {
+        let settings = RenderSettings::default();
+        let mut closest = [[0.0_f64; 2]; 4];
+        for seed in 0..240 {
+            let light = lamp(seed);
+            let material = material([Reflection::Blinn, Reflection::Phong][seed as usize % 2]);
+            let camera =
+                Camera { eye: direction(seed) * 6.0, ..Camera::framing((DVec3::NEG_ONE, DVec3::ONE), 1.0) };
+            let ball = Ball { middle: DVec3::ZERO, radius: 1.0 };
+            let setting = Setting::new(&settings, vec![camera], ball, Radians(0.0)).unwrap();
+            let viewer = ShadeSettings { viewer: Viewer::At(camera.eye), ..ShadeSettings::default() };
+            let lit = |light: &Light, position: DVec3, normal: DVec3| {
+                let shader = Shader::<f64>::new(std::slice::from_ref(light), &material, &viewer).unwrap();
+                shader
+                    .shade(&SurfacePoint { position: position.to_array(), normal: normal.to_array() })
+                    .unwrap()[0]
+            };
+            let shift = Shift { normal: 0.02, position: 0.05 };
+            let of_shift = setting.shifted(&material, &[light], shift);
+            let models = replacements(&light, DVec3::ZERO);
+            for number in 0..60 {
+                let [point, normal, aside] = [1, 2, 3].map(|k| direction(60 * (seed + 1) + 3 * number + k));
+                let turned = DQuat::from_axis_angle(normal.cross(aside).normalize(), shift.normal) * normal;
+                let point = point * (1.0 - shift.position);
+                let one = lit(&light, point, normal);
+                let mut compare = |which: usize, bound: Option<f64>, other: f64| {
+                    let Some(bound) = bound else { return };
+                    let off = (one - other).abs();
+                    assert!(off <= bound + 1e-9, "{light:?} {which}: {off}, bound {bound}");
+                    let closest = &mut closest[seed as usize % 4][which];
+                    *closest = closest.max(off / bound);
+                };
+                compare(0, of_shift, lit(&light, point + aside * shift.position, turned));
+                for LightModel(new) in &models[1..] {
+                    let other = new.map_or(0.0, |new| lit(&new, point, normal));
+                    compare(1, setting.replaced(&material, &light, new.as_ref()), other);
+                }
+            }
+        }
+        for (kind, [of_shift, of_replacement]) in closest.into_iter().enumerate() {
+            assert!(of_shift > 0.05 && of_replacement > 0.3, "{kind}: {of_shift}, {of_replacement}");
         }
     }
 }

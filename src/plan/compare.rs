@@ -150,16 +150,18 @@ impl Truth {
         codes.map(|(code, other)| (code - other).abs()).fold(0.0, f64::max)
     }
 
-    /// The least difference of a pixel from linear colours within these ends, in steps: 0 if one of them is its own. The
-    /// step of 10⁻⁷ where the pieces of the curve of sRGB meet is allowed for.
+    /// The least difference of a pixel from linear colours within these ends, in steps: 0 if one of them is its own. A tone rule
+    /// that divides makes a channel smallest where the others are largest. The step of 10⁻⁷ where the pieces of the curve of sRGB meet
+    /// is allowed for.
     pub fn steps_between(&self, [x, y]: [u32; 2], low: [f64; 3], high: [f64; 3]) -> f64 {
         let Some(pixel) = self.image.index(x, y) else { return 0.0 };
-        let code =
-            |colour: [f64; 3]| self.tone.apply(colour).map(|value| STEPS * self.transfer.encode(value));
-        let (low, high) = (code(low), code(high));
+        let code = |channel: usize, own: [f64; 3], mut others: [f64; 3]| {
+            others[channel] = own[channel];
+            STEPS * self.transfer.encode(self.tone.apply(others)[channel])
+        };
         let channels = self.codes[pixel].iter().enumerate();
         channels
-            .map(|(channel, code)| (low[channel] - code).max(code - high[channel]) - 1e-4)
+            .map(|(channel, own)| (code(channel, low, high) - own).max(own - code(channel, high, low)) - 1e-4)
             .fold(0.0, f64::max)
     }
 

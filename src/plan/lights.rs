@@ -30,7 +30,7 @@ pub fn replacements(light: &Light, middle: DVec3) -> Vec<LightModel> {
 }
 
 /// A light with the attenuation at the middle everywhere.
-fn constant(light: &Light, middle: DVec3) -> Option<Light> {
+pub(super) fn constant(light: &Light, middle: DVec3) -> Option<Light> {
     let (position, colour, attenuation) = match *light {
         Light::Point { position, colour, attenuation } => (position, colour, attenuation),
         Light::Spot { position, colour, attenuation, .. } => (position, colour, attenuation),
@@ -48,11 +48,11 @@ fn constant(light: &Light, middle: DVec3) -> Option<Light> {
 }
 
 /// The next cheaper kind of light.
-fn cheaper_kind(light: &Light, middle: DVec3) -> Option<Light> {
+pub(super) fn cheaper_kind(light: &Light, middle: DVec3) -> Option<Light> {
     match *light {
         Light::Ambient { .. } | Light::Directional { .. } => None,
         Light::Area { shape, colour } => {
-            let (centre, normal, area) = emitter(&shape)?;
+            let Emitter { centre, normal, area, .. } = emitter(&shape)?;
             let cone =
                 Cone { axis: normal, cut_off: Radians(FRAC_PI_2), soft_edge: Radians(0.0), exponent: 1.0 };
             let colour = colour * (area * FRAC_1_PI);
@@ -71,11 +71,28 @@ fn cheaper_kind(light: &Light, middle: DVec3) -> Option<Light> {
     }
 }
 
-/// The centre, the unit normal and the area of a surface that shines.
-fn emitter(shape: &AreaShape) -> Option<(DVec3, DVec3, f64)> {
-    let (centre, normal, area) = match *shape {
-        AreaShape::Rectangle { centre, u, v } => (centre, u.cross(v), 4.0 * u.length() * v.length()),
-        AreaShape::Disc { centre, normal, radius } => (centre, normal, PI * radius * radius),
+/// A surface that shines.
+pub(super) struct Emitter {
+    pub centre: DVec3,
+    /// Of length 1.
+    pub normal: DVec3,
+    pub area: f64,
+    /// The largest distance of its points from the centre.
+    pub reach: f64,
+}
+
+/// The surface of an area light; `None` without a normal.
+pub(super) fn emitter(shape: &AreaShape) -> Option<Emitter> {
+    /// The corners of the polygon that is computed for a disc are up to 1.0008 radii from its centre.
+    const CORNERS: f64 = 1.001;
+    let (centre, normal, area, reach) = match *shape {
+        AreaShape::Rectangle { centre, u, v } => {
+            let (wide, high) = (u.length(), v.length());
+            (centre, u.cross(v), 4.0 * wide * high, libm::hypot(wide, high))
+        }
+        AreaShape::Disc { centre, normal, radius } => {
+            (centre, normal, PI * radius * radius, CORNERS * radius)
+        }
     };
-    Some((centre, normal.try_normalize()?, area))
+    Some(Emitter { centre, normal: normal.try_normalize()?, area, reach })
 }

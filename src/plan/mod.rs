@@ -22,6 +22,8 @@ mod stage;
 mod models;
 // Pictures compared.
 mod compare;
+// Bounds on the light that arrives, and on that of cheaper lights.
+mod light_bounds;
 // Bounds on the error of a change of light.
 mod bounds;
 // How much normals and positions within a face vary.

@@ -3,6 +3,7 @@
 use super::axes::{LightModel, Normals, ObjectModel, Terms};
 use super::bounds::{Setting, Shift};
 use super::document::with_terms;
+use super::light_bounds::Ball;
 use super::lights::LightChoice;
 use super::spread::{Spread, angle_between_normals, depth_share};
 use super::stage::Stage;
@@ -10,7 +11,6 @@ use super::views::View;
 use crate::num::Radians;
 use crate::raster::{FlatSample, Interpolation, Shading, StoredFormat};
 use crate::shade::{Light, Material};
-use glam::DVec3;
 use std::cell::{OnceCell, RefCell};
 use std::collections::HashMap;
 
@@ -34,7 +34,7 @@ impl<'a> ModelBounds<'a> {
         stage: &'a Stage<'a>,
         views: &'a [View],
         lights: &'a [Vec<LightModel>],
-        ball: (DVec3, f64),
+        ball: Ball,
         cone: Radians,
     ) -> Option<Self> {
         let cameras = views.iter().map(|view| view.camera).collect();

@@ -6,6 +6,7 @@ use super::compare::{Difference, Metric};
 use super::decisions::{Described, Plan};
 use super::document::Document;
 use super::evidence::Evidence;
+use super::light_bounds::Ball;
 use super::lights::replacements;
 use super::model_bounds::ModelBounds;
 use super::models::models_of;
@@ -116,7 +117,7 @@ fn find(
         let trials = |stage| {
             // No bound covers outlines, which move with other samples, or ꟻLIP.
             let cone = options.light_cone.into();
-            let bounds = ModelBounds::new(stage, &views, &lights, (middle, radius), cone);
+            let bounds = ModelBounds::new(stage, &views, &lights, Ball { middle, radius }, cone);
             let holds = stage.settings.samples == declared && options.metric == Metric::Steps;
             let bounds = bounds.filter(|_| holds);
             Trials::new(stage, &views, &lights, limits, bounds, &counts, progress)

@@ -9,7 +9,6 @@ use crate::plan::axes::ObjectModel;
 use crate::plan::compare::Metric;
 use crate::plan::lights::LightChoice;
 use crate::plan::stage::PlanError;
-use crate::shade::{Guards, ToneRule};
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -23,11 +22,9 @@ const MOST_WITNESSES: usize = 24;
 const MOST_COLOURS: usize = 1 << 17;
 
 impl Trials<'_> {
-    /// Whether colours are sums over lights up to the tone rule, and there are choices.
+    /// Whether there are choices of lights, and pixels refuse them. Colours are sums over lights before the tone rule, with any guards.
     pub fn adds_lights(&self) -> bool {
-        let settings = &self.stage.settings;
-        let is_sum = settings.tone == ToneRule::Clamp && settings.guards == Guards::default();
-        is_sum && self.refuses_by_pixels() && self.lights.iter().any(|models| models.len() > 1)
+        self.refuses_by_pixels() && self.lights.iter().any(|models| models.len() > 1)
     }
 
     /// With a share, one pixel refuses nothing. ꟻLIP depends on all pixels.

@@ -5,6 +5,7 @@ use crease::normals::encoding::Encoding;
 use crease::num::{Radians, largest_exponent};
 use crease::plan::{Axis, Minimise, PlanOptions};
 use crease::raster::StoredFormat;
+use glam::{DQuat, DVec3};
 use std::f64::consts::PI;
 
 /// A camera on the z axis that sees 2 units from bottom to top, orthographically.
@@ -232,47 +233,75 @@ fn a_faint_highlight_is_omitted() {
     assert_near(difference(switch), 2.0, 0.01);
 }
 
-/// A highlight whose steepest slope is in the middle of the picture. A normal off by δ changes it by at most M(n) δ, so a format is
-/// within the tolerance up to `largest_exponent`: the plan may use it for larger exponents, never refuse it before.
+/// A quad whose normals point to an octant's centre, where octahedral codes are almost at their worst, lit so that the highlight is
+/// steepest half way between the normal and its code. A normal off by δ changes it by M(n) δ there, so a format fails where
+/// `largest_exponent` says: to 3 %, for the curvature of cosⁿ over δ and the distance of δ from the worst angle. `i8` has the octant's
+/// centre exactly; the quad next to it has a normal that `i8` rounds badly.
 #[test]
 fn larger_exponents_need_finer_normals() {
     let tolerance = 6.0;
-    let format = |exponent: f64| {
-        // cosⁿ is steepest where the tangent is 1/√(n − 1); the half vector is there if the light is at twice that angle.
-        let angle = 2.0 * libm::atan(1.0 / (exponent - 1.0).sqrt());
-        let (sine, cosine) = libm::sincos(angle);
-        let height = (2.0 * sine).min(0.6);
+    let code = |format: StoredFormat, normal: DVec3| {
+        let encoding = format.encoding();
+        encoding.decode(encoding.encode(normal)).normalize()
+    };
+    let format = |worse: StoredFormat, exponent: f64| {
+        let normal = DVec3::ONE.normalize();
+        let stored = code(worse, normal);
+        // The half vector is in the plane of both normals, at the angle of the steepest slope from their middle.
+        let steepest = libm::atan(1.0 / (exponent - 1.0).sqrt());
+        let axis = normal.cross(stored).normalize();
+        let half = DQuat::from_axis_angle(axis, steepest) * (normal + stored).normalize();
+        let around = |turn: i32| DQuat::from_axis_angle(half, 0.01 * f64::from(turn)) * normal;
+        let off_by_i8 = |normal: &DVec3| (code(StoredFormat::I8, *normal) - *normal).dot(half).abs();
+        let other = (0..628).map(around).max_by(|a, b| off_by_i8(a).total_cmp(&off_by_i8(b))).unwrap();
+        let (a, b) = half.any_orthonormal_pair();
+        let corner = |[x, y]: [f64; 2]| (a * x + b * y).to_array();
+        let corners = [
+            [-1.0, -1.0],
+            [0.0, -1.0],
+            [0.0, 1.0],
+            [-1.0, 1.0],
+            [0.0, -1.0],
+            [1.0, -1.0],
+            [1.0, 1.0],
+            [0.0, 1.0],
+        ];
+        let (corners, eye) = (corners.map(corner), (10.0 * half).to_array());
+        let normals =
+            [normal, normal, normal, normal, other, other, other, other].map(|normal| normal.to_array());
+        // Seen and lit along the half vector.
         let text = format!(
-            "[settings]\nsize = [48, 48]\ntransfer = \"direct\"\n[camera]\neye = [0, 0, 10]\ntarget = [0, 0, 0]\nheight = {height:?}\n\
-             [[light.directional]]\ntowards = [{sine:?}, 0, {cosine:?}]\n[[object]]\nsurface = {{ sphere = {{ radius = 1 }} }}\n\
-             tessellation = {{ segments = [96, 48] }}\ntransform = [{{ rotate = [17, 33, 5] }}]\n\
-             material = {{ colour = 1, ambient = 0, diffuse = 0, specular = 1, \
-             exponent = {exponent:?}, reflection = \"blinn\" }}\n"
+            "[settings]\nsize = [16, 16]\ntransfer = \"direct\"\n[camera]\neye = {eye:?}\ntarget = [0, 0, 0]\nheight = 1\n\
+             [[light.directional]]\ntowards = {eye:?}\n[[object]]\npolygons = {{ vertices = {corners:?}, \
+             faces = [[0, 1, 2, 3], [4, 5, 6, 7]], normals = {normals:?} }}\n\
+             material = {{ colour = 1, ambient = 0, diffuse = 0, specular = 1, exponent = {exponent:?}, reflection = \"blinn\" }}\n"
         );
         let options = PlanOptions { minimise: Minimise::Bytes, ..only(&[Axis::Storage], tolerance) };
         change(&planned(&text, &options), Axis::Storage).unwrap_or("f32").to_owned()
-    };
-    let proven = |format: StoredFormat| {
-        let worst = Radians::from(format.encoding().worst_angle());
-        largest_exponent(worst, tolerance / 255.0).unwrap() as f64
     };
     let bytes = |name: &str| {
         let format = StoredFormat::ALL.into_iter().find(|format| format.name() == name).unwrap();
         format.encoding().bytes()
     };
     assert_eq!([12, 3, 2], [Encoding::Single.bytes(), bytes("oct12"), bytes("oct8")]);
-    for (stored, next) in [(StoredFormat::Oct8, "oct12"), (StoredFormat::Oct12, "i16")] {
-        let proven = proven(stored);
-        for share in [0.4, 0.7, 1.0] {
-            let exponent = (share * proven).floor().max(4.0);
-            assert!(bytes(&format(exponent)) <= stored.encoding().bytes(), "{stored:?} at {exponent}");
-        }
-        let switch =
-            switch(proven, 1000.0 * proven, |exponent| bytes(&format(exponent)) <= stored.encoding().bytes());
-        assert!(switch < 40.0 * proven, "{stored:?}: {switch}, proven {proven}");
-        println!("{} to {} at {switch:.0}, proven to {proven}", stored.name(), format(1.01 * switch));
-        assert_eq!(format(1.01 * switch), next);
+    for stored in [StoredFormat::Oct8, StoredFormat::Oct12] {
+        let worst = Radians::from(stored.encoding().worst_angle());
+        let proven = largest_exponent(worst, tolerance / 255.0).unwrap() as f64;
+        let is_enough = |exponent: f64| bytes(&format(stored, exponent)) <= stored.encoding().bytes();
+        // It is the largest whole exponent.
+        let found = switch(2.0, 100.0 * proven, is_enough);
+        assert!(
+            (0.97 * proven..1.03 * (proven + 1.0)).contains(&found),
+            "{stored:?}: {found}, proven {proven}"
+        );
     }
+    let worst = |stored: StoredFormat| Radians::from(stored.encoding().worst_angle());
+    let proven = |stored| largest_exponent(worst(stored), tolerance / 255.0).unwrap() as f64;
+    // The formats come one after another.
+    let between = (proven(StoredFormat::Oct8) * proven(StoredFormat::Oct12)).sqrt();
+    assert_eq!(format(StoredFormat::Oct8, 0.9 * proven(StoredFormat::Oct8)), "oct8");
+    assert_eq!(format(StoredFormat::Oct8, between), "oct12");
+    assert_eq!(format(StoredFormat::Oct12, 1.1 * proven(StoredFormat::Oct12)), "i16");
 }
 
 /// A scene that declares cheap models is planned from the accurate ones: a plan from the declared scene leaves flat shading, one from the

@@ -38,6 +38,10 @@ pub enum Lamp {
     Sun([f64; 3], f64),
     /// Position, colour, and whether it has the inverse-square law.
     Point([f64; 3], f64, bool),
+    /// A point light with a cone of this axis, cut-off in degrees and exponent.
+    Spot([f64; 3], f64, bool, ([f64; 3], f64, f64)),
+    /// A square of sides 2h that shines down, with its centre and h.
+    Square([f64; 3], f64, f64),
 }
 
 /// A scene.
@@ -218,26 +222,61 @@ impl Lamp {
             Self::Sun(towards, colour) => {
                 format!("[[light.directional]]\ntowards = {towards:?}\ncolour = {colour:?}\n")
             }
-            Self::Point(position, colour, is_attenuated) => {
+            Self::Point(position, colour, is_attenuated) | Self::Spot(position, colour, is_attenuated, _) => {
                 let attenuation = if *is_attenuated { "inverse-square" } else { "none" };
-                format!(
-                    "[[light.point]]\nposition = {position:?}\ncolour = {colour:?}\nattenuation = \"{attenuation}\"\n"
-                )
+                let common = format!(
+                    "position = {position:?}\ncolour = {colour:?}\nattenuation = \"{attenuation}\"\n"
+                );
+                match self {
+                    Self::Spot(.., (axis, cut_off, exponent)) => format!(
+                        "[[light.spot]]\n{common}axis = {axis:?}\ncut-off = {cut_off:?}\nexponent = {exponent:?}\n"
+                    ),
+                    _ => format!("[[light.point]]\n{common}"),
+                }
             }
+            Self::Square(centre, half, colour) => format!(
+                "[[light.rectangle]]\ncentre = {centre:?}\nu = [{half:?}, 0, 0]\nv = [0, 0, {half:?}]\ncolour = {colour:?}\n"
+            ),
         }
     }
 
     /// What may replace it, with the same light at the middle of the objects; `None` omits it.
     pub fn models(&self, middle: [f64; 3]) -> Vec<Option<Self>> {
         let mut models = vec![Some(*self)];
-        if let Self::Point(position, colour, is_attenuated) = *self {
-            let towards = [0, 1, 2].map(|axis| position[axis] - middle[axis]);
-            let square: f64 = towards.iter().map(|x| x * x).sum();
-            let colour = if is_attenuated { colour / square } else { colour };
-            if is_attenuated {
-                models.push(Some(Self::Point(position, colour, false)));
+        let way = |position: [f64; 3]| [0, 1, 2].map(|axis| position[axis] - middle[axis]);
+        let product = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        match *self {
+            Self::Ambient(_) | Self::Sun(..) => {}
+            Self::Square(centre, half, colour) => {
+                // u × v = −y. A Lambert emitter of area 4h² sends I·4h²/π along its normal.
+                let power = colour * 4.0 * half * half * std::f64::consts::FRAC_1_PI;
+                let spot = Self::Spot(centre, power, true, ([0.0, -1.0, 0.0], 90.0, 1.0));
+                models.extend(spot.models(middle));
+                return models;
             }
-            models.push(Some(Self::Sun(towards, colour)));
+            Self::Spot(position, colour, is_attenuated, cone) => {
+                let towards = way(position);
+                let square = product(towards, towards);
+                if is_attenuated {
+                    models.push(Some(Self::Spot(position, colour / square, false, cone)));
+                }
+                let (axis, cut_off, exponent) = cone;
+                let cosine = -product(towards, axis) / (square * product(axis, axis)).sqrt();
+                let is_inside = cosine >= libm::cos(cut_off.to_radians());
+                if is_inside && cosine > 0.0 {
+                    let factor = libm::pow(cosine, exponent);
+                    models.extend(Self::Point(position, colour * factor, is_attenuated).models(middle));
+                    return models;
+                }
+            }
+            Self::Point(position, colour, is_attenuated) => {
+                let towards = way(position);
+                let colour = if is_attenuated { colour / product(towards, towards) } else { colour };
+                if is_attenuated {
+                    models.push(Some(Self::Point(position, colour, false)));
+                }
+                models.push(Some(Self::Sun(towards, colour)));
+            }
         }
         models.push(None);
         models
@@ -260,7 +299,24 @@ impl RandomScene {
         let things = (0..count)
             .map(|number| Thing::new(&mut random, 0.6 * number as f64 - 0.3 * (count - 1) as f64))
             .collect();
-        let lamps = (0..=random.below(2)).map(|_| Lamp::new(&mut random)).collect();
+        let mut lamps: Vec<Lamp> = (0..=random.below(2)).map(|_| Lamp::new(&mut random)).collect();
+        let place = [4.0 * random.unit() - 2.0, 5.0 + 6.0 * random.unit(), 4.0 * random.unit() - 2.0];
+        match random.below(6) {
+            0 => lamps.push(Lamp::Square(place, 0.2 + random.unit(), 12.0 * random.unit())),
+            1 => {
+                let axis = [0.3 * random.unit() - place[0], -place[1], 0.3 * random.unit() - place[2]];
+                let cone = (
+                    axis,
+                    12.0 + 40.0 * random.unit(),
+                    if random.one_in(2) { 0.0 } else { 8.0 * random.unit() },
+                );
+                lamps.push(Lamp::Spot(place, 40.0 * random.unit(), true, cone));
+            }
+            _ => {}
+        }
+        // Each light adds its part without guards, too.
+        let guards = if random.one_in(5) { "guards = { diffuse = false, highlight = false }\n" } else { "" };
+        let head = head.replace("[camera]", &format!("{guards}[camera]"));
         Self { head, things, lamps }
     }
 
@@ -274,6 +330,7 @@ impl RandomScene {
             match lamp {
                 Lamp::Ambient(_) => Lamp::Ambient(share),
                 Lamp::Sun(towards, _) => Lamp::Sun(towards, share),
+                Lamp::Spot(..) | Lamp::Square(..) => lamp,
                 Lamp::Point(position, _, is_attenuated) => {
                     let square: f64 = position.iter().map(|x| x * x).sum();
                     Lamp::Point(position, if is_attenuated { share * square } else { share }, is_attenuated)
