@@ -4,6 +4,8 @@ use crate::flat::{face_normals, flat};
 use crate::meshes::{Row, rows};
 use crate::random::Random;
 use crease::io::{self, Format, Loaded, PartEdit, ReadError, ReadOptions, Severity, WriteOptions};
+use crease::normals::{NormalRecipe, Scope, Weight, When};
+use crease::pipeline::{self, Task};
 use glam::DVec3;
 
 fn read(bytes: &[u8]) -> Result<Loaded, ReadError> {
@@ -43,6 +45,19 @@ fn real_files_are_what_the_manifest_says() {
                 || row.name().contains("no_normal")
         );
     }
+}
+
+/// A facet whose stored normal is against it at two corners, but not at the first one, where a larger facet decides: it has the new normal.
+#[test]
+fn a_facet_with_one_good_corner_has_the_new_normal() {
+    let text = "solid s\nfacet normal 0 0 -1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n\
+         facet normal 0 0 -1\nouter loop\nvertex 0 0 0\nvertex 0 -3 0\nvertex -3 0 0\nendloop\nendfacet\nendsolid s\n";
+    let loaded = read(text.as_bytes()).unwrap();
+    let recipe = NormalRecipe { weight: Weight::Area, scope: Scope::Vertex, ..NormalRecipe::default() };
+    let task = Task { recipe, emit: io::Emit::Vertex, when: When::Broken, ..Task::default() };
+    let revision = pipeline::revise(&loaded, &task, Some(Format::Stl), &|_| {});
+    let written = String::from_utf8(write(&loaded, &revision.edits)).unwrap();
+    assert_eq!(written, text.replacen("normal 0 0 -1", "normal 0 0 1", 1));
 }
 
 /// An ascii file without the numbers of its normals, blanks and line ends aside.

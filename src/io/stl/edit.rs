@@ -9,7 +9,7 @@ use crate::io::{Loaded, PartEdit, WriteError, WriteOptions, Written};
 use crate::mesh::{Mesh, Storage};
 use std::ops::Range;
 
-/// The document with the edit applied. Facets whose corners keep the normal of the file keep it; all else keeps its bytes.
+/// The document with the edit applied. Facets without a new normal keep their bytes.
 pub(in crate::io) fn edit(
     document: &StlDocument,
     loaded: &Loaded,
@@ -100,13 +100,11 @@ fn facet_lines(copy: &Copier<'_>, facet: &FacetText) -> Range<usize> {
     if starts_line && line_end > 0 { start..facet.span.end + blanks + line_end } else { facet.span.clone() }
 }
 
-/// The new normal of a facet; `None` if the stored one stays: the corners keep it, or the number is equal.
+/// The new normal of a facet; `None` if it is the stored one.
 fn new_normal(mesh: &Mesh, edit: &PartEdit, face: usize) -> Option<[f32; 3]> {
     let normal = stored(*edit.face_normals.as_ref()?.get(face)?);
     let corner = mesh.faces().range(face).start;
     let vertex = mesh.faces().corners()[corner];
-    let slot = edit.normals.as_ref().and_then(|normals| normals.slot(corner, vertex));
-    let keeps = slot.is_some_and(|slot| (slot as usize) < edit.kept);
     let current = mesh.columns().normals.as_ref().and_then(|normals| normals.get(corner, vertex));
-    (!keeps && current.copied().map(stored) != Some(normal)).then_some(normal)
+    (current.copied().map(stored) != Some(normal)).then_some(normal)
 }
