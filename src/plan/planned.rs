@@ -97,23 +97,16 @@ fn find(
     }
     let lights = light_models(&whole, middle, is_open(Axis::Lights));
     let (mut views, mut waiting) = views_of(&stage, &whole, options, middle)?;
-    let limits = Limits {
-        metric: options.metric,
-        tolerance: options.tolerance,
-        share: options.share,
-        outline: options.outline,
-        budget: options.budget,
-        deadline: options.seconds.map(|seconds| Instant::now() + Duration::from_secs_f64(seconds)),
-        seconds: options.seconds.unwrap_or(f64::INFINITY),
-    };
     let declared = stage.settings.samples;
     let fewer =
         [Samples::Four, Samples::One].into_iter().filter(|samples| samples.count() < declared.count());
     let fewer = fewer.filter(|_| options.allow_antialiasing);
     let stages: Vec<Stage> = [declared].into_iter().chain(fewer).map(|it| stage.with_samples(it)).collect();
     let counts = Counts::default();
+    let deadline = options.seconds.map(|seconds| Instant::now() + Duration::from_secs_f64(seconds));
     let mut repairs = 0;
     loop {
+        let limits = limits_of(options, counts.drawn.get(), deadline, !waiting.is_empty());
         let trials = |stage| {
             // No bound covers outlines, which move with other samples, or ꟻLIP.
             let cone = options.light_cone.into();
@@ -151,6 +144,24 @@ fn find(
         progress(Progress { share: 1.0, best: cost });
         let evidence = found.map(|found| described.evidence(&searches[best], found, &plan)).transpose()?;
         return Ok((plan, evidence));
+    }
+}
+
+/// What the next search keeps to. If views may refuse its plan, it has half of the pixels and of the time that are left, so that there
+/// is another search.
+fn limits_of(options: &PlanOptions, drawn: u64, deadline: Option<Instant>, may_be_refused: bool) -> Limits {
+    let left = options.budget.saturating_sub(drawn);
+    let parts = if may_be_refused { 2 } else { 1 };
+    let now = Instant::now();
+    Limits {
+        metric: options.metric,
+        tolerance: options.tolerance,
+        share: options.share,
+        outline: options.outline,
+        budget: options.budget,
+        end: drawn.saturating_add(left / parts),
+        deadline: deadline.map(|end| now + end.saturating_duration_since(now) / parts as u32),
+        seconds: options.seconds.unwrap_or(f64::INFINITY),
     }
 }
 

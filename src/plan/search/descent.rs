@@ -17,13 +17,13 @@ enum Step {
 
 impl Search<'_> {
     /// Takes one step after the other from a plan that is within the limits, the one that saves most first, and keeps those whose whole
-    /// picture is within the limits. It ends when half of the budget that is left is used up.
+    /// picture is within the limits. It ends when half of the pixels that are left are drawn.
     ///
     /// # Errors
     /// What makes a picture impossible.
     pub(in crate::plan) fn descend(&self, mut found: Found) -> Result<Found, PlanError> {
         let start = self.trials.drawn();
-        let limit = start + self.trials.limits.budget.saturating_sub(start) / 2;
+        let limit = start + self.trials.limits.end.saturating_sub(start) / 2;
         let mut refused = HashSet::new();
         let units = found.models.len();
         let mut steps: Vec<Vec<(u64, Step)>> =

@@ -163,6 +163,9 @@ impl<'a> Search<'a> {
             let others = (0..models.len()).filter(|&number| number != last);
             let mut survivor = None;
             for number in std::iter::once(last).chain(others) {
+                if self.trials.is_spent() {
+                    return Ok(false);
+                }
                 if self.trials.least_error((unit, number), &models[number], allowed)? == 0.0 {
                     survivor = Some(number);
                     break;

@@ -26,11 +26,13 @@ pub struct Limits {
     pub share: f64,
     /// Largest distance of outlines, in pixels.
     pub outline: f64,
-    /// Most pixels to draw.
+    /// Most pixels to draw for a plan.
     pub budget: u64,
+    /// Pixels drawn at which the search ends.
+    pub end: u64,
     /// When the search ends.
     pub deadline: Option<Instant>,
-    /// Most seconds until then.
+    /// Most seconds for a plan.
     pub seconds: f64,
 }
 
@@ -53,7 +55,7 @@ impl Limits {
 #[derive(Debug, Default)]
 pub struct Counts {
     /// Pixels.
-    drawn: Cell<u64>,
+    pub drawn: Cell<u64>,
     /// Models that were refused.
     refused: Cell<u64>,
     /// The share of the cost of the best plan that is proven.
@@ -136,11 +138,11 @@ impl<'a> Trials<'a> {
 
     /// What is used up. If it is the time, the plan depends on the machine, with or without the budget.
     pub fn spent(&self) -> Option<End> {
-        let Limits { budget, deadline, seconds, .. } = self.limits;
+        let Limits { budget, end, deadline, seconds, .. } = self.limits;
         if deadline.is_some_and(|deadline| Instant::now() > deadline) {
             return Some(End::Time { seconds });
         }
-        (self.counts.drawn.get() > budget).then_some(End::Budget { pixels: budget })
+        (self.counts.drawn.get() > end).then_some(End::Budget { pixels: budget })
     }
 
     /// The lights of a view with a choice: all declared ones where no light has replacements.

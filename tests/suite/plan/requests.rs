@@ -208,6 +208,30 @@ fn views_around_a_scene_hold_out_others() {
     assert!(plan.held_out.is_some() || plan.repairs == 3);
 }
 
+/// Light from behind, as seen in the view that the plan is found with. With a budget that ends the search, the plan is still cheaper than the
+/// scene, and within the tolerance in all views.
+#[test]
+fn a_plan_that_other_views_refuse_is_replaced_within_the_budget() {
+    let text = "[settings]\nsize = [48, 48]\n[camera]\neye = [0, 0, 12]\ntarget = [1.5, 0, 0]\nangle = 30\n[[light.directional]]\n\
+         towards = [-0.8660254, -0.5, 0]\n[[light.point]]\nposition = [9, 9, 3]\ncolour = 0.4\n[[light.point]]\n\
+         position = [9, 3, -4]\ncolour = 0.2\n[[object]]\nsurface = { sphere = { radius = 1 } }\ntessellation = { segments = [24, 12] }\n\
+         material = { colour = 1, diffuse = 0.3, specular = 0.7, exponent = 40 }\n[[object]]\n\
+         surface = { sphere = { radius = 1 } }\ntransform = [{ translate = [3, 0, 0] }]\ntessellation = { segments = [24, 12] }\n";
+    let options = PlanOptions {
+        views: Some(1),
+        ..only(&[Axis::Shading, Axis::Interpolation, Axis::Reflection, Axis::Lights], 4.0)
+    };
+    let whole = planned(text, &options);
+    assert!(whole.repairs > 0 && whole.is_cheapest, "{} repairs", whole.repairs);
+    for share in [0.5, 0.9] {
+        let budget = (share * whole.drawn as f64) as u64;
+        let plan = planned(text, &PlanOptions { budget, ..options.clone() });
+        assert_eq!(plan.end, End::Budget { pixels: budget });
+        assert!(plan.planned.work < plan.declared.work, "{share}: {:?}", plan.decisions);
+        assert!(plan.held_out.is_none_or(|worst| worst.steps <= 4.0) && plan.worst.steps <= 4.0);
+    }
+}
+
 /// All views of the reference are kept in memory.
 #[test]
 fn more_pictures_than_memory_holds_are_an_error() {
