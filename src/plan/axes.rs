@@ -20,6 +20,8 @@ pub enum Axis {
     Precision,
     /// How normals are stored.
     Storage,
+    /// Whether vertices that agree are one.
+    Merging,
     /// How values spread over faces.
     Interpolation,
     /// Which terms of the material are evaluated.
@@ -36,7 +38,7 @@ pub enum Axis {
 
 names! { Axis:
     Shading = "shading", Weight = "weight", Creases = "creases", Precision = "precision",
-    Storage = "storage", Interpolation = "interpolation", Reflection = "reflection",
+    Storage = "storage", Merging = "merging", Interpolation = "interpolation", Reflection = "reflection",
     Tessellation = "tessellation", TwoSided = "two-sided", Lights = "lights", Antialiasing = "antialiasing",
 }
 
@@ -88,6 +90,8 @@ pub struct ObjectModel {
     pub terms: Terms,
     /// Cells along u and v, of a tessellated analytic surface.
     pub segments: Option<[u32; 2]>,
+    /// Whether vertices that agree are one.
+    pub merged: bool,
     /// Whether it is lit on both sides.
     pub two_sided: bool,
 }
@@ -126,6 +130,7 @@ impl ObjectModel {
             Axis::Storage => {
                 Self { normals: normals(&|own, other| Normals { format: other.format, ..own }), ..*self }
             }
+            Axis::Merging => Self { merged: other.merged, ..*self },
             Axis::Interpolation => Self { interpolation: other.interpolation, ..*self },
             Axis::Reflection => Self { terms: other.terms, ..*self },
             Axis::Tessellation => Self { segments: other.segments, ..*self },
@@ -149,6 +154,7 @@ impl ObjectModel {
             (Axis::Creases, normals(of(|normals| normals.creases.into()))),
             (Axis::Precision, normals(of(|normals| normals.precision as u64))),
             (Axis::Storage, normals(of(|normals| normals.format.map_or(0, |format| 1 + format as u64)))),
+            (Axis::Merging, self.merged != other.merged),
             (Axis::Interpolation, self.interpolation != other.interpolation),
             (Axis::Reflection, self.terms != other.terms),
             (Axis::Tessellation, self.segments != other.segments),
@@ -185,6 +191,7 @@ impl ObjectModel {
             Axis::Storage => {
                 of_normals(&|normals| normals.format.map_or("as declared", StoredFormat::name).to_owned())
             }
+            Axis::Merging => if self.merged { "exact" } else { "off" }.to_owned(),
             Axis::Interpolation => match self.interpolation {
                 Interpolation::Scanline => "scanline",
                 Interpolation::Affine => "affine",

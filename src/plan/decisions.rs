@@ -294,6 +294,7 @@ fn axis_of(key: &str) -> Option<Axis> {
         "crease" => Axis::Creases,
         "precision" => Axis::Precision,
         "normal-format" => Axis::Storage,
+        "merge" => Axis::Merging,
         "interpolation" => Axis::Interpolation,
         "material" => Axis::Reflection,
         "tessellation" => Axis::Tessellation,

@@ -146,6 +146,9 @@ impl Document {
                 set("normal-format", format.name().into());
             }
         }
+        if model.merged != reference.merged {
+            set("merge", if model.merged { "exact" } else { "off" }.into());
+        }
         if model.terms != reference.terms
             && let Some(material) = material
         {

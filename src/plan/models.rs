@@ -86,6 +86,10 @@ pub fn models_of(stage: &Stage, unit: usize, is_open: &dyn Fn(Axis) -> bool) -> 
             .filter_map(|&format| with(model, &|normals| Some(Normals { format: Some(format), ..normals })))
             .collect()
     });
+    extend(Axis::Merging, &|model| {
+        let is_open = it.can_merge && !model.merged;
+        is_open.then_some(ObjectModel { merged: true, ..*model }).into_iter().collect()
+    });
     extend(Axis::Shading, &|model| {
         let flat = ObjectModel {
             shading: Shading::Flat,

@@ -8,7 +8,7 @@ use crate::io::{ReadError, WriteError};
 use crate::num::LinearRgb;
 use crate::raster::{
     Camera, Image, LoadOptions, Object, Paint, RenderError, RenderSettings, Samples, Scene, SceneFile,
-    SceneMesh, SceneShape, Shape, pixel_colour, probe, render,
+    SceneShape, Shape, pixel_colour, probe, render,
 };
 use crate::shade::Light;
 use std::borrow::Cow;
@@ -19,7 +19,7 @@ use std::path::Path;
 use std::rc::Rc;
 
 /// What of a model decides the vertices and normals of an object.
-type Geometry = (usize, Option<Normals>, Option<[u32; 2]>);
+type Geometry = (usize, Option<Normals>, Option<[u32; 2]>, bool);
 
 /// The scene of a plan. A copy shares everything that was read.
 #[derive(Clone)]
@@ -80,15 +80,15 @@ impl<'a> Stage<'a> {
         let Unit { declared, reference, .. } = &self.units[unit];
         // Without normals of vertices those of faces are taken, which every mesh has.
         let normals = model.normals.or(reference.normals);
-        if normals == reference.normals && model.segments == reference.segments {
+        let key = (unit, normals, model.segments, model.merged);
+        if key == (unit, reference.normals, reference.segments, reference.merged) {
             return Ok(declared.clone());
         }
-        let key = (unit, normals, model.segments);
         if let Some(known) = self.loaded.borrow().0.get(&key) {
             return Ok(known.clone());
         }
         let mut document = self.document.only(unit);
-        let wanted = ObjectModel { normals, segments: model.segments, ..*reference };
+        let wanted = ObjectModel { normals, segments: model.segments, merged: model.merged, ..*reference };
         document.apply(0, &wanted, reference, None, &|_| String::new());
         let file = Rc::new(SceneFile::from_toml(&document.to_string(), self.base, self.options)?);
         let corners: usize = file.meshes.iter().map(|mesh| mesh.mesh.faces().corner_count()).sum();
@@ -243,10 +243,10 @@ impl<'a> Stage<'a> {
         let mut sizes = Sizes { samples, pictures, is_cast: self.units[unit].is_cast, ..Sizes::default() };
         for object in &file.objects {
             let SceneShape::Mesh(number) = object.shape else { continue };
-            let SceneMesh { mesh, normals, .. } = &file.meshes[number];
-            let used = Shape::Mesh { mesh, normals }.vertex_normals();
-            sizes.vertices += count_vertices(&used);
-            sizes.normals += used.len() as u64;
+            let [vertices, normals] = count_vertices(&file.meshes[number]);
+            sizes.vertices += vertices;
+            sizes.normals += normals;
+            let mesh = &file.meshes[number].mesh;
             sizes.faces += mesh.face_count() as u64;
             sizes.corners += mesh.faces().corner_count() as u64;
             sizes.triangles += (mesh.faces().corner_count() - 2 * mesh.face_count()) as u64;

@@ -27,6 +27,8 @@ pub struct Unit {
     pub is_cast: bool,
     /// Whether its normals differ between hard and smooth edges.
     pub has_splits: bool,
+    /// Whether some of its vertices, or normals of vertices, agree.
+    pub can_merge: bool,
 }
 
 impl Unit {
@@ -52,20 +54,24 @@ impl Unit {
             interpolation: own.interpolation.unwrap_or(settings.interpolation),
             terms: Terms::Declared,
             segments: document.segments(object).filter(|_| !is_cast),
+            merged: first.normals.merge == Some(true),
             two_sided: own.two_sided.unwrap_or(settings.two_sided),
         };
-        let has_splits = declared.meshes.iter().any(|SceneMesh { mesh, normals, .. }| {
-            let used = Shape::Mesh { mesh, normals }.vertex_normals();
-            used.len() as u64 > count_vertices(&used)
+        let has_splits = declared.meshes.iter().any(|mesh| {
+            let [vertices, normals] = count_vertices(mesh);
+            normals > vertices
         });
+        let fewer = |mesh: &SceneMesh| count_vertices(&mesh.clone().merged()) != count_vertices(mesh);
+        let can_merge = !reference.merged && declared.meshes.iter().any(fewer);
         let name = if first.name.is_empty() { format!("object {object}") } else { first.name.clone() };
-        Self { name, reference, material, highlight, is_kept, is_cast, has_splits, declared }
+        Self { name, reference, material, highlight, is_kept, is_cast, has_splits, can_merge, declared }
     }
 }
 
-/// The vertices in an ascending list of vertices with the numbers of their normals.
-pub fn count_vertices(used: &[[u32; 2]]) -> u64 {
-    used.chunk_by(|a, b| a[0] == b[0]).count() as u64
+/// The vertices that faces of a mesh use, and these counted once for each of their normals.
+pub fn count_vertices(SceneMesh { mesh, normals, .. }: &SceneMesh) -> [u64; 2] {
+    let used = Shape::Mesh { mesh, normals }.vertex_normals();
+    [used.chunk_by(|a, b| a[0] == b[0]).count() as u64, used.len() as u64]
 }
 
 /// The normals that an object declares.

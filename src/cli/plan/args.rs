@@ -83,7 +83,7 @@ choices! { Metric: "steps" => Steps, "flip" => Flip }
 
 choices! { Axis:
     "shading" => Shading, "weight" => Weight, "creases" => Creases, "precision" => Precision,
-    "storage" => Storage, "interpolation" => Interpolation, "reflection" => Reflection,
+    "storage" => Storage, "merging" => Merging, "interpolation" => Interpolation, "reflection" => Reflection,
     "tessellation" => Tessellation, "two-sided" => TwoSided, "lights" => Lights,
 }
 

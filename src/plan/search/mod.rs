@@ -16,7 +16,7 @@ pub mod trials;
 mod colours_at_witnesses;
 mod witnesses;
 
-use super::axes::ObjectModel;
+use super::axes::{Normals, ObjectModel};
 use super::compare::Difference;
 use super::cost::{Cost, Minimise, Sizes, light_class, object_cost};
 use super::lights::LightChoice;
@@ -82,8 +82,9 @@ pub struct Search<'a> {
     declared: Cell<u64>,
 }
 
-/// A unit, its cells, and whether its normals are split: what its sizes depend on.
-type Shape = (usize, Option<[u32; 2]>, bool);
+/// What the sizes of a model depend on: the unit, its cells, whether its normals are split, and for merged vertices all normals before they are
+/// stored.
+type Shape = (usize, Option<[u32; 2]>, bool, Option<Option<Normals>>);
 
 /// A model of a unit with its cost and the number of changes.
 type Ranked = (u64, u32, usize, Cost);
@@ -205,14 +206,17 @@ impl<'a> Search<'a> {
         lights: &[Light],
     ) -> Result<Cost, PlanError> {
         let Trials { stage, views, .. } = self.trials;
-        let key = (unit, model.segments, model.normals.is_none_or(|normals| normals.creases));
+        let declared = stage.units[unit].reference.normals.and_then(|normals| normals.format);
+        let unstored = model.with_format(declared);
+        let is_split = model.normals.is_none_or(|normals| normals.creases);
+        let key = (unit, model.segments, is_split, model.merged.then_some(unstored.normals));
         let known = self.sizes.borrow().get(&key).copied();
         let sizes = match known {
             Some(known) => known,
             None => {
                 let samples = views.iter().map(|view| view.pixels[unit]).sum::<u64>()
                     * stage.settings.samples.count() as u64;
-                let sizes = stage.sizes(unit, model, samples, views.len() as u64)?;
+                let sizes = stage.sizes(unit, &unstored, samples, views.len() as u64)?;
                 *self.sizes.borrow_mut().entry(key).or_insert(sizes)
             }
         };

@@ -202,5 +202,5 @@ fn by_material<'a>(
             colours.iter_mut().for_each(|colour| *colour = *colour * LinearRgb::from(base_colour));
         }
     }
-    split
+    split.into_iter().map(|(material, mesh)| (material, mesh.stored(&options.normals))).collect()
 }

@@ -20,6 +20,8 @@ pub struct NormalSettings {
     pub precision: Option<Precision>,
     /// How normals are stored.
     pub format: Option<StoredFormat>,
+    /// Whether vertices at equal positions are one, and equal normals of theirs as well. It changes no picture.
+    pub merge: Option<bool>,
 }
 
 /// A storage of normals: what is drawn is what it gives back. By default normals are used as computed, in double precision. Those of three
@@ -105,6 +107,7 @@ impl NormalSettings {
             scope: self.scope.or(other.scope),
             precision: self.precision.or(other.precision),
             format: self.format.or(other.format),
+            merge: self.merge.or(other.merge),
         }
     }
 
@@ -124,13 +127,9 @@ impl NormalSettings {
         }
     }
 
-    /// The normals of a mesh, as their storage gives them back. Those of faces are not stored: they follow from positions.
+    /// The normals of a mesh, before they are stored.
     pub(super) fn normals(&self, mesh: &Mesh, recipe: &NormalRecipe, when: When) -> NormalField {
-        let mut field = compute(mesh, &self.recipe(recipe)).selected(mesh, when);
-        if let Some(format) = self.format {
-            format.round(&mut field);
-        }
-        field
+        compute(mesh, &self.recipe(recipe)).selected(mesh, when)
     }
 }
 
@@ -170,13 +169,23 @@ impl TryFrom<CreaseText> for CreaseValue {
     }
 }
 
-/// The settings of the keys `weight`, `crease`, `precision` and `normal-format`.
+/// `merge = …`
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum MergeName {
+    Off,
+    Exact,
+}
+
+/// The settings of the keys `weight`, `crease`, `precision`, `normal-format` and `merge`.
 pub(super) fn of_keys(
     weight: Option<Weight>,
     crease: Option<CreaseValue>,
     precision: Option<Precision>,
     format: Option<StoredFormat>,
+    merge: Option<MergeName>,
 ) -> NormalSettings {
     let (crease, scope) = (crease.map(|it| it.0), crease.map(|it| it.1));
-    NormalSettings { weight, crease, scope, precision, format }
+    let merge = merge.map(|name| name == MergeName::Exact);
+    NormalSettings { weight, crease, scope, precision, format, merge }
 }

@@ -5,7 +5,10 @@ use crate::mesh::{Column, Columns, FaceEdit, Faces, MeshBuilder, NONE};
 use crate::normals::{Faults, NormalField};
 use crate::num::parallel;
 use crate::num::{LinearRgb, Transfer};
+use crate::raster::load::normal_settings::NormalSettings;
 use crate::raster::load::scene_file::{LoadOptions, SceneMesh};
+use glam::DVec3;
+use rustc_hash::FxHashMap;
 
 impl SceneMesh {
     /// A part of a file in this format, without the faces that use non-finite positions.
@@ -23,6 +26,66 @@ impl SceneMesh {
 }
 
 impl SceneMesh {
+    /// The mesh as it is stored: vertices merged if that is wanted, and normals rounded. Those of faces are not stored, since they follow from
+    /// positions.
+    pub(super) fn stored(self, settings: &NormalSettings) -> Self {
+        let mut mesh = if settings.merge == Some(true) { self.merged() } else { self };
+        if let Some(format) = settings.format {
+            format.round(&mut mesh.normals);
+        }
+        mesh
+    }
+
+    /// The mesh whose vertices at equal positions with equal colours are one, the first of them, without those that no face uses. Equal
+    /// normals are one as well. Corners have the same values as before.
+    pub(crate) fn merged(self) -> Self {
+        let Self { mesh, normals: field, colours, source_faces } = self;
+        let corners = mesh.faces().corners();
+        let mut representative = mesh.first_vertices();
+        if let Some(colours) = &colours {
+            let mut known = FxHashMap::default();
+            for (vertex, first) in (0..).zip(&mut representative) {
+                let bits = colours[vertex as usize].to_array().map(f64::to_bits);
+                *first = *known.entry((*first, bits)).or_insert(vertex);
+            }
+        }
+        let mut slots = field.normals.corner_index(corners);
+        let mut known = FxHashMap::default();
+        for slot in slots.iter_mut().filter(|slot| **slot != NONE) {
+            let bits = field.normals.values[*slot as usize].to_array().map(f64::to_bits);
+            *slot = *known.entry(bits).or_insert(*slot);
+        }
+        let mut numbers = vec![NONE; mesh.vertex_count()];
+        let kept = number(&mut numbers, corners.iter().map(|&vertex| representative[vertex as usize]));
+        let mut values = vec![NONE; field.normals.values.len()];
+        let kept_values = number(&mut values, slots.iter().copied().filter(|&slot| slot != NONE));
+        let mut faces = Faces::with_capacity(corners.len());
+        let mut face_vertices = Vec::new();
+        for face in 0..mesh.face_count() {
+            face_vertices.clear();
+            let vertices = mesh.faces().face(face).iter();
+            face_vertices.extend(vertices.map(|&v| numbers[representative[v as usize] as usize]));
+            faces.push(&face_vertices);
+        }
+        let index = slots.iter().map(|&slot| if slot == NONE { NONE } else { values[slot as usize] });
+        let kept_normals = kept_values.iter().map(|&value| field.normals.values[value as usize]).collect();
+        let normals = Column::per_corner(kept_normals, index.collect());
+        let entry_vertex = entry_vertices(&normals, &faces);
+        let normals = NormalField {
+            normals,
+            entry_vertex,
+            morph_normals: Vec::new(),
+            // Their numbers are those of the mesh before.
+            faults: Faults::default(),
+            ..field
+        };
+        let colours = colours.map(|colours| kept.iter().map(|&vertex| colours[vertex as usize]).collect());
+        let positions = mesh.positions().gather(&kept);
+        let builder = MeshBuilder { positions, faces, columns: Columns::default() };
+        let mesh = builder.build().expect("the vertices of a mesh that was checked");
+        Self { mesh, normals, colours, source_faces }
+    }
+
     /// One face with its normals, whose vertices and corners are numbered in its order.
     pub(crate) fn of_face(&self, face: u32) -> Self {
         let (mesh, field) = (&self.mesh, &self.normals);
@@ -103,12 +166,7 @@ impl NewNumbers {
         let index = corners().map(|corner| slot_of(corner).map_or(NONE, |slot| self.values[slot as usize]));
         let values = kept_values.iter().map(|&value| field.normals.values[value as usize]).collect();
         let normals = Column::per_corner(values, index.collect());
-        let mut entry_vertex = vec![0; kept_values.len()];
-        for (corner, &vertex) in part_faces.corners().iter().enumerate().rev() {
-            if let Some(slot) = normals.slot(corner, vertex) {
-                entry_vertex[slot as usize] = vertex;
-            }
-        }
+        let entry_vertex = entry_vertices(&normals, &part_faces);
         let normals = NormalField {
             normals,
             entry_vertex,
@@ -135,6 +193,17 @@ impl NewNumbers {
     }
 }
 
+/// The first vertex with each value.
+fn entry_vertices(normals: &Column<DVec3>, faces: &Faces) -> Vec<u32> {
+    let mut vertices = vec![0; normals.values.len()];
+    for (corner, &vertex) in faces.corners().iter().enumerate().rev() {
+        if let Some(slot) = normals.slot(corner, vertex) {
+            vertices[slot as usize] = vertex;
+        }
+    }
+    vertices
+}
+
 /// Numbers what is used in ascending order, and returns it.
 fn number(numbers: &mut [u32], used: impl Iterator<Item = u32>) -> Vec<u32> {
     let mut kept: Vec<u32> = Vec::new();
@@ -153,6 +222,7 @@ fn number(numbers: &mut [u32], used: impl Iterator<Item = u32>) -> Vec<u32> {
 mod tests {
     use super::*;
     use crate::io::{Format, ReadOptions, read_bytes};
+    use crate::normals::When;
 
     #[test]
     fn parts_keep_what_they_had_in_the_whole() {
@@ -186,5 +256,28 @@ mod tests {
             );
         }
         assert_eq!(by_label(whole.clone(), &[7; 4]), [(7, whole)]);
+    }
+
+    /// Six corners at four positions, of which two have another colour at one of the vertices.
+    #[test]
+    fn merged_vertices_keep_the_values_of_corners() {
+        let text = "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 1 0 0\nv 9 9 9 1 0 0\nv 0 0 0 1 0 0\nv 1 1 0 0 1 0\nv 0 1 0 1 0 0\n\
+            vn 0 0 2\nvn 0 0 2\nvn 0 3 4\nf 1//1 2//1 3//3\nf 5//2 6//3 7//1\n";
+        let loaded = read_bytes(text.into(), Some(Format::Obj), None, &ReadOptions::default()).unwrap();
+        let options = LoadOptions { when: Some(When::Missing), ..LoadOptions::default() };
+        let mesh = SceneMesh::new(loaded.parts[0].clone(), Format::Obj, &options);
+        let merged = mesh.clone().merged();
+        assert_eq!(merged.mesh.faces().corners(), [0, 1, 2, 0, 3, 4]);
+        assert_eq!(merged.normals.normals.values, [DVec3::Z * 2.0, DVec3::new(0.0, 3.0, 4.0)]);
+        assert_eq!((&merged.normals.entry_vertex[..], merged.normals.morph_normals.len()), (&[0, 2][..], 0));
+        let values = |mesh: &SceneMesh| {
+            let corners = mesh.mesh.faces().corners().iter().enumerate();
+            let value = |(corner, &vertex): (usize, &u32)| {
+                let colour = mesh.colours.as_ref().unwrap()[vertex as usize];
+                (mesh.mesh.positions().at(vertex), mesh.normals.normals.get(corner, vertex).copied(), colour)
+            };
+            corners.map(value).collect::<Vec<_>>()
+        };
+        assert_eq!(values(&mesh), values(&merged));
     }
 }

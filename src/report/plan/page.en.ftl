@@ -89,6 +89,7 @@ axis-weight = weight
 axis-creases = creases
 axis-precision = precision
 axis-storage = storage
+axis-merging = merging
 axis-interpolation = interpolation
 axis-reflection = reflection
 axis-tessellation = tessellation
@@ -102,6 +103,7 @@ value-kept = kept
 value-given = given
 value-on = on
 value-off = off
+value-exact = exact
 value-flat = flat
 value-gouraud = Gouraud
 value-phong = Phong
@@ -131,6 +133,9 @@ because-precision = Single precision changes colours by { $difference }.
 because-precision-angle = Single precision rotates normals by at most { $angle }, which changes colours by { $difference }.
 because-storage = Normals stored as { $to } change colours by { $difference }.
 because-storage-angle = Normals stored as { $to } are off by at most { $angle }, which changes colours by { $difference }.
+because-merging =
+    Vertices of { $what } at equal positions with equal normals are stored once. Each corner keeps its values, so colours change by
+    { $difference }.
 because-interpolation =
     Within the faces of { $what } perspective hardly matters: { $to } interpolation changes colours by { $difference }.
 because-reflection = The reflection of { $what } is { $to }: the omitted or replaced terms change colours by { $difference }.

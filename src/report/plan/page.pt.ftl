@@ -89,6 +89,7 @@ axis-weight = peso
 axis-creases = arestas vivas
 axis-precision = precisão
 axis-storage = armazenamento
+axis-merging = fusão de vértices
 axis-interpolation = interpolação
 axis-reflection = reflexão
 axis-tessellation = tesselação
@@ -102,6 +103,7 @@ value-kept = mantidas
 value-given = dado
 value-on = sim
 value-off = não
+value-exact = exata
 value-flat = plana
 value-gouraud = de Gouraud
 value-phong = de Phong
@@ -135,6 +137,9 @@ because-precision-angle =
 because-storage = Vetores normais armazenados como { $to } mudam as cores em { $difference }.
 because-storage-angle =
     Vetores normais armazenados como { $to } erram no máximo { $angle }, o que muda as cores em { $difference }.
+because-merging =
+    Vértices de { $what } em posições iguais com vetores normais iguais são armazenados uma só vez. Cada canto mantém os seus
+    valores, e as cores mudam em { $difference }.
 because-interpolation =
     Dentro das faces de { $what } a perspectiva quase não importa: a interpolação { $to } muda as cores em { $difference }.
 because-reflection = A reflexão de { $what } é { $to }: os termos omitidos ou trocados mudam as cores em { $difference }.

@@ -201,6 +201,41 @@ fn creases_that_no_pixel_shows_are_dropped() {
     assert!(plan.worst.steps > 0.8 * most, "{} of {most}", plan.worst.steps);
 }
 
+/// A square of 8 × 8 cells, each of two triangles with vertices of their own: 384 vertices. Merged they are 81, each with one normal.
+#[test]
+fn vertices_that_agree_are_merged() {
+    let corner = |cell: usize, [x, y]: [usize; 2]| {
+        let at = |place: usize, by: usize| (place + by) as f64 / 4.0 - 1.0;
+        format!("[{:?}, {:?}, 0], ", at(cell % 8, x), at(cell / 8, y))
+    };
+    let triangles = [[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]];
+    let vertices: String = (0..64).flat_map(|cell| triangles.map(|place| corner(cell, place))).collect();
+    let faces: String =
+        (0..128).map(|face| format!("[{}, {}, {}], ", 3 * face, 3 * face + 1, 3 * face + 2)).collect();
+    let text = format!(
+        "[settings]\nsize = [32, 32]\n{FRONT}[[light.point]]\nposition = [0, 0, 4]\n[[object]]\nPOLYGONS\n"
+    );
+    for keys in ["", "weight = \"angle\"\n"] {
+        let text = text.replace(
+            "POLYGONS",
+            &format!("{keys}polygons = {{ vertices = [{vertices}], faces = [{faces}] }}"),
+        );
+        let options = PlanOptions { minimise: Minimise::Vertices, ..only(&[Axis::Merging], 0.0) };
+        let plan = planned(&text, &options);
+        assert_eq!(change(&plan, Axis::Merging), Some("exact"), "{keys}");
+        assert_eq!((plan.declared.vertices, plan.planned.vertices), (384, 81), "{keys}");
+        assert_eq!(plan.planned.bytes, 81 * 24 + 128 * 12);
+        assert!(plan.decisions[0].bound.is_some_and(|bound| bound < 0.1), "{:?}", plan.decisions);
+        let (declared, merged) = (drawn(&scene(&text)), drawn(&scene(&plan.text)));
+        assert_eq!((plan.worst.steps, declared.linear), (0.0, merged.linear), "{keys}");
+        // There is nothing more to merge.
+        assert!(planned(&plan.text, &options).decisions.is_empty());
+        // With flat shading only positions count.
+        let flat = text.replace("[settings]\n", "[settings]\nshading = \"flat\"\n");
+        assert_eq!(planned(&flat, &options).planned.vertices, 81);
+    }
+}
+
 #[test]
 fn a_closed_mesh_is_lit_on_one_side_and_an_open_one_from_behind_on_both() {
     let head = "[settings]\nsize = [32, 32]\ntwo-sided = true\n[camera]\neye = [0, 0, -10]\ntarget = [0, 0, 0]\nheight = 3\n\

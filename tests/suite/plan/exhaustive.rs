@@ -3,13 +3,13 @@
 
 use super::random_scenes::{RandomScene, Shape, Thing};
 use super::{differences, drawn, only, planned, scene};
-use crease::mesh::ColumnIndex;
 use crease::metric::{Contour, contour_distance};
 use crease::normals::{Precision, Weight};
 use crease::plan::cost::{Sizes, object_cost};
 use crease::plan::{Axis, Cost, Minimise, Normals, ObjectModel, Plan, PlanOptions, Source, Terms};
 use crease::raster::{Image, Interpolation, Projection, SceneFile, Shading, StoredFormat};
 use crease::shade::{Light, Reflection};
+use std::collections::HashSet;
 
 /// The model as the cost function takes it.
 fn model_of(thing: &Thing, declared: &Thing) -> ObjectModel {
@@ -49,6 +49,7 @@ fn model_of(thing: &Thing, declared: &Thing) -> ObjectModel {
             Shape::Sphere(segments) => Some(segments),
             _ => None,
         },
+        merged: thing.is_merged,
         two_sided: thing.is_two_sided,
     }
 }
@@ -58,10 +59,9 @@ fn sizes_of(file: &SceneFile) -> Sizes {
     let mesh = &file.meshes[0];
     let (vertices, faces) = (mesh.mesh.vertex_count() as u64, mesh.mesh.face_count() as u64);
     let corners = mesh.mesh.faces().corner_count() as u64;
-    let normals = match mesh.normals.normals.index {
-        ColumnIndex::PerVertex => vertices,
-        ColumnIndex::PerCorner(_) => mesh.normals.normals.values.len() as u64,
-    };
+    let normal = |(corner, &vertex)| (vertex, mesh.normals.normals.slot(corner, vertex));
+    let pairs: HashSet<_> = mesh.mesh.faces().corners().iter().enumerate().map(normal).collect();
+    let normals = pairs.len() as u64;
     Sizes {
         vertices,
         normals,

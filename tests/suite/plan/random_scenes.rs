@@ -16,6 +16,7 @@ pub struct Thing {
     pub computed: Option<(&'static str, bool)>,
     pub has_creases: bool,
     pub format: Option<&'static str>,
+    pub is_merged: bool,
     colour: [f64; 3],
     ambient: f64,
     diffuse: f64,
@@ -29,6 +30,8 @@ pub enum Shape {
     Sphere([u32; 2]),
     Cube,
     Roof,
+    /// The roof as separate triangles.
+    Facets,
 }
 
 /// A light.
@@ -59,6 +62,13 @@ const CUBE: &str = "vertices = [[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -
 const ROOF: &str = "vertices = [[-1, 0, 1], [1, 0, 1], [1, 0.27, 0], [-1, 0.27, 0], [1, 0, -1], [-1, 0, -1]], \
      faces = [[0, 1, 2, 3], [3, 2, 4, 5]]";
 
+/// [`ROOF`] as four triangles without common vertices.
+fn facets() -> String {
+    let corners = ["[-1, 0, 1]", "[1, 0, 1]", "[1, 0.27, 0]", "[-1, 0.27, 0]", "[1, 0, -1]", "[-1, 0, -1]"];
+    let vertices = [0, 1, 2, 0, 2, 3, 3, 2, 4, 3, 4, 5].map(|corner: usize| corners[corner]).join(", ");
+    format!("vertices = [{vertices}], faces = [[0, 1, 2], [3, 4, 5], [6, 7, 8], [9, 10, 11]]")
+}
+
 impl Thing {
     fn new(random: &mut Random, x: f64) -> Self {
         let mut between = |low: f64, high: f64| low + (high - low) * random.unit();
@@ -70,7 +80,8 @@ impl Thing {
         let specular = if random.one_in(3) { 0.0 } else { 0.5 * random.unit() };
         let shape = match random.below(4) {
             0 => Shape::Cube,
-            1 => Shape::Roof,
+            1 if random.one_in(2) => Shape::Roof,
+            1 => Shape::Facets,
             _ => Shape::Sphere([12 + random.below(10) as u32, 8 + random.below(6) as u32]),
         };
         Self {
@@ -83,6 +94,7 @@ impl Thing {
             computed: random.one_in(2).then_some(("angle", false)),
             has_creases: true,
             format: None,
+            is_merged: false,
             colour,
             ambient,
             diffuse,
@@ -101,6 +113,7 @@ impl Thing {
             }
             Shape::Cube => text += &format!("polygons = {{ {CUBE} }}\n"),
             Shape::Roof => text += &format!("polygons = {{ {ROOF} }}\n"),
+            Shape::Facets => text += &format!("polygons = {{ {} }}\n", facets()),
         }
         text += &format!(
             "transform = [{{ scale = 0.7 }}, {{ rotate = {:?} }}, {{ translate = {:?} }}]\nshading = \"{}\"\ntwo-sided = {}\n",
@@ -112,6 +125,7 @@ impl Thing {
             text += if is_fast { "precision = \"fast\"\n" } else { "" };
         }
         text += if self.has_creases { "" } else { "crease = \"none\"\n" };
+        text += if self.is_merged { "merge = \"exact\"\n" } else { "" };
         if let Some(format) = self.format {
             text += &format!("normal-format = \"{format}\"\n");
         }
@@ -155,6 +169,7 @@ impl Thing {
             Axis::Storage => {
                 ["i16", "oct12", "i8", "oct8"].map(|format| Self { format: Some(format), ..it() }).into()
             }
+            Axis::Merging if self.shape == Shape::Facets => vec![Self { is_merged: true, ..it() }],
             Axis::Interpolation => vec![Self { is_affine: true, ..it() }],
             Axis::Reflection => {
                 let mut list = vec![Self { diffuse: 0.0, specular: 0.0, ..it() }];
@@ -179,7 +194,7 @@ impl Thing {
                 list
             }
             Axis::TwoSided if self.is_two_sided => vec![Self { is_two_sided: false, ..it() }],
-            Axis::Creases | Axis::TwoSided | Axis::Lights | Axis::Antialiasing => Vec::new(),
+            Axis::Creases | Axis::Merging | Axis::TwoSided | Axis::Lights | Axis::Antialiasing => Vec::new(),
         }
     }
 

@@ -3,7 +3,7 @@
 use crate::io::ReadError;
 use crate::normals::{Precision, Weight};
 use crate::num::{Degrees, List, Transfer};
-use crate::raster::load::normal_settings::{CreaseValue, StoredFormat, of_keys};
+use crate::raster::load::normal_settings::{CreaseValue, MergeName, StoredFormat, of_keys};
 use crate::raster::load::scene_file::{LoadOptions, SceneFile, SceneObject, SceneShape};
 use crate::raster::load::toml::lighting::{LightTables, ReflectionName, lights};
 use crate::raster::load::toml::objects::{Builder, ObjectTable};
@@ -60,8 +60,9 @@ impl SceneFile {
         let mut scene = SceneFile { lights, kept_lights, ..SceneFile::default() };
         document.settings.apply(source, &mut scene)?;
         scene.camera = document.camera.map(|camera| CameraTable::camera(source, &camera)).transpose()?;
-        let SettingsTable { reflection, weight, crease, precision, normal_format, .. } = document.settings;
-        let normals = of_keys(weight, crease, precision, normal_format);
+        let SettingsTable { reflection, weight, crease, precision, normal_format, merge, .. } =
+            document.settings;
+        let normals = of_keys(weight, crease, precision, normal_format, merge);
         let mut builder = Builder::new(source, base, options, reflection, normals, scene);
         document.object.into_iter().try_for_each(|object| builder.add(object))?;
         let scene = builder.finish()?;
@@ -85,6 +86,7 @@ pub(super) struct SettingsTable {
     crease: Option<CreaseValue>,
     precision: Option<Precision>,
     normal_format: Option<StoredFormat>,
+    merge: Option<MergeName>,
     infinite_viewer: bool,
     /// For objects without a reflection.
     pub(super) reflection: Option<ReflectionName>,

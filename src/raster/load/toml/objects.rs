@@ -4,7 +4,7 @@ use crate::io::{self, Note, Place, Problem, ReadError, ReadOptions};
 use crate::mesh::{Mesh, normal_matrix};
 use crate::normals::{Precision, Weight, When};
 use crate::num::LinearRgb;
-use crate::raster::load::normal_settings::{CreaseValue, NormalSettings, StoredFormat, of_keys};
+use crate::raster::load::normal_settings::{CreaseValue, MergeName, NormalSettings, StoredFormat, of_keys};
 use crate::raster::load::scene_file::{
     LoadOptions, MOST_OBJECTS, MOST_PLACED_CORNERS, SceneFile, SceneMesh, SceneObject, SceneShape,
 };
@@ -35,6 +35,7 @@ pub(super) struct ObjectTable {
     crease: Option<CreaseValue>,
     precision: Option<Precision>,
     normal_format: Option<StoredFormat>,
+    merge: Option<MergeName>,
     shading: Option<Spanned<ShadingName>>,
     interpolation: Option<Interpolation>,
     two_sided: Option<bool>,
@@ -135,7 +136,7 @@ impl<'a> Builder<'a> {
         let optics = table.material.as_ref().map(|table| MaterialTable::optics(self.source, table));
         let optics = optics.transpose()?.flatten();
         let own = table.material.as_ref().and_then(|material| material.get_ref().reflection);
-        let keys = of_keys(table.weight, table.crease, table.precision, table.normal_format);
+        let keys = of_keys(table.weight, table.crease, table.precision, table.normal_format, table.merge);
         let normals = keys.or(self.normals);
         let computes = normals.computes().then_some(When::Always);
         let when = self.options.when.or(table.normals.map(When::from)).or(computes);
@@ -229,8 +230,9 @@ impl<'a> Builder<'a> {
         (when, normals): (When, NormalSettings),
         surface: Option<Primitive>,
     ) -> SceneObject {
-        let normals = normals.normals(&mesh, &self.options.recipe, when);
-        self.scene.meshes.push(SceneMesh { mesh, normals, colours, source_faces: None });
+        let field = normals.normals(&mesh, &self.options.recipe, when);
+        let mesh = SceneMesh { mesh, normals: field, colours, source_faces: None };
+        self.scene.meshes.push(mesh.stored(&normals));
         SceneObject { surface, ..SceneObject::new(SceneShape::Mesh(self.scene.meshes.len() - 1)) }
     }
 
