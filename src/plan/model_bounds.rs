@@ -44,7 +44,7 @@ impl<'a> ModelBounds<'a> {
         is_centroid.then(|| Self { stage, views, lights, setting, spreads, angles: RefCell::default() })
     }
 
-    /// The bound on the difference of a model under a choice of lights from the reference, in steps.
+    /// The bound on the difference of a model under a choice of lights from the reference, in steps; `None` without one below 255.
     pub fn model(&self, unit: usize, model: &ObjectModel, choice: &LightChoice) -> Option<f64> {
         let material = self.stage.units[unit].material?;
         let mut most = 0.0_f64;
@@ -73,7 +73,8 @@ impl<'a> ModelBounds<'a> {
             error += self.setting.rounding(&material, &lights)?;
             most = most.max(error);
         }
-        Some(self.setting.steps(most))
+        // A bound of all steps is none.
+        Some(self.setting.steps(most)).filter(|&steps| steps < 255.0)
     }
 
     /// The bound on the light of other normals and another shading.
