@@ -72,9 +72,10 @@ impl DiagnosisPage<'_> {
             comparison::section(&mut page, &model, after, &later, camera, texts)?;
         }
         weightings(&mut page, diagnosis, texts);
-        if let Some(camera) = camera.filter(|_| !map.is_empty()) {
+        let has_normals = diagnosis.parts.iter().any(|part| part.estimate.is_some());
+        if let Some(camera) = camera.filter(|_| has_normals && !map.is_empty()) {
             let (heat, marks) = model.deviation("", camera, OVERVIEW, &worst_places(diagnosis), texts)?;
-            let words = caption("caption-of-deviations", marks, diagnosis, texts);
+            let words = caption("caption-of-deviations", marks, Some(diagnosis), texts);
             page.pictures(&[(&heat, &deviations_in_words(&model, texts))], &words)?;
         }
         let obstacles = model.obstacles();
@@ -159,14 +160,14 @@ fn overview(
         page.paragraph(&texts.get("there-is-nothing"));
         return Ok(top);
     };
-    let ((first, marks), in_words, words) = match map.is_empty() {
+    let ((first, marks), in_words, words, deviations) = match map.is_empty() {
         true => {
             let heat = model.deviation("", camera, OVERVIEW, &[], texts)?;
-            (heat, deviations_in_words(model, texts), "overview-caption")
+            (heat, deviations_in_words(model, texts), "overview-caption", Some(diagnosis))
         }
         false => {
             let found = map.draw(model, loaded, (camera, OVERVIEW), texts)?;
-            (found, texts.get("findings-alternative"), "overview-caption-findings")
+            (found, texts.get("findings-alternative"), "overview-caption-findings", None)
         }
     };
     let (facing, creases) = (model.facing(camera, OVERVIEW)?, model.creases(camera, OVERVIEW)?);
@@ -175,7 +176,7 @@ fn overview(
         (&facing, &texts.get("facing-alternative")),
         (&creases, &texts.get("creases-alternative")),
     ];
-    page.pictures(&pictures, &caption(words, marks, diagnosis, texts))?;
+    page.pictures(&pictures, &caption(words, marks, deviations, texts))?;
     if !diagnosis.findings.is_empty() {
         page.push(html! { ul { @for finding in &diagnosis.findings {
             @let id = finding.kind.id();
@@ -190,12 +191,14 @@ fn deviations_in_words(model: &Model, texts: Texts) -> String {
     texts.with("heat-alternative", &[("scale", model.scale.words(texts).into())])
 }
 
-fn caption(key: &str, marks: Marks, diagnosis: &Diagnosis, texts: Texts) -> String {
-    let is_of_deviations = key != "overview-caption-findings";
+/// The caption of a picture with its marks. That of `deviations` says where they are at edges that smoothing has found.
+fn caption(key: &str, marks: Marks, deviations: Option<&Diagnosis>, texts: Texts) -> String {
     let of_edges = [Kind::AveragedCrease, Kind::SplitSeam, Kind::GroupMismatch];
+    let is_at_edges =
+        deviations.is_some_and(|diagnosis| of_edges.iter().any(|&kind| diagnosis.get(kind).is_some()));
     let marks = [
         (marks.dots, "marks-dots"),
-        (is_of_deviations && of_edges.iter().any(|&kind| diagnosis.get(kind).is_some()), "marks-edges"),
+        (is_at_edges, "marks-edges"),
         (marks.lines, "marks-lines"),
         (marks.rings, "marks-rings"),
         (marks.hidden, "marks-hidden"),

@@ -1,7 +1,7 @@
 //! The page of a diagnosis: it is self-contained, its links have targets, and its pictures have alternative text.
 
 use super::{loaded, rebuilt, surface, with_normals};
-use crease::io::Loaded;
+use crease::io::{Format, Loaded, ReadOptions, read_bytes};
 use crease::mesh::{Faces, Mesh};
 use crease::normals::NormalRecipe;
 use crease::quality::catalogue::Kind;
@@ -46,6 +46,31 @@ fn the_page_of_a_fault_is_whole() {
             thresholds: &Thresholds::default(),
         };
         check(&page.html(&file, &diagnosis).unwrap(), &diagnosis, language);
+    }
+}
+
+/// Without stored normals there are no deviations to show, although a face is reversed.
+#[test]
+fn a_mesh_without_normals_has_no_picture_of_deviations() {
+    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 3 4\n";
+    let read =
+        |text: &str| read_bytes(text.into(), Some(Format::Obj), None, &ReadOptions::default()).unwrap();
+    let with_normals = format!("vn 0 0 1\n{}", text.replace("f 1 3 2", "f 1//1 3//1 2//1"));
+    for (text, has_picture) in [(text, false), (&*with_normals, true)] {
+        let file = read(text);
+        let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
+        assert!(diagnosis.get(Kind::InconsistentWinding).is_some(), "{:?}", diagnosis.findings);
+        let page = DiagnosisPage {
+            name: "a.obj",
+            fix: None,
+            omitted: 0,
+            after: None,
+            sight: Sight::Auto,
+            language: Language::English,
+            thresholds: &Thresholds::default(),
+        };
+        let page = page.html(&file, &diagnosis).unwrap();
+        assert_eq!(page.contains("computed with the estimated recipe"), has_picture, "{text}");
     }
 }
 
