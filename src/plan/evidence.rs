@@ -5,7 +5,9 @@ use super::compare::Difference;
 use super::decisions::{Described, Plan};
 use super::search::{Found, Search};
 use super::stage::PlanError;
+use super::views::View;
 use crate::raster::{Image, Pixels};
+use std::ops::Range;
 
 /// The reference next to another picture of the same view.
 #[derive(Clone, Debug)]
@@ -24,6 +26,8 @@ pub struct Comparison {
     pub worst: Difference,
     /// The largest distance of outlines, in pixels.
     pub outline: f64,
+    /// The pixel to look at: that of the largest difference, or one between two outlines if only these are too far from each other.
+    pub pixel: [u32; 2],
 }
 
 /// A cheaper step from the plan that is beyond the limits.
@@ -97,9 +101,8 @@ impl Described<'_> {
                     }
                 }
                 if let Some((cost, models)) = next {
-                    let what = self.stage.units[unit].name.clone();
                     let (from, to) = (model.value(axis), models[unit].value(axis));
-                    steps.push((what, axis, from, to, planned - cost, models, found.lights.clone()));
+                    steps.push((unit, axis, from, to, planned - cost, models, found.lights.clone()));
                 }
             }
         }
@@ -117,20 +120,43 @@ impl Described<'_> {
             if let Some((cost, lights)) = next {
                 let models = &search.trials.lights[light];
                 let (from, to) = (name(&models[number]), name(&models[lights[light]]));
-                let what = format!("light {light}");
-                steps.push((what, Axis::Lights, from, to, planned - cost, found.models.clone(), lights));
+                steps.push((light, Axis::Lights, from, to, planned - cost, found.models.clone(), lights));
             }
         }
         let mut refused = Vec::new();
-        for (what, axis, from, to, saved, models, lights) in steps.into_iter().take(MOST_REFUSALS) {
-            let comparison = compare(search, &models, &lights, None)?;
+        for (number, axis, from, to, saved, models, lights) in steps.into_iter().take(MOST_REFUSALS) {
+            let mut comparison = compare(search, &models, &lights, None)?;
             let view = &search.trials.views[comparison.view];
             // With a spent budget a cheaper step may be within the limits.
-            if !search.trials.limits.accept(view, &comparison.worst, comparison.outline) {
+            let limits = &search.trials.limits;
+            if !limits.accept(view, &comparison.worst, comparison.outline) {
+                let is_outline = axis != Axis::Lights && limits.accept(view, &comparison.worst, 0.0);
+                if is_outline {
+                    comparison.show_outline(view, self.stage.objects_of(number));
+                }
+                let what = match axis {
+                    Axis::Lights => format!("light {number}"),
+                    _ => self.stage.units[number].name.clone(),
+                };
                 refused.push(Refusal { what, axis, from, to, saved, comparison });
             }
         }
         Ok(refused)
+    }
+}
+
+impl Comparison {
+    /// Looks at a pixel that shows one of the objects in the reference only, where the pictures differ most.
+    fn show_outline(&mut self, view: &View, objects: Range<usize>) {
+        let (Some(ours), Some(theirs)) = (&self.reference.objects, &self.other.objects) else { return };
+        let Pixels::Eight(differences) = &self.difference.pixels else { return };
+        let is_between = |pixel: &usize| {
+            ours[*pixel] != theirs[*pixel] && objects.contains(&(view.object_of[*pixel] as usize))
+        };
+        let largest = (0..ours.len()).filter(is_between).max_by_key(|&pixel| differences[pixel].iter().max());
+        let Some(pixel) = largest else { return };
+        let width = self.reference.size[0] as usize;
+        self.pixel = [pixel % width, pixel / width].map(|at| at as u32);
     }
 }
 
@@ -160,7 +186,8 @@ fn compare(
     let pixels = differences.into_iter().map(|steps| steps.map(code)).collect();
     let difference = Image { pixels: Pixels::Eight(pixels), ..truth.image.clone() };
     let reference = truth.image.clone();
-    Ok(Comparison { view, reference, other, difference, amplification, worst, outline })
+    let pixel = worst.pixel;
+    Ok(Comparison { view, reference, other, difference, amplification, worst, outline, pixel })
 }
 
 /// The largest of 1, 2, 5, 10, … up to 1000 by which a difference stays a code.

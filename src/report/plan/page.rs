@@ -161,7 +161,7 @@ fn refused(refusal: &Refusal, about: &PlanPage, page: &mut Page) -> Result<()> {
     page.subheading(&text("refused-title", &values, language));
     let is_by_colour = worst.by(about.metric) > about.tolerance;
     let caption = text(if is_by_colour { "refused-caption" } else { "refused-outline" }, &values, language);
-    page.raw(&three(&refusal.comparison, Some(worst.pixel), &caption, about)?);
+    page.raw(&three(&refusal.comparison, Some(refusal.comparison.pixel), &caption, about)?);
     Ok(())
 }
 

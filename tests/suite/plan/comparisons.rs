@@ -3,17 +3,46 @@
 use super::{change, drawn, only, planned, scene};
 use crease::metric::{FLIP_PIXELS_PER_DEGREE, flip};
 use crease::num::Degrees;
-use crease::plan::{Axis, Metric, PlanOptions};
-use crease::raster::SceneFile;
+use crease::plan::{Axis, Metric, PlanOptions, plan_with_evidence};
+use crease::raster::{Image, LoadOptions, SceneFile};
 use crease::shade::Light;
 use glam::DQuat;
 use std::f64::consts::PI;
+use std::path::Path;
 
 /// A square that a sun lights from the front, and another one from behind: no light of it arrives.
 const SQUARE: &str = "[settings]\nsize = [32, 32]\nsamples = 16\n[camera]\neye = [0, 0, 10]\ntarget = [0, 0, 0]\nheight = 2\n\
     [[light.directional]]\ntowards = [0, 0, 1]\ncolour = 0.2\n[[light.directional]]\ntowards = [0, 0.5, -1]\ncolour = 0.3\n\
     [[object]]\npolygons = { vertices = [[-0.75, -0.75, 0], [0.75, -0.75, 0], [0.75, 0.75, 0], [-0.75, 0.75, 0]], \
     faces = [[0, 1, 2, 3]] }\nmaterial = { colour = 1, ambient = 0, diffuse = 0.8, specular = 0 }\n";
+
+/// The first of two balls is in the dark: its cells are refused for its outline alone, and the page looks at that, not at the lit ball.
+#[test]
+fn a_step_that_its_outline_refuses_is_shown_there() {
+    let ball = |x: f64, material: &str| {
+        format!(
+            "[[object]]\nsurface = {{ sphere = {{ radius = 1 }} }}\ntessellation = {{ segments = [16, 8] }}\n\
+             transform = [{{ translate = [{x:?}, 0, 0] }}]\nmaterial = {material}\n"
+        )
+    };
+    let text = format!(
+        "[settings]\nsize = [120, 60]\nbackground = 0.2\n[camera]\neye = [0, 0, 9]\ntarget = [0, 0, 0]\nheight = 3\n\
+         [[light.directional]]\ntowards = [1, 1, 1]\n{}{}",
+        ball(-1.5, "{ colour = 0, specular = 0 }"),
+        ball(1.5, "{ colour = 1 }")
+    );
+    let options = PlanOptions { outline: 0.1, ..only(&[Axis::Tessellation, Axis::Interpolation], 20.0) };
+    let (plan, evidence) =
+        plan_with_evidence(&text, Path::new(""), &LoadOptions::default(), &options, &|_| ()).unwrap();
+    let refused =
+        evidence.refused.iter().find(|step| step.what == "object 0" && step.axis == Axis::Tessellation);
+    let shown = &refused.unwrap_or_else(|| panic!("{:?}", plan.decisions)).comparison;
+    assert!(shown.outline > 0.1 && shown.worst.steps <= 20.0);
+    let [x, y] = shown.pixel;
+    let object = |picture: &Image| picture.objects.as_ref().unwrap()[picture.index(x, y).unwrap()];
+    // The first ball is in the left half. The reference shows it here, the coarser one does not.
+    assert!(x < 60 && object(&shown.reference) != object(&shown.other), "{:?}", shown.pixel);
+}
 
 /// Turned by an angle c around the x-axis, the rear light has the direction (0, 0.5 cos c + sin c, 0.5 sin c − cos c): it arrives
 /// when tan c > 2, beyond 63.4°.
