@@ -37,7 +37,7 @@ pub struct PlanOptions {
 }
 
 impl Default for PlanOptions {
-    /// Two steps, half a pixel, and 10¹⁰ pixels.
+    /// Two steps, half a pixel, and 10⁹ pixels.
     fn default() -> Self {
         Self {
             metric: Metric::Steps,
@@ -49,7 +49,7 @@ impl Default for PlanOptions {
             light_cone: Degrees(0.0),
             keep: Vec::new(),
             allow_antialiasing: false,
-            budget: 10_000_000_000,
+            budget: 1_000_000_000,
             for_files: false,
             seconds: None,
         }
@@ -59,8 +59,13 @@ impl Default for PlanOptions {
 impl PlanOptions {
     /// Refuses numbers out of range.
     pub(super) fn check(&self) -> Result<(), PlanError> {
+        // No difference is larger.
+        let largest = match self.metric {
+            Metric::Steps => 255.0,
+            Metric::Flip => 1.0,
+        };
         let limits = [
-            ("tolerance", self.tolerance, f64::MAX),
+            ("tolerance", self.tolerance, largest),
             ("share of pixels", self.share, 1.0),
             ("distance of outlines", self.outline, f64::MAX),
             ("angle of lights", self.light_cone.0, 180.0),

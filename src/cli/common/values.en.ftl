@@ -183,6 +183,7 @@ axis-weight = how vertex normals are averaged
 axis-creases = normals split at sharp edges, or one for each vertex
 axis-precision = faithful or fast normals
 axis-storage = the format of stored normals
+axis-merging = whether vertices that agree are stored once
 axis-interpolation = perspective or affine
 axis-reflection = which terms of the material are evaluated
 axis-tessellation = cells of analytic surfaces

@@ -41,7 +41,7 @@ pub struct PlanArgs {
     pub light_cone: Option<f64>,
     #[arg(long, value_name = "WHAT", value_parser = one_of::<Permission>())]
     pub allow: Option<Permission>,
-    #[arg(long, value_name = "PIXELS", default_value = "10000000000")]
+    #[arg(long, value_name = "PIXELS", default_value = "1000000000")]
     pub budget: u64,
     #[arg(long, value_name = "S", value_parser = at_most(1e9), allow_negative_numbers = true)]
     pub seconds: Option<f64>,

@@ -138,7 +138,7 @@ pub fn text(report: &Report, style: Style) -> String {
         row(&mut out, "view", &place(at));
     }
     let search = format!(
-        "{}; {} refused, {} combinations, {:.0} Mpixels",
+        "{}; {} refused, {}, {:.0} Mpixels",
         end(plan, report.minimise),
         count(plan.refused as usize, "model"),
         about(plan.combinations),
@@ -164,7 +164,11 @@ fn end(plan: &Plan, minimise: Minimise) -> String {
         true => "no plan is cheaper".to_owned(),
         false => {
             let gap = three_digits(100.0 * plan.gap);
-            format!("a cheaper plan saves at most {gap} % more ({} {})", plan.proven, name(minimise))
+            format!(
+                "a cheaper plan saves at most {gap} % more (none costs less than {} {})",
+                plan.proven,
+                name(minimise)
+            )
         }
     };
     match plan.end {
@@ -179,9 +183,9 @@ fn end(plan: &Plan, minimise: Minimise) -> String {
 /// A number of combinations.
 fn about(combinations: f64) -> String {
     match combinations {
-        few if few < 1e7 => format!("{few:.0}"),
-        f64::MAX => "more than 10^308".to_owned(),
-        many => format!("about {}", three_digits(many)),
+        few if few < 1e7 => count(few as usize, "combination"),
+        f64::MAX => "more than 10^308 combinations".to_owned(),
+        many => format!("about {} combinations", three_digits(many)),
     }
 }
 

@@ -251,8 +251,11 @@ impl GltfDocument {
         buffers.chain(self.images.iter().map(|(_, path)| path.as_path()))
     }
 
-    /// The bytes of the document's text or GLB and of the buffers that are files of their own.
+    /// The bytes of the document's text or GLB and of the buffers that are files of their own, compressed if they were.
     pub fn file_bytes(&self) -> u64 {
+        if let Some(compression) = &self.compression {
+            return compression.file_bytes();
+        }
         let files = self.buffers.list.iter().filter_map(|buffer| match &buffer.storage {
             Storage::File { path, bytes, .. } => Some((path, bytes.len() as u64)),
             _ => None,

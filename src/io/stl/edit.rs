@@ -6,10 +6,11 @@ use super::new_file::{stored, vertex_normals_note};
 use super::read::VECTOR;
 use crate::io::text::{Copier, line_end_length, push_f32, push_row};
 use crate::io::{Loaded, PartEdit, WriteError, WriteOptions, Written};
-use crate::mesh::{Mesh, Storage};
+use crate::mesh::{Column, Mesh, Storage};
+use glam::DVec3;
 use std::ops::Range;
 
-/// The document with the edit applied. Facets without a new normal keep their bytes.
+/// The document with the edit applied. Facets whose corners all keep the normal of the file keep it; all else keeps its bytes.
 pub(in crate::io) fn edit(
     document: &StlDocument,
     loaded: &Loaded,
@@ -100,11 +101,18 @@ fn facet_lines(copy: &Copier<'_>, facet: &FacetText) -> Range<usize> {
     if starts_line && line_end > 0 { start..facet.span.end + blanks + line_end } else { facet.span.clone() }
 }
 
-/// The new normal of a facet; `None` if it is the stored one.
+/// The new normal of a facet; `None` if the stored one stays: all corners keep it, or the number is equal.
 fn new_normal(mesh: &Mesh, edit: &PartEdit, face: usize) -> Option<[f32; 3]> {
     let normal = stored(*edit.face_normals.as_ref()?.get(face)?);
-    let corner = mesh.faces().range(face).start;
-    let vertex = mesh.faces().corners()[corner];
+    let range = mesh.faces().range(face);
+    let corners = || range.clone().zip(&mesh.faces().corners()[range.clone()]);
+    let keeps = |normals: &Column<DVec3>| {
+        corners().all(|(corner, &vertex)| {
+            normals.slot(corner, vertex).is_some_and(|slot| (slot as usize) < edit.kept)
+        })
+    };
+    let (corner, &vertex) = corners().next()?;
     let current = mesh.columns().normals.as_ref().and_then(|normals| normals.get(corner, vertex));
-    (current.copied().map(stored) != Some(normal)).then_some(normal)
+    let is_equal = current.copied().map(stored) == Some(normal);
+    (!is_equal && !edit.normals.as_ref().is_some_and(keeps)).then_some(normal)
 }

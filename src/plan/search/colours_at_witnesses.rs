@@ -161,8 +161,7 @@ impl Trials<'_> {
     }
 
     fn count_tile(&self) {
-        let [width, height] = self.stage.settings.size.map(u64::from);
-        self.count((width * height).min(TILE));
+        self.count(self.pixels().min(TILE * self.stage.settings.samples.count() as u64));
     }
 
     /// Remembers a pixel at which a model was refused.

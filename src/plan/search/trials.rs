@@ -64,6 +64,9 @@ pub struct Counts {
     best: Cell<Option<f64>>,
 }
 
+/// Pictures that one compared by ꟻLIP counts as in the budget: its filters take some sixty times as long as drawing it.
+const FLIP: u64 = 64;
+
 /// Models that were drawn and compared.
 #[derive(Clone, Debug)]
 pub struct Trial {
@@ -230,7 +233,7 @@ impl<'a> Trials<'a> {
             let stage = self.stage.with_samples(view.truth.samples());
             let reference = self.stage.units[unit].reference;
             *alone = Some(stage.draw(&[(unit, reference)], &view.lights, &view.camera)?);
-            self.count(picture.coverage.len() as u64);
+            self.count(self.pixels());
         }
         let Some(truth) = &*alone else { return Ok(0.0) };
         match outline_distance((picture, self.stage.settings.samples), (truth, view.truth.samples())) {
@@ -247,9 +250,14 @@ impl<'a> Trials<'a> {
         lights: &[Light],
         view: &View,
     ) -> Result<Image, PlanError> {
-        let [width, height] = self.stage.settings.size.map(u64::from);
-        self.count(width * height);
+        self.count(self.pixels());
         self.stage.draw(models, lights, &view.camera)
+    }
+
+    /// The pixels of a picture, each counted once for each of its samples.
+    pub(in crate::plan) fn pixels(&self) -> u64 {
+        let [width, height] = self.stage.settings.size.map(u64::from);
+        width * height * self.stage.settings.samples.count() as u64
     }
 
     /// Counts drawn pixels.
@@ -321,6 +329,7 @@ impl<'a> Trials<'a> {
         let is_compared = |pixel: usize| self.shows_the_same(view, shown, pixel);
         let mut difference = view.truth.difference(&picture, self.limits.tolerance, u64::MAX, is_compared);
         if self.limits.metric == Metric::Flip {
+            self.count((FLIP - 1) * self.pixels());
             difference.flip = Some(view.truth.flip(&picture)?);
             return Ok((difference, 0.0));
         }

@@ -123,16 +123,16 @@ value-disc = disc
 because-shading =
     { $what } is lit by { $to } shading in place of { $from } shading: its normals vary so little between the corners of a face
     that colours differ by { $difference } at most.
-because-weight = Averaging by { $to } in place of { $from } changes colours by { $difference }.
+because-weight = { $what }: averaging by { $to } in place of { $from } changes colours by { $difference }.
 because-weight-angle =
-    Averaging by { $to } in place of { $from } rotates normals by at most { $angle }, which changes colours by { $difference }.
+    { $what }: averaging by { $to } in place of { $from } rotates normals by at most { $angle }, which changes colours by { $difference }.
 because-creases = The hard edges of { $what } are not visible here: one normal for each vertex changes colours by { $difference }.
 because-creases-angle =
-    One normal for each vertex rotates normals by up to { $angle } at hard edges, but visible colours change by only { $difference }.
-because-precision = Single precision changes colours by { $difference }.
-because-precision-angle = Single precision rotates normals by at most { $angle }, which changes colours by { $difference }.
-because-storage = Normals stored as { $to } change colours by { $difference }.
-because-storage-angle = Normals stored as { $to } are off by at most { $angle }, which changes colours by { $difference }.
+    { $what }: one normal for each vertex rotates normals by up to { $angle } at hard edges, but visible colours change by only { $difference }.
+because-precision = { $what }: single precision changes colours by { $difference }.
+because-precision-angle = { $what }: single precision rotates normals by at most { $angle }, which changes colours by { $difference }.
+because-storage = { $what }: normals stored as { $to } change colours by { $difference }.
+because-storage-angle = { $what }: normals stored as { $to } are off by at most { $angle }, which changes colours by { $difference }.
 because-merging =
     Vertices of { $what } at equal positions with equal normals are stored once. Each corner keeps its values, so colours change by
     { $difference }.

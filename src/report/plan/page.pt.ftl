@@ -123,20 +123,20 @@ value-disc = circular
 because-shading =
     { $what } recebe tonalização { $to } em vez de tonalização { $from }: os vetores normais variam tão pouco entre os cantos de uma face que
     as cores diferem no máximo em { $difference }.
-because-weight = A média por { $to } em vez de { $from } muda as cores em { $difference }.
+because-weight = { $what }: a média por { $to } em vez de { $from } muda as cores em { $difference }.
 because-weight-angle =
-    A média por { $to } em vez de { $from } gira os vetores normais em no máximo { $angle }, o que muda as cores em
+    { $what }: a média por { $to } em vez de { $from } gira os vetores normais em no máximo { $angle }, o que muda as cores em
     { $difference }.
 because-creases = As arestas vivas de { $what } não são visíveis aqui: um vetor normal por vértice muda as cores em { $difference }.
 because-creases-angle =
-    Um vetor normal por vértice gira os vetores normais em até { $angle } nas arestas vivas, mas as cores visíveis mudam apenas
+    { $what }: um vetor normal por vértice gira os vetores normais em até { $angle } nas arestas vivas, mas as cores visíveis mudam apenas
     { $difference }.
-because-precision = A precisão simples muda as cores em { $difference }.
+because-precision = { $what }: a precisão simples muda as cores em { $difference }.
 because-precision-angle =
-    A precisão simples gira os vetores normais em no máximo { $angle }, o que muda as cores em { $difference }.
-because-storage = Vetores normais armazenados como { $to } mudam as cores em { $difference }.
+    { $what }: a precisão simples gira os vetores normais em no máximo { $angle }, o que muda as cores em { $difference }.
+because-storage = { $what }: vetores normais armazenados como { $to } mudam as cores em { $difference }.
 because-storage-angle =
-    Vetores normais armazenados como { $to } erram no máximo { $angle }, o que muda as cores em { $difference }.
+    { $what }: vetores normais armazenados como { $to } erram no máximo { $angle }, o que muda as cores em { $difference }.
 because-merging =
     Vértices de { $what } em posições iguais com vetores normais iguais são armazenados uma só vez. Cada canto mantém os seus
     valores, e as cores mudam em { $difference }.

@@ -70,6 +70,25 @@ fn help_has_every_option_with_its_values_and_examples() {
     assert!(help.contains("Exit codes:"));
 }
 
+/// A text that is missing shows as its key in braces.
+#[test]
+fn every_help_has_all_of_its_texts() {
+    let output = crease().arg("--help").output().unwrap();
+    let list = text(&output.stdout);
+    let verbs =
+        list.split("Verbs:").nth(1).unwrap().lines().skip(1).take_while(|line| line.starts_with("  "));
+    let verbs: Vec<&str> = verbs.filter_map(|line| line.split_whitespace().next()).collect();
+    assert!(verbs.len() > 8 && verbs.contains(&"plan"), "{verbs:?}");
+    for verb in verbs {
+        let output = crease().args([verb, "--help"]).output().unwrap();
+        let help = text(&output.stdout);
+        let missing = help
+            .match_indices('{')
+            .find(|(at, _)| help[at + 1..].starts_with(|c: char| c.is_ascii_lowercase()));
+        assert!(missing.is_none(), "{verb}: {}", &help[missing.unwrap().0..][..30]);
+    }
+}
+
 #[test]
 fn the_program_reports_its_verbs_and_version() {
     let help = crease().arg("--help").output().unwrap();

@@ -3,8 +3,8 @@
 use super::{assert_near, change, drawn, only, planned, scene, srgb, steps, switch};
 use crease::normals::encoding::Encoding;
 use crease::num::{Radians, largest_exponent};
-use crease::plan::{Axis, Minimise, PlanOptions};
-use crease::raster::StoredFormat;
+use crease::plan::{Axis, Minimise, PlanOptions, plan};
+use crease::raster::{LoadOptions, StoredFormat};
 use glam::{DQuat, DVec3};
 use std::f64::consts::PI;
 
@@ -162,7 +162,7 @@ fn a_fine_matt_ball_takes_gouraud() {
 }
 
 /// A block whose front face has 3 × 3 cells. The inner cell has the same normals with and without creases, those at the rim have not.
-fn block(height: f64) -> String {
+fn block() -> (String, String) {
     let mut vertices = String::new();
     for index in 0..16 {
         vertices += &format!("[{}, {}, 1], ", index % 4 * 2 - 3, index / 4 * 2 - 3);
@@ -177,28 +177,65 @@ fn block(height: f64) -> String {
     {
         faces += &format!("[{d}, {c}, {b}, {a}, {}, {}], ", 16 + side, 16 + (side + 1) % 4);
     }
+    vertices += "[-3, -3, -1], [3, -3, -1], [3, 3, -1], [-3, 3, -1], ";
+    (vertices, faces)
+}
+
+/// The block in a scene with the keys of its object.
+fn scene_of_block(height: f64, keys: &str) -> String {
     format!(
         "[settings]\nsize = [32, 32]\ntransfer = \"direct\"\n[camera]\neye = [0, 0, 10]\ntarget = [0, 0, 0]\nheight = {height}\n\
-         [[light.directional]]\ntowards = [0, 0, 1]\n[[object]]\nweight = \"angle\"\nmaterial = {{ colour = 1, diffuse = 1, specular = 0 }}\n\
-         polygons = {{ vertices = [{vertices}[-3, -3, -1], [3, -3, -1], [3, 3, -1], [-3, 3, -1]], faces = [{faces}] }}\n"
+         [[light.directional]]\ntowards = [0, 0, 1]\n[[object]]\nmaterial = {{ colour = 1, diffuse = 1, specular = 0 }}\n{keys}\n"
     )
 }
 
 #[test]
 fn creases_that_no_pixel_shows_are_dropped() {
     let options = PlanOptions { minimise: Minimise::Bytes, ..only(&[Axis::Creases], 2.0) };
-    let plan = planned(&block(1.9), &options);
+    let (vertices, faces) = block();
+    let keys = format!("weight = \"angle\"\npolygons = {{ vertices = [{vertices}], faces = [{faces}] }}");
+    let plan = planned(&scene_of_block(1.9, &keys), &options);
     assert_eq!(change(&plan, Axis::Creases), Some("none"));
     assert!(plan.worst.steps < 1e-4);
     // 20 vertices: the corners in front have three normals, the 8 others of the rim two. Those behind have two.
     assert_eq!((plan.declared.vertices, plan.planned.vertices), (20 + 4 * 2 + 8 + 4, 20));
     // A corner of three right angles has the mean (1, 1, 1)/√3: the face becomes darker by up to 1 − 1/√3.
-    let plan = planned(&block(6.1), &options);
+    let plan = planned(&scene_of_block(6.1, &keys), &options);
     assert_eq!(change(&plan, Axis::Creases), None);
     let most = 255.0 * (1.0 - 1.0 / 3.0_f64.sqrt());
-    let plan = planned(&block(6.1), &PlanOptions { tolerance: most, ..options });
+    let plan = planned(&scene_of_block(6.1, &keys), &PlanOptions { tolerance: most, ..options });
     assert_eq!(change(&plan, Axis::Creases), Some("none"));
     assert!(plan.worst.steps > 0.8 * most, "{} of {most}", plan.worst.steps);
+}
+
+/// The same block as an OBJ file whose front face is a smoothing group of its own, so that the edges around it are hard at any angle.
+#[test]
+fn edges_of_a_smoothing_group_that_no_pixel_shows_are_dropped() {
+    let (vertices, faces) = block();
+    let lists = |text: &str| -> Vec<Vec<i32>> {
+        let list = |list: &str| list.split(", ").map(|number| number.parse().unwrap()).collect();
+        text.trim_end_matches("], ").split("], ").map(|it| list(it.trim_start_matches('['))).collect()
+    };
+    let line = |letter: char, numbers: Vec<i32>| {
+        let words: Vec<String> = numbers.iter().map(i32::to_string).collect();
+        format!("{letter} {}\n", words.join(" "))
+    };
+    let mut text: String = lists(&vertices).into_iter().map(|position| line('v', position)).collect();
+    for (number, face) in lists(&faces).into_iter().enumerate() {
+        text += if number < 9 { "s 1\n" } else { "s 2\n" };
+        text += &line('f', face.iter().map(|vertex| vertex + 1).collect());
+    }
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("block.obj"), text).unwrap();
+    let options = PlanOptions { minimise: Minimise::Bytes, ..only(&[Axis::Creases], 2.0) };
+    let creases = |height: f64| {
+        let text = scene_of_block(height, "mesh = \"block.obj\"");
+        let plan = plan(&text, folder.path(), &LoadOptions::default(), &options, &|_| ()).unwrap();
+        (change(&plan, Axis::Creases).map(str::to_owned), plan.declared.vertices, plan.planned.vertices)
+    };
+    // The twelve vertices at the rim of the front have two normals each.
+    assert_eq!(creases(1.9), (Some("none".to_owned()), 20 + 12, 20));
+    assert_eq!(creases(6.1), (None, 20 + 12, 20 + 12));
 }
 
 /// A square of 8 × 8 cells, each of two triangles with vertices of their own: 384 vertices. Merged they are 81, each with one normal.

@@ -119,6 +119,10 @@ fn impossible_limits_are_errors() {
         let message = error(SCENE, &PlanOptions { outline, ..PlanOptions::default() });
         assert!(message.contains("outline"), "{outline}: {message}");
     }
+    let message = error(SCENE, &PlanOptions { tolerance: 256.0, ..PlanOptions::default() });
+    assert!(message.contains("from 0 to 255"), "{message}");
+    let flip = PlanOptions { tolerance: 2.0, metric: crease::plan::Metric::Flip, ..PlanOptions::default() };
+    assert!(error(SCENE, &flip).contains("from 0 to 1"));
     for share in [f64::NAN, -0.1, 1.5] {
         let message = error(SCENE, &PlanOptions { share, ..PlanOptions::default() });
         assert!(message.contains("share"), "{share}: {message}");

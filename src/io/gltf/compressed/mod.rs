@@ -109,6 +109,11 @@ fn reopen(
 }
 
 impl Compression {
+    /// The bytes of the compressed document and of its buffers that are files.
+    pub fn file_bytes(&self) -> u64 {
+        self.bytes
+    }
+
     /// Whether the input has its compressed data in a file of this name.
     pub fn has_file(&self, name: &str) -> bool {
         self.files.iter().any(|file| file == name)
