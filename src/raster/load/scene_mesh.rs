@@ -8,7 +8,7 @@ use crate::num::{LinearRgb, Transfer};
 use crate::raster::load::normal_settings::NormalSettings;
 use crate::raster::load::scene_file::{LoadOptions, SceneMesh};
 use glam::DVec3;
-use rustc_hash::FxHashMap;
+use std::collections::HashMap;
 
 impl SceneMesh {
     /// A part of a file in this format, without the faces that use non-finite positions.
@@ -43,14 +43,14 @@ impl SceneMesh {
         let corners = mesh.faces().corners();
         let mut representative = mesh.first_vertices();
         if let Some(colours) = &colours {
-            let mut known = FxHashMap::default();
+            let mut known = HashMap::new();
             for (vertex, first) in (0..).zip(&mut representative) {
                 let bits = colours[vertex as usize].to_array().map(f64::to_bits);
                 *first = *known.entry((*first, bits)).or_insert(vertex);
             }
         }
         let mut slots = field.normals.corner_index(corners);
-        let mut known = FxHashMap::default();
+        let mut known = HashMap::new();
         for slot in slots.iter_mut().filter(|slot| **slot != NONE) {
             let bits = field.normals.values[*slot as usize].to_array().map(f64::to_bits);
             *slot = *known.entry(bits).or_insert(*slot);
