@@ -3,7 +3,7 @@
 //! In a block marked `console`, a line `$ COMMAND` is run by a shell, and the lines after it are what it prints to standard
 //! output. `…` alone matches any lines, at the end of a line the rest of it. `? N` is the exit code, 0 if omitted. An indented
 //! `crease` command has to succeed, whatever it prints. The commands of a page run in order, in one folder that has a copy of
-//! `data/`. Commands in running text run too, with small files in place of the names that they have. `.ci/commands` has the commands of
+//! `data/` and the scene of a bench. Commands in running text run too, with small files in place of the names that they have. `.ci/commands` has the commands of
 //! other programs; those of `cargo` must name what exists.
 
 use super::{pages, root, sources};
@@ -89,6 +89,8 @@ fn commands_print_what_the_pages_show() {
         let folder = tempfile::tempdir().unwrap();
         copy_folder(&root().join("data"), &folder.path().join("data"));
         fs::create_dir_all(folder.path().join("tests/gallery")).unwrap();
+        fs::create_dir(folder.path().join("benches")).unwrap();
+        fs::copy(root().join("benches/plan.toml"), folder.path().join("benches/plan.toml")).unwrap();
         let any_output = |command: String| {
             // All surfaces take minutes, and the tests of `trade` check them.
             let command = command.split('#').next().unwrap().trim_end().to_owned();
