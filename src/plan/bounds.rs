@@ -352,7 +352,6 @@ mod tests {
             }
         }
         // Of point, spot, rectangle and disc: another point, another lamp, no lamp.
-        println!("shares of the bounds that are reached: {closest:.2?}");
         assert!(closest.iter().flatten().all(|&share| share > 0.3), "{closest:.2?}");
     }
 }
