@@ -3,8 +3,8 @@
 //! In a block marked `console`, a line `$ COMMAND` is run by a shell, and the lines after it are what it prints to standard
 //! output. `…` alone matches any lines, at the end of a line the rest of it. `? N` is the exit code, 0 if omitted. An indented
 //! `crease` command has to succeed, whatever it prints. The commands of a page run in order, in one folder that has a copy of
-//! `data/` and the scene of a bench. Commands in running text run too, with small files in place of the names that they have. `.ci/commands` has the commands of
-//! other programs; those of `cargo` must name what exists.
+//! `data/` and the scene of a bench. Commands in running text run too, with small files in place of the names that they have.
+//! `.ci/commands` has the commands of other programs; those of `cargo` must name what exists.
 
 use super::{pages, root, sources};
 use std::collections::HashMap;
