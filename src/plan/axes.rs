@@ -77,6 +77,9 @@ pub struct Normals {
     pub format: Option<StoredFormat>,
 }
 
+/// Cells along u and v; `None` for meshes and for surfaces that rays are cast at.
+pub type Cells = Option<[u32; 2]>;
+
 /// The model of an object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ObjectModel {
@@ -89,7 +92,7 @@ pub struct ObjectModel {
     /// Which terms of its material are evaluated.
     pub terms: Terms,
     /// Cells along u and v, of a tessellated analytic surface.
-    pub segments: Option<[u32; 2]>,
+    pub segments: Cells,
     /// Whether vertices that agree are one.
     pub merged: bool,
     /// Whether it is lit on both sides.

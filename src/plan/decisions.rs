@@ -1,10 +1,10 @@
 //! The decisions of a plan, what each of them saves and costs in accuracy, and the planned text.
 
 use super::axes::{Axis, LightModel, ObjectModel};
-use super::compare::Difference;
+use super::bounds::{ModelBounds, outline_bound};
+use super::compare::{Difference, Metric};
 use super::cost::{Cost, Minimise};
 use super::document::Document;
-use super::model_bounds::ModelBounds;
 use super::options::End;
 use super::search::trials::Limits;
 use super::search::{Found, Outcome, Search};
@@ -33,10 +33,21 @@ pub struct Decision {
     pub bound: Option<f64>,
     /// The difference that it makes alone, in steps; by ꟻLIP if pictures are compared by it.
     pub measured: f64,
+    /// How far it moves outlines alone; `None` for changes that keep them.
+    pub outline: Option<OutlineShift>,
     /// The angle in degrees by which normals or the direction to the light are off at most; `None` for other changes.
     pub angle: Option<f64>,
-    /// The distance of a point light from the middle of the scene, in radii of the scene.
+    /// The distance of a light with a position from the middle of the scene, in radii of the scene.
     pub radii: Option<f64>,
+}
+
+/// Distances of outlines.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct OutlineShift {
+    /// The largest distance in the pictures, in pixels.
+    pub measured: f64,
+    /// A proven bound on the distance before pixels sample it, in pixels; `None` where there is none.
+    pub bound: Option<f64>,
 }
 
 /// The result.
@@ -118,6 +129,13 @@ impl Described<'_> {
                 let saved = difference_of(&cost(&models, &found.lights)?, &after, search.minimise);
                 let mut only = declared.clone();
                 only[unit] = alone;
+                let (measured, shift) = self.worst(self.declared, &only, &declared_lights)?;
+                let is_tessellation =
+                    axis == Axis::Tessellation && search.trials.limits.metric == Metric::Steps;
+                let outline = is_tessellation.then(|| {
+                    let bound = |cells| outline_bound(self.stage, unit, cells, self.declared.trials.views);
+                    OutlineShift { measured: shift, bound: model.segments.and_then(bound) }
+                });
                 decisions.push(Decision {
                     what: self.stage.units[unit].name.clone(),
                     number: unit,
@@ -126,7 +144,8 @@ impl Described<'_> {
                     to: model.value(axis),
                     saved,
                     bound: self.bound(unit, &alone, &declared_lights),
-                    measured: self.worst(self.declared, &only, &declared_lights)?,
+                    measured,
+                    outline,
                     angle: self.angle(unit, axis, &alone),
                     radii: None,
                 });
@@ -147,7 +166,8 @@ impl Described<'_> {
                 to: new.to_string(),
                 saved: difference_of(&cost(&found.models, &without)?, &after, search.minimise),
                 bound: self.bound_of_lights(&only),
-                measured: self.worst(self.declared, &declared, &only)?,
+                measured: self.worst(self.declared, &declared, &only)?.0,
+                outline: None,
                 angle: lamp.map(|(_, angle)| angle.to_degrees()),
                 radii: lamp.map(|(radii, _)| radii),
             });
@@ -155,6 +175,8 @@ impl Described<'_> {
         let (old, new) = (self.stage.settings.samples, search.trials.stage.settings.samples);
         if old != new {
             let without = self.declared.cost(&found.models, &found.lights)?;
+            let (measured, shift) = self.worst(search, &declared, &declared_lights)?;
+            let is_compared = search.trials.limits.metric == Metric::Steps;
             decisions.push(Decision {
                 what: "picture".to_owned(),
                 number: 0,
@@ -163,7 +185,8 @@ impl Described<'_> {
                 to: new.count().to_string(),
                 saved: difference_of(&without, &after, search.minimise),
                 bound: None,
-                measured: self.worst(search, &declared, &declared_lights)?,
+                measured,
+                outline: is_compared.then_some(OutlineShift { measured: shift, bound: None }),
                 angle: None,
                 radii: None,
             });
@@ -194,12 +217,19 @@ impl Described<'_> {
         })
     }
 
-    /// The largest difference of models over all views.
-    fn worst(&self, search: &Search, models: &[ObjectModel], lights: &Vec<usize>) -> Result<f64, PlanError> {
-        let metric = search.trials.limits.metric;
-        let measure = |view| Ok(search.trials.measure(view, models, lights)?.0.by(metric));
-        let steps: Result<Vec<f64>, PlanError> = search.trials.views.iter().map(measure).collect();
-        Ok(steps?.into_iter().fold(0.0, f64::max))
+    /// The largest difference and the largest distance of outlines of models over all views.
+    fn worst(
+        &self,
+        search: &Search,
+        models: &[ObjectModel],
+        lights: &Vec<usize>,
+    ) -> Result<(f64, f64), PlanError> {
+        let mut worst = (0.0_f64, 0.0_f64);
+        for view in search.trials.views {
+            let (difference, outline) = search.trials.measure(view, models, lights)?;
+            worst = (worst.0.max(difference.by(search.trials.limits.metric)), worst.1.max(outline));
+        }
+        Ok(worst)
     }
 
     /// The bound on the difference of the reference with one model and a choice of lights.

@@ -43,6 +43,12 @@ impl Document {
         numbers.try_into().ok()
     }
 
+    /// Whether an object has the default tessellation, with any number of cells.
+    pub fn has_regular_cells(&self, object: usize) -> bool {
+        let tessellation = self.table(object).and_then(|table| table.get("tessellation")?.as_table_like());
+        tessellation.is_some_and(|table| table.iter().all(|(key, _)| key == "segments"))
+    }
+
     /// The name of the mesh file of an object.
     pub fn mesh(&self, object: usize) -> Option<&str> {
         self.table(object)?.get("mesh")?.as_str()

@@ -22,14 +22,8 @@ mod stage;
 mod models;
 // Pictures compared.
 mod compare;
-// Bounds on the light that arrives, and on that of cheaper lights.
-mod light_bounds;
-// Bounds on the error of a change of light.
+// A-priori bounds on the error of cheaper models.
 mod bounds;
-// How much normals and positions within a face vary.
-mod spread;
-// Bounds on the error of a model.
-mod model_bounds;
 // Views of the reference: cameras around a scene, with lights that turn.
 mod views;
 // The search.
@@ -49,7 +43,7 @@ pub use apply::{AXES_OF_FILES, Applied, AppliedFile, FileSize, Home, Reference, 
 pub use axes::{Axis, LightModel, Normals, ObjectModel, Source, Terms};
 pub use compare::{Difference, Metric};
 pub use cost::{Cost, Minimise};
-pub use decisions::{Decision, Plan, limit};
+pub use decisions::{Decision, OutlineShift, Plan, limit};
 pub use evidence::{Comparison, Evidence, Refusal, Tried};
 pub use options::{End, PlanOptions, Progress};
 pub use planned::{plan, plan_with_evidence};

@@ -1,6 +1,6 @@
 //! The models that an object may have.
 
-use super::axes::{Axis, Normals, ObjectModel, Source, Terms};
+use super::axes::{Axis, Cells, Normals, ObjectModel, Source, Terms};
 use super::stage::Stage;
 use super::unit::Unit;
 use crate::normals::{Precision, Weight};
@@ -107,6 +107,17 @@ pub fn models_of(stage: &Stage, unit: usize, is_open: &dyn Fn(Axis) -> bool) -> 
     let mut seen = HashSet::new();
     models.retain(|model| seen.insert(*model));
     models
+}
+
+/// The cells that each unit may have.
+pub fn cells_of(models: &[Vec<ObjectModel>]) -> Vec<Vec<Cells>> {
+    let cells = |models: &Vec<ObjectModel>| {
+        let mut list: Vec<Cells> = models.iter().map(|model| model.segments).collect();
+        list.sort_unstable();
+        list.dedup();
+        list
+    };
+    models.iter().map(cells).collect()
 }
 
 /// The weights that cost less.

@@ -2,13 +2,12 @@
 
 use super::apply::{FileModels, name_storage};
 use super::axes::{Axis, LightModel, ObjectModel};
+use super::bounds::{Ball, ModelBounds};
 use super::compare::{Difference, Metric};
 use super::decisions::{Described, Plan};
 use super::document::Document;
 use super::evidence::Evidence;
-use super::light_bounds::Ball;
 use super::lights::replacements;
-use super::model_bounds::ModelBounds;
 use super::models::models_of;
 use super::options::{End, PlanOptions, Progress};
 use super::search::trials::{Counts, Limits, Trials};
@@ -207,7 +206,7 @@ fn views_of(
     };
     let found_with = views(&cameras, &turns)?;
     if found_with.iter().all(|view| view.truth.image.statistics.covered_pixels == 0) {
-        return Err(PlanError::Invalid("no view shows any object".to_owned()));
+        return Err(PlanError::Invalid("no view shows any object; move the camera, or omit it".to_owned()));
     }
     Ok((found_with, views(&between, &others)?))
 }

@@ -1,6 +1,6 @@
 //! The scene of a plan: its objects with any model, drawn from every view.
 
-use super::axes::{Normals, ObjectModel, Terms};
+use super::axes::{Cells, Normals, ObjectModel, Terms};
 use super::cost::Sizes;
 use super::document::{Document, with_terms};
 use super::unit::{Unit, count_vertices};
@@ -8,7 +8,7 @@ use crate::io::{ReadError, WriteError};
 use crate::num::LinearRgb;
 use crate::raster::{
     Camera, Image, LoadOptions, Object, Paint, RenderError, RenderSettings, Samples, Scene, SceneFile,
-    SceneShape, Shape, pixel_colour, probe, render,
+    SceneShape, Shape, Show, pixel_colour, probe, render,
 };
 use crate::shade::Light;
 use std::borrow::Cow;
@@ -19,7 +19,7 @@ use std::path::Path;
 use std::rc::Rc;
 
 /// What of a model decides the vertices and normals of an object.
-type Geometry = (usize, Option<Normals>, Option<[u32; 2]>, bool);
+type Geometry = (usize, Option<Normals>, Cells, bool);
 
 /// The scene of a plan. A copy shares everything that was read.
 #[derive(Clone)]
@@ -60,7 +60,11 @@ impl<'a> Stage<'a> {
         for object in 0..document.objects() {
             let declared = Rc::new(SceneFile::from_toml(&document.only(object).to_string(), base, options)?);
             first.push(first[object] + declared.objects.len());
-            units.push(Unit::new(document, object, declared, &settings));
+            let mut unit = Unit::new(document, object, declared, &settings);
+            if units.iter().any(|other: &Unit| other.name == unit.name) {
+                unit.name += &format!(" ({object})");
+            }
+            units.push(unit);
         }
         let (units, background, loaded) = (units.into(), whole.background, Rc::default());
         Ok(Self { document, base, options, settings, units, first, background, loaded })
@@ -118,6 +122,15 @@ impl<'a> Stage<'a> {
             file.unframed().objects.into_iter().map(|object| self.changed(*unit, model, object))
         });
         Ok(render(&self.scene(objects.collect(), lights, camera), &self.settings)?)
+    }
+
+    /// Which sides of faces are seen, before a black background.
+    ///
+    /// # Errors
+    /// What makes a picture impossible.
+    pub fn sides(&self, models: &[(usize, ObjectModel)], camera: &Camera) -> Result<Image, PlanError> {
+        let settings = RenderSettings { show: Show::Facing, ..self.settings };
+        Self { settings, background: LinearRgb::BLACK, ..self.clone() }.draw(models, &[], camera)
     }
 
     fn scene<'o>(&self, objects: Vec<Object<'o>>, lights: &[Light], camera: &Camera) -> Scene<'o> {

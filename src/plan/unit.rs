@@ -25,6 +25,8 @@ pub struct Unit {
     pub is_kept: bool,
     /// Whether rays are cast at it.
     pub is_cast: bool,
+    /// Whether it is tessellated in the default pattern.
+    pub has_regular_cells: bool,
     /// Whether its normals differ between hard and smooth edges.
     pub has_splits: bool,
     /// Whether some of its vertices, or normals of vertices, agree.
@@ -57,6 +59,7 @@ impl Unit {
             merged: first.normals.merge == Some(true),
             two_sided: own.two_sided.unwrap_or(settings.two_sided),
         };
+        let has_regular_cells = document.has_regular_cells(object);
         let has_splits = declared.meshes.iter().any(|mesh| {
             let [vertices, normals] = count_vertices(mesh);
             normals > vertices
@@ -64,7 +67,18 @@ impl Unit {
         let fewer = |mesh: &SceneMesh| count_vertices(&mesh.clone().merged()) != count_vertices(mesh);
         let can_merge = !reference.merged && declared.meshes.iter().any(fewer);
         let name = if first.name.is_empty() { format!("object {object}") } else { first.name.clone() };
-        Self { name, reference, material, highlight, is_kept, is_cast, has_splits, can_merge, declared }
+        Self {
+            name,
+            declared,
+            reference,
+            material,
+            highlight,
+            is_kept,
+            is_cast,
+            has_regular_cells,
+            has_splits,
+            can_merge,
+        }
     }
 }
 

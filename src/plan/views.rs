@@ -1,5 +1,6 @@
 //! Views of the reference: cameras around a scene, with lights that turn.
 
+use super::axes::ObjectModel;
 use super::compare::Truth;
 use super::stage::{PlanError, Stage};
 use crate::mesh::NONE;
@@ -27,6 +28,8 @@ pub struct View {
     pub object_of: Vec<u32>,
     /// Pixels that show only a unit.
     pub pixels: Vec<u64>,
+    /// Whether rear faces of a unit may be seen: then it matters whether it is lit on both sides.
+    pub shows_rear: Vec<bool>,
     /// The picture of each unit alone, for its outline; drawn where it is needed.
     pub alone: Vec<RefCell<Option<Image>>>,
 }
@@ -52,10 +55,35 @@ impl View {
         for &object in object_of.iter().filter(|&&object| object != NONE) {
             pixels[stage.unit_of(object)] += 1;
         }
+        let shows_rear = match stage.units.iter().any(|unit| unit.reference.two_sided && !unit.is_cast) {
+            true => rear_faces(stage, &models, &camera, &object_of)?,
+            false => vec![false; stage.units.len()],
+        };
         let alone = stage.units.iter().map(|_| RefCell::default()).collect();
         let truth = Truth::new(image, &stage.settings);
-        Ok(Self { camera, lights, turn, truth, covered, object_of, pixels, alone })
+        Ok(Self { camera, lights, turn, truth, covered, object_of, pixels, shows_rear, alone })
     }
+}
+
+/// Whether a sample shows a rear face of each unit. Front faces have a quarter as much red as blue in a picture of sides, rear faces some
+/// thirty times as much, and the background is black. Pixels of several objects count for all units.
+fn rear_faces(
+    stage: &Stage,
+    models: &[(usize, ObjectModel)],
+    camera: &Camera,
+    object_of: &[u32],
+) -> Result<Vec<bool>, PlanError> {
+    let image = stage.sides(models, camera)?;
+    let mut shown = vec![false; stage.units.len()];
+    for (&[red, _, blue], &object) in image.linear.iter().flatten().zip(object_of) {
+        if red > 0.3 * blue {
+            match object {
+                NONE => shown.fill(true),
+                object => shown[stage.unit_of(object)] = true,
+            }
+        }
+    }
+    Ok(shown)
 }
 
 /// Views at the same distance as a camera on a sphere around its target, evenly spread: Fibonacci's lattice (Á. González, *Measurement of areas

@@ -6,7 +6,7 @@ use crate::cli::common::numbers::{change, count, row, size};
 use crate::cli::common::report::Head;
 use crease::io::Note;
 use crease::num::{six_digits, three_digits};
-use crease::plan::{Axis, Decision, End, FileSize, Metric, Minimise, Place, Plan, limit};
+use crease::plan::{Axis, Decision, End, FileSize, Metric, Minimise, OutlineShift, Place, Plan, limit};
 use serde::Serialize;
 
 /// The choices, the formulas of bounds, and how costs are counted.
@@ -108,7 +108,10 @@ pub fn text(report: &Report, style: Style) -> String {
     report.files.iter().for_each(|file| file.rows(&mut out));
     let [x, y] = plan.worst.pixel;
     let view = if plan.views > 1 { format!(" of view {}", plan.worst_view) } else { String::new() };
-    let steps = format!("{} steps of 255 at pixel {x},{y}{view}", three_digits(plan.worst.steps));
+    let steps = match plan.worst.steps {
+        0.0 => "no difference".to_owned(),
+        steps => format!("{} of 255 at pixel {x},{y}{view}", Metric::Steps.text(steps)),
+    };
     let mut worst = match report.metric {
         Metric::Steps => format!(
             "{steps} (tolerance {}); outlines within {} pixels",
@@ -125,7 +128,7 @@ pub fn text(report: &Report, style: Style) -> String {
         worst += &format!("; lights rotated by {}° and {}°", 0.5 * report.light_cone, report.light_cone);
     }
     row(&mut out, "worst", &worst);
-    if plan.views > 1 {
+    if plan.views > 1 && plan.worst.steps > 0.0 {
         row(&mut out, "view", &place(&plan.worst_place));
     }
     if let Some((held_out, at)) = plan.held_out.as_ref().zip(plan.held_out_place.as_ref()) {
@@ -191,7 +194,8 @@ fn about(combinations: f64) -> String {
 
 /// The camera and the lights of a view.
 fn place(place: &Place) -> String {
-    let list = |vector: [f64; 3]| vector.map(six_digits).join(",");
+    // Zeros without a sign.
+    let list = |vector: [f64; 3]| vector.map(|x| six_digits(x + 0.0)).join(",");
     let turn = place.turn.map_or(String::new(), |turn| {
         format!(", lights rotated by {}° around {}", three_digits(turn.degrees), list(turn.axis))
     });
@@ -207,9 +211,11 @@ fn name(minimise: Minimise) -> &'static str {
 }
 
 fn line(decision: &Decision, report: &Report) -> String {
-    let Decision { what, axis, from, to, saved, bound, measured, .. } = decision;
+    let Decision { what, axis, from, to, saved, bound, measured, outline, .. } = decision;
     let (what, axis) = (escaped(what), if *axis == Axis::Lights { "" } else { axis.name() });
-    let bound = bound.map_or("no bound".to_owned(), |bound| format!("bound {}", three_digits(bound)));
+    let bounded = |bound: Option<f64>| {
+        bound.map_or("no bound".to_owned(), |bound| format!("bound {}", three_digits(bound)))
+    };
     let quantity = name(report.minimise);
     let saves = match saved {
         ..0 => format!("takes {} {quantity} more", saved.unsigned_abs()),
@@ -220,9 +226,13 @@ fn line(decision: &Decision, report: &Report) -> String {
         beyond if beyond < 0.0 => "within the tolerance only together with other changes".to_owned(),
         margin => format!("margin {}", three_digits(margin)),
     };
+    let outline = outline.map_or(String::new(), |OutlineShift { measured, bound }| {
+        format!("; outline {} pixels alone ({})", three_digits(measured), bounded(bound))
+    });
     format!(
-        "{what}: {axis}{}{from} to {to}; {saves}; {} alone ({bound}, {margin})",
+        "{what}: {axis}{}{from} to {to}; {saves}; {} alone ({}, {margin}){outline}",
         if axis.is_empty() { "" } else { " " },
         report.metric.text(*measured),
+        bounded(*bound),
     )
 }

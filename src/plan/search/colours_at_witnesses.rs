@@ -175,6 +175,10 @@ impl Trials<'_> {
         if !self.refuses_by_pixels() {
             return Ok(());
         }
+        let at = pixel[1] as usize * self.stage.settings.size[0] as usize + pixel[0] as usize;
+        if self.lasting_pixels(view, unit, model.segments)?.is_some_and(|lasting| !lasting[at]) {
+            return Ok(());
+        }
         let face = self.stage.face_at((unit, model), &self.views[view].camera, pixel)?;
         let mut lists = self.witnesses.lists.borrow_mut();
         let list = lists.entry((unit, model.segments)).or_default();

@@ -14,12 +14,14 @@ mod light_tree;
 pub mod trials;
 // The light of each lamp at pixels at which models were refused.
 mod colours_at_witnesses;
+mod visibility;
 mod witnesses;
 
-use super::axes::{Normals, ObjectModel};
+use super::axes::{Cells, Normals, ObjectModel};
 use super::compare::Difference;
 use super::cost::{Cost, Minimise, Sizes, light_class, object_cost};
 use super::lights::LightChoice;
+use super::models::cells_of;
 use super::options::End;
 use super::stage::PlanError;
 use crate::raster::Projection;
@@ -84,14 +86,15 @@ pub struct Search<'a> {
 
 /// What the sizes of a model depend on: the unit, its cells, whether its normals are split, and for merged vertices all normals before they are
 /// stored.
-type Shape = (usize, Option<[u32; 2]>, bool, Option<Option<Normals>>);
+type Shape = (usize, Cells, bool, Option<Option<Normals>>);
 
 /// A model of a unit with its cost and the number of changes.
 type Ranked = (u64, u32, usize, Cost);
 
 impl<'a> Search<'a> {
     /// A search over everything that is listed.
-    pub fn new(trials: Trials<'a>, models: &'a [Vec<ObjectModel>], minimise: Minimise) -> Self {
+    pub fn new(mut trials: Trials<'a>, models: &'a [Vec<ObjectModel>], minimise: Minimise) -> Self {
+        trials.cells = cells_of(models);
         let survivors = RefCell::new(vec![0; models.len()]);
         let (sizes, least, declared) = Default::default();
         Self { trials, models, minimise, sizes, least, survivors, declared }

@@ -2,10 +2,10 @@
 
 use super::witnesses::Witnesses;
 use crate::mesh::NONE;
-use crate::plan::axes::{LightModel, ObjectModel};
+use crate::plan::axes::{Cells, LightModel, ObjectModel};
+use crate::plan::bounds::ModelBounds;
 use crate::plan::compare::{Difference, Metric, outline_distance};
 use crate::plan::lights::LightChoice;
-use crate::plan::model_bounds::ModelBounds;
 use crate::plan::options::{End, Progress};
 use crate::plan::stage::{PlanError, Stage};
 use crate::plan::views::View;
@@ -13,6 +13,7 @@ use crate::raster::Image;
 use crate::shade::Light;
 use std::cell::{Cell, Ref, RefCell};
 use std::collections::HashMap;
+use std::rc::Rc;
 use std::time::Instant;
 
 /// What a plan has to keep to.
@@ -80,6 +81,9 @@ pub struct Trial {
     pub is_within: bool,
 }
 
+/// A view, a unit and its cells.
+type Covering = (usize, usize, Cells);
+
 /// Draws models and remembers which keep to the limits.
 pub struct Trials<'a> {
     /// The scene.
@@ -92,6 +96,10 @@ pub struct Trials<'a> {
     pub limits: Limits,
     /// Bounds on the difference of models, where they hold.
     pub bounds: Option<ModelBounds<'a>>,
+    /// The cells that each unit may have.
+    pub cells: Vec<Vec<Cells>>,
+    /// The pixels of a view that show a unit with these cells in every plan.
+    pub(super) lasting: RefCell<HashMap<Covering, Rc<[bool]>>>,
     /// Called after each picture.
     progress: &'a dyn Fn(Progress),
     counts: &'a Counts,
@@ -115,8 +123,9 @@ impl<'a> Trials<'a> {
         counts: &'a Counts,
         progress: &'a dyn Fn(Progress),
     ) -> Self {
-        let (known, log, witnesses) = Default::default();
-        Self { stage, views, lights, limits, bounds, progress, counts, known, log, witnesses }
+        let cells = stage.units.iter().map(|unit| vec![unit.reference.segments]).collect();
+        let (lasting, known, log, witnesses) = Default::default();
+        Self { stage, views, lights, limits, bounds, cells, lasting, progress, counts, known, log, witnesses }
     }
 
     /// Pixels drawn.
@@ -207,11 +216,10 @@ impl<'a> Trials<'a> {
         let lights = self.lights_of(view, choice);
         let picture = self.draw(&[(unit, *model)], &lights, view)?;
         let Some(shown) = &picture.objects else { return Ok((0.0, true)) };
-        let objects = self.stage.objects_of(unit);
-        let samples = self.stage.settings.samples.count();
+        let lasting = self.lasting_pixels(number, unit, model.segments)?;
         let is_compared = |pixel: usize| {
-            let object = view.object_of[pixel] as usize;
-            objects.contains(&object) && shown[pixel] == Image::number_of(object - objects.start, samples)
+            let lasts = lasting.as_ref().is_none_or(|lasting| lasting[pixel]);
+            lasts && self.shows_unit(view, (unit, 0), shown, pixel)
         };
         let most = self.limits.most_beyond(view);
         let difference = view.truth.difference(&picture, self.limits.tolerance, most, is_compared);
@@ -244,7 +252,7 @@ impl<'a> Trials<'a> {
         }
     }
 
-    fn draw(
+    pub(super) fn draw(
         &self,
         models: &[(usize, ObjectModel)],
         lights: &[Light],

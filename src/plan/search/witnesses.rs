@@ -1,5 +1,6 @@
 //! Pixels at which models were refused.
 
+use crate::plan::axes::Cells;
 use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -14,14 +15,11 @@ pub struct Witness {
     pub face: (usize, u32),
 }
 
-/// A unit, and the cells of its surface.
-type Cells = (usize, Option<[u32; 2]>);
-
 /// Those of all units.
 #[derive(Default)]
 pub struct Witnesses {
     /// Of a unit with these cells. The latest comes first.
-    pub lists: RefCell<HashMap<Cells, Vec<Witness>>>,
+    pub lists: RefCell<HashMap<(usize, Cells), Vec<Witness>>>,
     pub count: Cell<usize>,
     /// Colours of models, by unit, number of the model and number of the witness.
     pub colours: RefCell<HashMap<(usize, usize, usize), Rc<Colours>>>,

@@ -223,3 +223,8 @@ fn choices_of_several_lamps_cost_as_little_as_the_cheapest_of_all() {
 fn plans_cost_as_little_as_the_cheapest_of_thousands_of_combinations() {
     compare(1000..1200, 5000);
 }
+/// A coarser ball sinks behind the box that cuts it, and the pixels there do not refuse it.
+#[test]
+fn pixels_that_another_object_may_cover_refuse_nothing() {
+    compare(1043..1044, 5000);
+}

@@ -10,15 +10,15 @@
 //! - **The cut J** of the highlight where N·L = 0: Blinn's has k_s (N·H)ⁿ there, at most k_s sinⁿ(θ/2), Phong's
 //!   k_s max(0, −cos θ)ⁿ. It vanishes unless the light comes from behind.
 //! - **Positions** off by s see a viewer at the distance of D − r or more in a direction that is off by asin(s/(D − r)).
-//! - **A strength off by ΔI** changes the light by at most ΔI (k_d + k_s). The module `light_bounds` has I, ΔI and λ of each light.
+//! - **A strength off by ΔI** changes the light by at most ΔI (k_d + k_s). The module `lights` has I, ΔI and λ of each light.
 //! - **The highlight of an area light** comes from one of its points, which may be any other one for another normal or position: λ is the
 //!   angle at which the light is seen.
 //! - **Steps.** The transfer curve is concave and 0 at 0, so |encode(a) − encode(b)| ≤ encode(|a − b|): a difference E in linear light is at
 //!   most 255 encode(E) steps.
 
-use super::axes::Terms;
-use super::light_bounds::Ball;
+use super::lights::Ball;
 use crate::num::{Radians, Transfer, steepest_slope};
+use crate::plan::axes::Terms;
 use crate::raster::{Camera, Projection, RenderSettings};
 use crate::shade::{Guards, Light, Material, Reflection, Terminator, ToneRule};
 use glam::DVec3;
@@ -169,10 +169,11 @@ impl<'a> Setting<'a> {
         Some(largest.min(PI))
     }
 
-    /// The distance of a light in radii of the ball, and asin(r/D).
-    pub fn lamp(&self, position: DVec3) -> Option<(f64, f64)> {
-        let radii = position.distance(self.ball.middle) / self.ball.radius;
-        (radii > 1.0 && radii.is_finite()).then(|| (radii, libm::asin(1.0 / radii)))
+    /// The distance of a light in radii of the ball, and the largest angle between directions to it and that from the middle.
+    pub fn lamp(&self, light: &Light) -> Option<(f64, f64)> {
+        let (way, angle) = self.ball.directions(light)?;
+        let radii = way.length() / self.ball.radius;
+        (!matches!(light, Light::Directional { .. }) && radii.is_finite()).then_some((radii, angle))
     }
 
     fn is_far(&self, camera: &Camera) -> bool {
@@ -212,10 +213,10 @@ fn cut(material: &Material, angle: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::axes::LightModel;
-    use super::super::lights::replacements;
     use super::*;
     use crate::num::LinearRgb;
+    use crate::plan::axes::LightModel;
+    use crate::plan::lights::replacements;
     use crate::shade::{
         AreaShape, Attenuation, Cone, Reflectance, ShadeSettings, Shader, SurfacePoint, Viewer,
     };

@@ -9,8 +9,8 @@
 //! (A/π) ((1 + a)/n² − 1/(n + s)²). A spot in the centre, with A/π and the same law, differs from the sum by at most (A/π) ((1 + σ)/n² −
 //! 1/(n + ρ)²). What arrives from different directions adds up as vectors for the highlight, whose factor differs by (A/π) σ/n² more.
 
-use super::lights::{Emitter, cheaper_kind, constant, emitter};
 use crate::num::angle_between;
+use crate::plan::lights::{Emitter, cheaper_kind, constant, emitter};
 use crate::shade::{Attenuation, Cone, Light};
 use glam::DVec3;
 use std::f64::consts::{FRAC_1_PI, PI};

@@ -1,14 +1,14 @@
 //! Bounds on the error of a model of an object under cheaper lights.
 
-use super::axes::{LightModel, Normals, ObjectModel, Terms};
-use super::bounds::{Setting, Shift};
-use super::document::with_terms;
-use super::light_bounds::Ball;
-use super::lights::LightChoice;
+use super::lights::Ball;
+use super::shading::{Setting, Shift};
 use super::spread::{Spread, angle_between_normals, depth_share};
-use super::stage::Stage;
-use super::views::View;
 use crate::num::Radians;
+use crate::plan::axes::{LightModel, Normals, ObjectModel, Terms};
+use crate::plan::document::with_terms;
+use crate::plan::lights::LightChoice;
+use crate::plan::stage::Stage;
+use crate::plan::views::View;
 use crate::raster::{FlatSample, Interpolation, Shading, StoredFormat};
 use crate::shade::{Light, Material};
 use std::cell::{OnceCell, RefCell};
@@ -46,6 +46,13 @@ impl<'a> ModelBounds<'a> {
 
     /// The bound on the difference of a model under a choice of lights from the reference, in steps; `None` without one below 255.
     pub fn model(&self, unit: usize, model: &ObjectModel, choice: &LightChoice) -> Option<f64> {
+        let reference = &self.stage.units[unit].reference;
+        if model.terms == reference.terms
+            && choice.iter().all(|&number| number == 0)
+            && self.has_same_picture(unit, model)
+        {
+            return Some(0.0);
+        }
         let material = self.stage.units[unit].material?;
         let mut most = 0.0_f64;
         // Default lights follow the camera, declared ones are the same in all views.
@@ -86,13 +93,11 @@ impl<'a> ModelBounds<'a> {
         lights: &[Light],
     ) -> Option<f64> {
         let reference = &self.stage.units[unit].reference;
-        let geometry =
-            |model: &ObjectModel| (model.shading, model.normals, model.interpolation, model.segments);
-        if model.two_sided != reference.two_sided || model.segments != reference.segments {
-            return None;
-        }
-        if geometry(model) == geometry(reference) {
+        if self.has_same_picture(unit, model) {
             return Some(0.0);
+        }
+        if self.has_other_sides(unit, model) || model.segments != reference.segments {
+            return None;
         }
         let shifted = |normal, position| self.setting.shifted(material, lights, Shift { normal, position });
         let (spread, share) = self.spread(unit)?;
@@ -122,6 +127,20 @@ impl<'a> ModelBounds<'a> {
         }
     }
 
+    /// Whether a model has the normals and the shading of the reference, to the bit, wherever it is seen. Merged vertices keep the values of
+    /// all corners.
+    fn has_same_picture(&self, unit: usize, model: &ObjectModel) -> bool {
+        let geometry =
+            |model: &ObjectModel| (model.shading, model.normals, model.interpolation, model.segments);
+        geometry(model) == geometry(&self.stage.units[unit].reference) && !self.has_other_sides(unit, model)
+    }
+
+    /// Whether rear faces are seen, and lit on another side.
+    fn has_other_sides(&self, unit: usize, model: &ObjectModel) -> bool {
+        model.two_sided != self.stage.units[unit].reference.two_sided
+            && self.views.iter().any(|view| view.shows_rear[unit])
+    }
+
     fn spread(&self, unit: usize) -> Option<Variation> {
         *self.spreads[unit].get_or_init(|| {
             let declared = &self.stage.units[unit].declared;
@@ -130,12 +149,9 @@ impl<'a> ModelBounds<'a> {
         })
     }
 
-    /// The distance of a point light in radii of the scene, and the largest angle by which a directional light in its place is off.
+    /// The distance of a light in radii of the scene, and the largest angle by which a directional light in its place is off.
     pub fn lamp(&self, old: &Light, new: &Light) -> Option<(f64, f64)> {
-        match (old, new) {
-            (Light::Point { position, .. }, Light::Directional { .. }) => self.setting.lamp(*position),
-            _ => None,
-        }
+        matches!(new, Light::Directional { .. }).then(|| self.setting.lamp(old))?
     }
 
     /// The largest angle between stored normals of a model and those of the reference; `None` if a model has none, or other corners.
