@@ -6,8 +6,12 @@
 
 mod meshes;
 
-use crease::normals::{Averaging, Precision, Scratch, Weight, corner_normals, vertex_normals};
-use crease::num::Degrees;
+use crease::mesh::Faces;
+use crease::normals::{
+    Averaging, Crease, Extras, NormalRecipe, Precision, Scratch, Weight, compute_with, corner_normals,
+    vertex_normals,
+};
+use crease::num::{Degrees, three_digits};
 use crease::trade::plain_vertex_normals;
 use meshes::{Mesh, grid, icosphere, shuffled};
 use std::hint::black_box;
@@ -18,6 +22,9 @@ type Candidate<'a> = (&'static str, Box<dyn FnMut() + 'a>);
 
 /// Each measurement repeats its work until about this many triangles are done.
 const TRIANGLES_PER_MEASUREMENT: usize = 1_000_000;
+
+/// Normals of larger meshes are not fitted.
+const MOST_FITTED: usize = 2_000_000;
 
 fn main() {
     let numbers: Vec<usize> =
@@ -46,6 +53,11 @@ fn measure(mesh: &Mesh, pools: &[rayon::ThreadPool; 2], rounds: usize) -> Vec<(&
     let bytes = triangles.len() * 12 + positions.len() * 24;
     let (source, mut target) = (vec![1_u8; bytes], vec![0_u8; bytes]);
     let mut normals = vec![[0.0_f32; 3]; positions.len()];
+    // Fits take a hundred times as long as sums.
+    let fitted = (triangles.len() <= MOST_FITTED).then(|| {
+        let faces = Faces::triangles(triangles.concat());
+        crease::mesh::Mesh::new(positions.clone(), faces).expect("the mesh is sound")
+    });
     let mut candidates: Vec<Candidate> = vec![
         ("baseline", Box::new(move || plain_vertex_normals(positions, triangles, black_box(&mut normals)))),
         ("memory copy", Box::new(move || black_box(&mut target).copy_from_slice(black_box(&source)))),
@@ -87,6 +99,13 @@ fn measure(mesh: &Mesh, pools: &[rayon::ThreadPool; 2], rounds: usize) -> Vec<(&
         black_box(result.expect("the mesh is sound"));
     };
     candidates.push(("crease 40°, 2 threads", Box::new(crease)));
+    let fits = [("quadric, 2 threads", Weight::Quadric), ("jet, 2 threads", Weight::Jet)];
+    for ((name, weight), mesh) in fits.into_iter().flat_map(|fit| fitted.iter().map(move |mesh| (fit, mesh)))
+    {
+        let recipe = NormalRecipe { weight, crease: Crease::OFF, ..NormalRecipe::default() };
+        let work = move || drop(black_box(pools[1].install(|| compute_with(mesh, &recipe, Extras::NONE))));
+        candidates.push((name, Box::new(work)));
+    }
     let repeats = (TRIANGLES_PER_MEASUREMENT / triangles.len()).max(1);
     let mut seconds = vec![Vec::new(); candidates.len()];
     for round in 0..=rounds {
@@ -114,8 +133,10 @@ fn print(table: &[(String, Vec<(&str, f64)>)]) {
     for (row, columns) in table {
         let baseline = columns[0].1;
         let triangles: f64 = row.split(' ').next().and_then(|count| count.parse().ok()).unwrap_or(f64::NAN);
-        let ratios: Vec<String> =
-            columns[1..].iter().map(|&(_, seconds)| format!("{:.2}×", baseline / seconds)).collect();
+        let ratios: Vec<String> = columns[1..]
+            .iter()
+            .map(|&(_, seconds)| format!("{}×", three_digits(baseline / seconds)))
+            .collect();
         println!("| {row} | {:.0} | {} |", triangles / baseline / 1e6, ratios.join(" | "));
     }
 }

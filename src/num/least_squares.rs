@@ -12,8 +12,9 @@ const COLUMNS: usize = 10;
 /// Columns whose dots with a reflection are summed at the same time: additions of one sum wait for each other.
 const TOGETHER: usize = 4;
 
-/// A column of eight systems, or their right sides.
-pub(crate) type Column = [Eight; ROWS];
+/// A column of eight systems, or their right sides. With one row more than there are, columns are no multiple of 4 KiB apart: all of
+/// their rows would share one set of the cache.
+pub(crate) type Column = [Eight; ROWS + 1];
 
 /// Which column is reduced next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,8 +95,11 @@ pub(crate) fn least_squares<A: Lanes>(
         for columns in together {
             reflect(pivot, half_square, columns.each_mut().map(|column| &mut column[k..rows]));
         }
-        for column in single {
-            reflect(pivot, half_square, [&mut column[k..rows]]);
+        match single {
+            [a, b, c] => reflect(pivot, half_square, [a, b, c].map(|column| &mut column[k..rows])),
+            [a, b] => reflect(pivot, half_square, [a, b].map(|column| &mut column[k..rows])),
+            [a] => reflect(pivot, half_square, [&mut a[k..rows]]),
+            _ => {}
         }
         if pivoting == Pivoting::Columns {
             for (distance, column) in distances[k + 1..unknowns].iter_mut().zip(&columns[k + 1..]) {
@@ -166,26 +170,43 @@ fn reflect<A: Lanes, const N: usize>(v: &[Eight], half_square: Scalars<A>, mut c
 #[inline(always)]
 fn scale_to_unit_length<A: Lanes>(arch: A, column: &mut [Eight]) -> Eight {
     let squares = dot(arch, column, column);
-    let mut length = squares.sqrt().store();
-    let (low, high) = PLAIN_SQUARES;
-    if !squares.store().0.iter().all(|square| (low..=high).contains(square)) {
-        length = lengths_of_any_scale(arch, column);
+    let mut length = squares.sqrt();
+    // Divisions take several times as long as products.
+    let mut factor = Scalars::splat(arch, 1.0) / length;
+    if !squares.store().0.iter().all(is_plain) {
+        let other = divide_by_lengths_of_any_scale(squares.store(), column);
+        let keep = |own: Scalars<A>, other: [f64; LANES]| {
+            let own = own.store().0;
+            let lane = |lane: usize| if is_plain(&squares.store().0[lane]) { own[lane] } else { other[lane] };
+            Scalars::load(arch, &Eight(std::array::from_fn(lane)))
+        };
+        (length, factor) = (keep(length, other), keep(factor, [1.0; LANES]));
     }
-    let divisor = Scalars::load(arch, &length);
     for x in column.iter_mut() {
-        *x = (Scalars::load(arch, x) / divisor).store();
+        *x = (Scalars::load(arch, x) * factor).store();
     }
-    length
+    length.store()
 }
 
-/// The lengths of columns of any scale.
+/// Whether a sum of squares has no term that is out of the range of numbers.
+fn is_plain(square: &f64) -> bool {
+    (PLAIN_SQUARES.0..=PLAIN_SQUARES.1).contains(square)
+}
+
+/// Divides columns with sums of `squares` that are out of range by their lengths, which it returns.
 #[cold]
 #[inline(never)]
-fn lengths_of_any_scale<A: Lanes>(_: A, column: &[Eight]) -> Eight {
-    Eight(std::array::from_fn(|lane| {
+fn divide_by_lengths_of_any_scale(squares: Eight, column: &mut [Eight]) -> [f64; LANES] {
+    std::array::from_fn(|lane| {
+        if is_plain(&squares.0[lane]) {
+            return 1.0;
+        }
         let scale = unit_scale(column.iter().fold(0.0, |largest: f64, x| x.0[lane].abs().max(largest)));
-        column.iter().map(|x| (x.0[lane] * scale) * (x.0[lane] * scale)).sum::<f64>().sqrt() / scale
-    }))
+        let scaled = column.iter().map(|x| (x.0[lane] * scale) * (x.0[lane] * scale));
+        let length = scaled.sum::<f64>().sqrt() / scale;
+        column.iter_mut().for_each(|x| x.0[lane] /= length);
+        length
+    })
 }
 
 /// The place in each lane of the farthest column: the first unless another is more than twice as far. Distances are squared.
@@ -280,7 +301,7 @@ mod tests {
     /// One system in all lanes.
     fn system(columns: &[Vec<f64>], pivoting: Pivoting) -> Systems {
         let column = |from: &Vec<f64>| {
-            let mut column = [Eight::ZERO; ROWS];
+            let mut column = [Eight::ZERO; ROWS + 1];
             from.iter().zip(&mut column).for_each(|(&x, row)| *row = Eight([x; LANES]));
             column
         };
@@ -346,7 +367,7 @@ mod tests {
         let mut numbers = Numbers::new(21);
         for round in 0..300 {
             let pivoting = BOTH[round % 2];
-            let mut systems = Systems { columns: vec![[Eight::ZERO; ROWS]; 7], rows: 20, pivoting };
+            let mut systems = Systems { columns: vec![[Eight::ZERO; ROWS + 1]; 7], rows: 20, pivoting };
             let counts: [usize; LANES] = std::array::from_fn(|_| 8 + numbers.below(12));
             for column in &mut systems.columns {
                 for (row, at) in column.iter_mut().enumerate() {

@@ -1,15 +1,20 @@
 //! Smooth groups in whose neighbourhood the surface is no height function.
 
 use crate::normals::fits::rings::{RingScratch, Rings};
-use crate::num::{Radians, angle_between};
+use crate::num::{Radians, angle_between, parallel};
 use glam::DVec3;
 use rustc_hash::FxHashMap;
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, SQRT_2};
+
+/// Two distances whose sum is below this are below √2, whatever rounding did to them.
+const NEAR: f64 = SQRT_2 - 1e-6;
 
 /// Finds neighbourhoods with normals more than 90° from that of their centre, as at the tip of a cone.
 pub(super) struct Folds<'a> {
     rings: &'a Rings<'a>,
     means: &'a [DVec3],
+    /// The largest distance between the normal of each group and one of its ring, as unit vectors.
+    reaches: Vec<f32>,
     /// For each crowded group the largest angle to a normal of its ring: each neighbour would visit the whole ring.
     spreads: FxHashMap<u32, f64>,
 }
@@ -21,19 +26,29 @@ impl<'a> Folds<'a> {
             let angles = rings.groups(group).iter().map(|&next| angle(means, group, next));
             (group, angles.fold(0.0, f64::max))
         };
-        Self { rings, means, spreads: rings.crowded().map(spread).collect() }
+        let reaches = parallel::map(means.len(), |group| {
+            let around = rings.groups(group as u32).iter();
+            let squares = around.map(|&next| means[group].distance_squared(means[next as usize]));
+            squares.fold(0.0, f64::max).sqrt() as f32
+        });
+        Self { rings, means, reaches, spreads: rings.crowded().map(spread).collect() }
     }
 
     /// Whether there is one among the groups of the last search, that for the neighbours of this group.
     pub(super) fn is_folded(&self, group: u32, search: &RingScratch) -> bool {
         let own = self.means[group as usize];
+        // Almost all: unit vectors at a distance of less than √2 are less than 90° apart.
+        let is_near = |&next: &u32| {
+            own.distance(self.means[next as usize]) + f64::from(self.reaches[next as usize]) < NEAR
+        };
         let is_opposite = |&other: &u32| own.dot(self.means[other as usize]) < 0.0;
         let reaches_opposite = |&next: &u32| match self.spreads.get(&next) {
             Some(spread) => angle(self.means, group, next) + spread > FRAC_PI_2,
             None => self.rings.groups(next).iter().any(is_opposite),
         };
         let [inner, outer] = search.groups();
-        inner.iter().chain(outer).any(is_opposite) || outer.iter().any(reaches_opposite)
+        inner.iter().any(is_opposite)
+            || outer.iter().any(|next| !is_near(next) && (is_opposite(next) || reaches_opposite(next)))
     }
 }
 

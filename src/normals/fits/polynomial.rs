@@ -54,9 +54,9 @@ impl Neighbourhoods {
             used: 0,
             counts: [0; LANES],
             frames: [[DVec3::ZERO; 3]; LANES],
-            offsets: [[Eight::ZERO; ROWS]; 3],
+            offsets: [[Eight::ZERO; ROWS + 1]; 3],
             scales: Eight::ZERO,
-            columns: [[Eight::ZERO; ROWS]; COLUMNS],
+            columns: [[Eight::ZERO; ROWS + 1]; COLUMNS],
         })
     }
 
