@@ -8,6 +8,9 @@ use crate::plan::views::View;
 use crate::raster::Image;
 use std::rc::Rc;
 
+/// Most pixels that are kept, a byte each. Beyond that all are drawn again when they are needed.
+const MOST_PIXELS: usize = 1 << 28;
+
 impl Trials<'_> {
     /// Whether a pixel shows the same object of a unit as the reference, in a picture with some objects before those of the unit.
     pub(super) fn shows_unit(
@@ -61,9 +64,8 @@ impl Trials<'_> {
         let mut pixels = vec![true; view.object_of.len()];
         for mut models in pictures {
             models.sort_unstable_by_key(|it: &(usize, ObjectModel)| it.0);
-            let before =
-                models.iter().take_while(|it| it.0 < unit).map(|it| self.stage.objects_of(it.0).len());
-            let before = before.sum();
+            let earlier = models.iter().take_while(|it| it.0 < unit);
+            let before = earlier.map(|it| self.stage.objects_of(it.0).len()).sum();
             let picture = self.draw(&models, &[], view)?;
             let shown = picture.objects.as_deref().unwrap_or_default();
             for (pixel, lasts) in pixels.iter_mut().enumerate() {
@@ -71,7 +73,11 @@ impl Trials<'_> {
             }
         }
         let pixels: Rc<[bool]> = pixels.into();
-        self.lasting.borrow_mut().insert((number, unit, cells), pixels.clone());
+        let mut known = self.lasting.borrow_mut();
+        if known.len() * pixels.len() >= MOST_PIXELS {
+            known.clear();
+        }
+        known.insert((number, unit, cells), pixels.clone());
         Ok(Some(pixels))
     }
 }
