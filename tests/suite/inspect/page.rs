@@ -60,18 +60,23 @@ fn a_mesh_without_normals_has_no_picture_of_deviations() {
         let file = read(text);
         let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
         assert!(diagnosis.get(Kind::InconsistentWinding).is_some(), "{:?}", diagnosis.findings);
-        let page = DiagnosisPage {
-            name: "a.obj",
-            fix: None,
-            omitted: 0,
-            after: None,
-            sight: Sight::Auto,
-            language: Language::English,
-            thresholds: &Thresholds::default(),
-        };
-        let page = page.html(&file, &diagnosis).unwrap();
+        let page = page_of(&file, &diagnosis);
         assert_eq!(page.contains("computed with the estimated recipe"), has_picture, "{text}");
     }
+}
+
+/// The page of a diagnosis in English.
+fn page_of(file: &Loaded, diagnosis: &Diagnosis) -> String {
+    let page = DiagnosisPage {
+        name: "a.obj",
+        fix: None,
+        omitted: 0,
+        after: None,
+        sight: Sight::Auto,
+        language: Language::English,
+        thresholds: &Thresholds::default(),
+    };
+    page.html(file, diagnosis).unwrap()
 }
 
 /// Asserts that a page in a language is whole.
@@ -261,16 +266,7 @@ fn names_in_pages_are_code() {
     normals.values.iter_mut().for_each(|normal| *normal = normal.any_orthonormal_vector());
     let file = loaded(bare.with_normals(Some(normals)));
     let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
-    let page = DiagnosisPage {
-        name: "a.obj",
-        fix: None,
-        omitted: 0,
-        after: None,
-        sight: Sight::Auto,
-        language: Language::English,
-        thresholds: &Thresholds::default(),
-    };
-    let page = page.html(&file, &diagnosis).unwrap();
+    let page = page_of(&file, &diagnosis);
     assert!(diagnosis.get(Kind::Custom).is_some());
     assert!(page.contains("<code>--when missing</code>") && !page.contains('`'));
 }
