@@ -128,7 +128,7 @@ pub fn text(report: &Report, style: Style) -> String {
         worst += &format!("; lights rotated by {}° and {}°", 0.5 * report.light_cone, report.light_cone);
     }
     row(&mut out, "worst", &worst);
-    if plan.views > 1 && plan.worst.steps > 0.0 {
+    if plan.views > 1 && plan.worst.by(report.metric) > 0.0 {
         row(&mut out, "view", &place(&plan.worst_place));
     }
     if let Some((held_out, at)) = plan.held_out.as_ref().zip(plan.held_out_place.as_ref()) {
