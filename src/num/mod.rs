@@ -61,7 +61,7 @@ pub(crate) use exact::ExactSum;
 #[cfg(feature = "stress")]
 pub(crate) use lanes::product::difference_of_products;
 pub(crate) use lanes::product::{Product, Split, cross};
-pub(crate) use lanes::{Arithmetic, Eight, EightLanes, LANES, Lanes, OneLane, Rows, Scalars, Truth, Vectors};
+pub(crate) use lanes::{Arithmetic, Eight, EightLanes, LANES, Lanes, OneLane, Scalars, Truth, Vectors};
 pub(crate) use least_squares::{Column, LeastSquares, Pivoting, ROWS, least_squares};
 pub(crate) use list::{List, list};
 pub(crate) use names::names;

@@ -5,9 +5,11 @@ use crate::normals::faces::component::Component;
 use crate::normals::faces::positions::Source;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::recipe::Weight;
-use crate::normals::sums::block::{GroupTerms, are_inner, group_terms};
+use crate::normals::sums::block::block_terms;
 use crate::normals::sums::corner_terms::CornerTerms;
-use crate::num::{self, Kernel, LANES, Lanes};
+use crate::normals::sums::partition::BLOCK;
+use crate::normals::sums::scatter::BlockTerms;
+use crate::num::{self, Kernel, Lanes};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -47,7 +49,7 @@ pub(crate) fn face_normals_into<O: Component>(
 ) {
     let source = &Source::new(positions);
     let task = |(task, (unit, state)): (usize, (&mut [[O; 3]], &mut [FaceState]))| {
-        num::dispatch(SomeFaces { faces, source, first: task * TASK, unit, state });
+        SomeFaces { faces, source, first: task * TASK, unit, state }.run();
     };
     if rayon::current_num_threads() <= 1 {
         unit.chunks_mut(TASK).zip(state.chunks_mut(TASK)).enumerate().for_each(task);
@@ -68,47 +70,49 @@ struct SomeFaces<'a, O> {
     state: &'a mut [FaceState],
 }
 
-impl<O: Component> Kernel for SomeFaces<'_, O> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<A: Lanes>(mut self, arch: A) {
+impl<O: Component> SomeFaces<'_, O> {
+    fn run(mut self) {
         let mut scalar = CornerTerms::default();
-        let (groups, rest): (&[[[u32; 3]; LANES]], usize) = if self.faces.is_triangles() {
+        let triangles = if self.faces.is_triangles() {
             let triangles = self.faces.corners().as_chunks::<3>().0;
-            let groups = triangles[self.first..self.first + self.unit.len()].as_chunks().0;
-            (groups, groups.len() * LANES)
+            &triangles[self.first..self.first + self.unit.len()]
         } else {
-            (&[], 0)
+            &[]
         };
-        let all_inner = are_inner(self.source, groups.as_flattened());
-        let mut terms = GroupTerms::ZERO;
-        for (start, triangles) in (0..).step_by(LANES).zip(groups) {
-            let inner = all_inner || are_inner(self.source, triangles);
-            let settled = if inner {
-                group_terms(arch, triangles, self.source, Weight::Uniform, &mut terms)
-            } else {
-                0
-            };
-            for (row, vector) in terms.vectors.0.iter().enumerate() {
-                if settled >> row & 1 == 1 {
-                    self.unit[start + row] = O::emit_row(arch, vector, 1.0);
-                    self.state[start + row] = FaceState::Counted;
-                } else {
-                    self.face(start + row, &mut scalar);
-                }
-            }
+        let (source, weight) = (self.source, Weight::Uniform);
+        let mut terms = BlockTerms::zero();
+        for (first, block) in (0..).step_by(BLOCK).zip(triangles.chunks(BLOCK)) {
+            let settled = block_terms(source, block, weight, &mut terms).unwrap_or_default();
+            let faces = first..first + block.len();
+            num::dispatch(Emit { rows: &terms.vectors, unit: &mut self.unit[faces.clone()] });
+            self.state[faces].fill(FaceState::Counted);
+            settled.rest(block.len()).for_each(|at| self.face(first + at, &mut scalar));
         }
-        for at in rest..self.unit.len() {
+        for at in triangles.len()..self.unit.len() {
             self.face(at, &mut scalar);
         }
     }
-}
 
-impl<O: Component> SomeFaces<'_, O> {
     fn face(&mut self, at: usize, scalar: &mut CornerTerms) {
         let shape = scalar.shape(self.faces, self.source, self.first + at);
         self.unit[at] = O::emit(shape.unit);
         self.state[at] = shape.state;
+    }
+}
+
+/// Rounds unit vectors to the type in which they are wanted.
+struct Emit<'a, O> {
+    rows: &'a [[f64; 4]],
+    unit: &'a mut [[O; 3]],
+}
+
+impl<O: Component> Kernel for Emit<'_, O> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Lanes>(self, arch: A) {
+        for (unit, row) in self.unit.iter_mut().zip(self.rows) {
+            *unit = O::emit_row(arch, row, 1.0);
+        }
     }
 }

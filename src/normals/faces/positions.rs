@@ -2,7 +2,7 @@
 
 use crate::mesh::{PositionsRef, Storage};
 use crate::normals::faces::sliver;
-use crate::num::{self, Kernel, LANES, Lanes};
+use crate::num::{self, Kernel, Lanes};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -24,26 +24,46 @@ pub(crate) struct Extent {
     pub(crate) sliver_bound: f64,
     /// Differences of multiples of this are exact: a power of two.
     pub(crate) grain: f64,
+    /// Whether all coordinates are close enough in size that all their differences are exact.
+    pub(crate) is_exact: bool,
 }
 
+/// Differences of `f32` values are exact in `f64` while no value is this many times as large as another that is not
+/// zero: 24 bits each, 28 between their exponents and one to carry make 53.
+pub(crate) const EXACT_RATIO: f64 = (1 << 28) as f64;
+
 impl Extent {
-    fn new(largest: f64) -> Option<Self> {
+    fn new(Magnitudes { smallest, largest }: Magnitudes) -> Option<Self> {
         // Differences are at most twice as large, and 53 bits long. Where all is zero, any grain will do.
         let grain = num::power_of_two((num::exponent(largest) - 50).max(-1022));
         let sliver_bound = sliver::triangle_bound(Storage::F32, largest);
-        largest.is_finite().then_some(Self { sliver_bound, grain })
+        let is_exact = largest < EXACT_RATIO * smallest;
+        largest.is_finite().then_some(Self { sliver_bound, grain, is_exact })
+    }
+}
+
+/// The smallest magnitude of some `f32` values that are not zero, and the largest.
+struct Magnitudes {
+    smallest: f64,
+    largest: f64,
+}
+
+impl Magnitudes {
+    fn new(points: &[[f32; 3]]) -> Self {
+        let bits = |points: &[[f32; 3]]| num::dispatch(MagnitudeBits(points.as_flattened()));
+        let join = |(low, high): (u32, u32), (a, b): (u32, u32)| (low.min(a), high.max(b));
+        let (below, largest) = points.par_chunks(1 << 16).map(bits).reduce(|| (u32::MAX, 0), join);
+        let number = |bits| f64::from(f32::from_bits(bits));
+        // Zero if all are.
+        Self { smallest: number(below.wrapping_add(1)), largest: number(largest) }
     }
 }
 
 impl<'a> Source<'a> {
-    /// Finds the largest coordinate, in parallel.
+    /// Finds the range of coordinates, in parallel.
     pub(crate) fn new(positions: PositionsRef<'a>) -> Self {
         let (factor, extent) = match positions {
-            PositionsRef::F32(points) => {
-                let largest = |points: &[[f32; 3]]| num::dispatch(LargestSingle(points.as_flattened()));
-                let largest = points.par_chunks(1 << 16).map(largest).reduce(|| 0, u32::max);
-                (1.0, Extent::new(f64::from(f32::from_bits(largest))))
-            }
+            PositionsRef::F32(points) => (1.0, Extent::new(Magnitudes::new(points))),
             PositionsRef::F64(points) => {
                 let largest = |points: &[DVec3]| num::dispatch(LargestDouble(points));
                 let largest = points.par_chunks(1 << 14).map(largest).reduce(|| 0.0, f64::max);
@@ -72,23 +92,16 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The number of vertices.
+    /// The positions in the caller's units.
     #[inline(always)]
-    pub(crate) fn count(&self) -> usize {
-        self.positions.len()
+    pub(crate) fn positions(&self) -> PositionsRef<'a> {
+        self.positions
     }
 
-    /// The positions of eight vertices, in kernel units. None may be the last, as rows are read with the number after them.
+    /// From the caller's units to kernel units.
     #[inline(always)]
-    pub(crate) fn columns<A: Lanes>(&self, arch: A, vertices: [u32; LANES]) -> [A::Number; 3] {
-        match self.positions {
-            PositionsRef::F32(points) => arch.columns_of_singles(rows(points.as_flattened(), vertices)),
-            PositionsRef::F64(points) => {
-                let [x, y, z, _] = arch.columns(rows(bytemuck::cast_slice(points), vertices));
-                let factor = arch.splat(self.factor);
-                [arch.mul(x, factor), arch.mul(y, factor), arch.mul(z, factor)]
-            }
-        }
+    pub(crate) fn factor(&self) -> f64 {
+        self.factor
     }
 
     /// The range of all coordinates, if they are `f32` values.
@@ -96,26 +109,6 @@ impl<'a> Source<'a> {
     pub(crate) fn extent(&self) -> Option<Extent> {
         self.extent
     }
-}
-
-/// The coordinates of some vertices and the number after them.
-#[inline(always)]
-fn rows<T>(coordinates: &[T], [a, b, c, d, e, f, g, h]: [u32; LANES]) -> [&[T; 4]; LANES] {
-    #[inline(always)]
-    fn row<T>(coordinates: &[T], vertex: u32) -> &[T; 4] {
-        coordinates[..3 * vertex as usize + 4].last_chunk().expect("four numbers at least")
-    }
-    let rows = coordinates;
-    [
-        row(rows, a),
-        row(rows, b),
-        row(rows, c),
-        row(rows, d),
-        row(rows, e),
-        row(rows, f),
-        row(rows, g),
-        row(rows, h),
-    ]
 }
 
 /// The power of two that brings the largest finite coordinate into [2^127, 2^128), where that is possible.
@@ -126,16 +119,18 @@ fn factor_of(largest: f64) -> f64 {
     num::power_of_two((127 - num::exponent(largest)).min(1023))
 }
 
-/// The largest magnitude of some coordinates. Bits without sign order like magnitudes, and integers compare faster than
-/// floating-point numbers; NaN comes last.
-struct LargestSingle<'a>(&'a [f32]);
+/// The bits of the smallest magnitude but zero, less one, and of the largest one. Bits without sign order like magnitudes, and
+/// integers compare faster than floating-point numbers; NaN comes last. One less makes zero the highest number.
+struct MagnitudeBits<'a>(&'a [f32]);
 
-impl Kernel for LargestSingle<'_> {
-    type Output = u32;
+impl Kernel for MagnitudeBits<'_> {
+    type Output = (u32, u32);
 
     #[inline(always)]
-    fn run<A: Lanes>(self, _: A) -> u32 {
-        self.0.iter().fold(0, |largest, x| largest.max(x.to_bits() & !(1 << 31)))
+    fn run<A: Lanes>(self, _: A) -> (u32, u32) {
+        self.0.iter().map(|x| x.to_bits() & !(1 << 31)).fold((u32::MAX, 0), |(below, largest), bits| {
+            (below.min(bits.wrapping_sub(1)), largest.max(bits))
+        })
     }
 }
 

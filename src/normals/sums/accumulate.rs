@@ -2,13 +2,14 @@
 
 use crate::normals::faces::positions::Source;
 use crate::normals::faces::shape::FaceState;
-use crate::normals::sums::block::{ALL, GroupTerms, are_inner, group_terms};
+use crate::normals::sums::block::{Settled, block_terms};
 use crate::normals::sums::corner_mean::adds;
 use crate::normals::sums::corner_terms::CornerTerms;
 use crate::normals::sums::finish::UncertainSlots;
 use crate::normals::sums::partition::{BLOCK, Touched};
 use crate::normals::sums::request::{Sum, SumRequest};
-use crate::num::{EightLanes, Kernel, LANES, Lanes, Real};
+use crate::normals::sums::scatter::{BlockTerms, Scatter, SumNumber};
+use crate::num::{self, Real};
 use std::ops::Range;
 
 /// A face that is not simply counted.
@@ -74,30 +75,27 @@ pub(crate) enum Walk<'a> {
 }
 
 /// Computes what blocks of triangles add to sums.
-pub(crate) trait BlockTerms<A: EightLanes> {
+pub(crate) trait Fill<T> {
     /// Computes up to [`BLOCK`] triangles, the faces of these numbers; false if that cannot be done.
     fn fill(
         &mut self,
-        arch: A,
         triangles: &[[u32; 3]],
-        face: impl Fn(usize) -> usize,
-        groups: &mut [GroupTerms<A::Element>; BLOCK / LANES],
+        face: &dyn Fn(usize) -> usize,
+        terms: &mut BlockTerms<T>,
     ) -> bool;
 }
 
 /// Adds triangles to the sums of their corners, block by block: all of a block is computed before any is added, so that one
 /// does not wait for the other. False if a block cannot be computed. Slots beyond the sums are skipped.
-#[inline(always)]
-pub(crate) fn add_triangles<A: EightLanes>(
-    arch: A,
+pub(crate) fn add_triangles<T: SumNumber>(
     request: &SumRequest,
     walk: Walk,
-    sums: &mut [[A::Element; 4]],
-    mut terms: impl BlockTerms<A>,
+    sums: &mut [[T; 4]],
+    fill: &mut dyn Fill<T>,
 ) -> bool {
     let (triangles, slots) = (request.faces.corners().as_chunks::<3>().0, request.target.as_chunks::<3>().0);
     let is_equal = request.weight.is_equal_at_corners();
-    let mut groups = [GroupTerms::ZERO; BLOCK / LANES];
+    let terms = &mut BlockTerms::zero();
     match walk {
         Walk::Share(share, mut touched) => {
             for first in share.clone().step_by(BLOCK) {
@@ -106,13 +104,14 @@ pub(crate) fn add_triangles<A: EightLanes>(
                 if let Some(touched) = &mut touched {
                     touched.note(slots.as_flattened());
                 }
-                if !terms.fill(arch, &triangles[faces], |at| first + at, &mut groups) {
+                if !fill.fill(&triangles[faces], &|at| first + at, terms) {
                     return false;
                 }
-                scatter(arch, &groups, is_equal, slots, sums, 0);
+                num::dispatch(Scatter { terms, is_equal, slots, sums, first_slot: 0 });
             }
         }
         Walk::Listed(faces, first_slot) => {
+            let sums = &mut sums[first_slot..];
             for faces in faces.chunks(BLOCK) {
                 let (mut some_triangles, mut some_slots) = ([[0; 3]; BLOCK], [[0; 3]; BLOCK]);
                 for (at, &face) in faces.iter().enumerate() {
@@ -120,81 +119,46 @@ pub(crate) fn add_triangles<A: EightLanes>(
                     some_slots[at] = slots[face as usize];
                 }
                 let count = faces.len();
-                if !terms.fill(arch, &some_triangles[..count], |at| faces[at] as usize, &mut groups) {
+                if !fill.fill(&some_triangles[..count], &|at| faces[at] as usize, terms) {
                     return false;
                 }
-                let own = &mut sums[first_slot..];
-                scatter(arch, &groups, is_equal, &some_slots[..count], own, first_slot as u32);
+                let slots = &some_slots[..count];
+                num::dispatch(Scatter { terms, is_equal, slots, sums, first_slot: first_slot as u32 });
             }
         }
     }
     true
 }
 
-/// Adds the triangles of a block to the sums of their corners, those of slots from the first one on. Other slots are skipped.
-#[inline(always)]
-fn scatter<A: EightLanes>(
-    arch: A,
-    groups: &[GroupTerms<A::Element>],
-    is_equal: bool,
-    slots: &[[u32; 3]],
-    sums: &mut [[A::Element; 4]],
-    first_slot: u32,
-) {
-    for (terms, slots) in groups.iter().zip(slots.chunks(LANES)) {
-        for (row, slots) in slots.iter().enumerate() {
-            let (vector, weights) = (&terms.vectors.0[row], &terms.weights.0[row]);
-            for (&slot, &weight) in slots.iter().zip(weights) {
-                // One comparison for both ends: slots before the first one become the highest.
-                match sums.get_mut(slot.wrapping_sub(first_slot) as usize) {
-                    Some(sum) if is_equal => arch.add_row(sum, vector),
-                    Some(sum) => arch.add_scaled_row(sum, vector, weight),
-                    None => {}
+/// Adds faces to sums in double precision, and writes down those that are not simply counted. Slots beyond the end of the sums
+/// are left alone. False if a vertex does not exist.
+pub(crate) fn add_faces(
+    request: &SumRequest,
+    source: &Source,
+    walk: Walk,
+    sums: &mut [Sum],
+    unusual: &mut Vec<UnusualFace>,
+) -> bool {
+    let mut terms = Terms { request, source, unusual, scalar: CornerTerms::default() };
+    if request.faces.is_triangles() {
+        return add_triangles(request, walk, sums, &mut terms);
+    }
+    match walk {
+        Walk::Share(share, mut touched) => {
+            for first in share.clone().step_by(BLOCK) {
+                let faces = first..(first + BLOCK).min(share.end);
+                if let Some(touched) = &mut touched {
+                    let corners = request.faces.start(faces.start)..request.faces.start(faces.end);
+                    touched.note(&request.target[corners]);
                 }
+                terms.polygons(&mut faces.into_iter(), sums, 0);
             }
+        }
+        Walk::Listed(faces, first_slot) => {
+            terms.polygons(&mut faces.iter().map(|&face| face as usize), sums, first_slot);
         }
     }
-}
-
-/// Adds faces to sums in double precision.
-pub(crate) struct Accumulate<'a> {
-    pub(crate) request: &'a SumRequest<'a>,
-    pub(crate) source: &'a Source<'a>,
-    pub(crate) walk: Walk<'a>,
-    /// Slots beyond its end are left alone.
-    pub(crate) sums: &'a mut [Sum],
-    /// Takes the faces that are not simply counted.
-    pub(crate) unusual: &'a mut Vec<UnusualFace>,
-}
-
-impl Kernel for Accumulate<'_> {
-    /// Whether every vertex exists.
-    type Output = bool;
-
-    #[inline(always)]
-    fn run<A: Lanes>(self, arch: A) -> bool {
-        let Self { request, source, walk, sums, unusual } = self;
-        let mut terms = Terms { request, source, unusual, scalar: CornerTerms::default() };
-        if request.faces.is_triangles() {
-            return add_triangles(arch, request, walk, sums, terms);
-        }
-        match walk {
-            Walk::Share(share, mut touched) => {
-                for first in share.clone().step_by(BLOCK) {
-                    let faces = first..(first + BLOCK).min(share.end);
-                    if let Some(touched) = &mut touched {
-                        let corners = request.faces.start(faces.start)..request.faces.start(faces.end);
-                        touched.note(&request.target[corners]);
-                    }
-                    terms.polygons(faces, sums, 0);
-                }
-            }
-            Walk::Listed(faces, first_slot) => {
-                terms.polygons(faces.iter().map(|&face| face as usize), sums, first_slot);
-            }
-        }
-        true
-    }
+    true
 }
 
 /// What faces add to sums in double precision.
@@ -205,59 +169,39 @@ struct Terms<'a> {
     scalar: CornerTerms,
 }
 
-impl<A: Lanes> BlockTerms<A> for Terms<'_> {
+impl Fill<f64> for Terms<'_> {
     /// False if a vertex does not exist.
-    #[inline(always)]
     fn fill(
         &mut self,
-        arch: A,
         triangles: &[[u32; 3]],
-        face: impl Fn(usize) -> usize,
-        terms: &mut [GroupTerms<f64>; BLOCK / LANES],
+        face: &dyn Fn(usize) -> usize,
+        terms: &mut BlockTerms<f64>,
     ) -> bool {
-        // Copies, which stay in registers.
-        let (source, weight) = (*self.source, self.request.weight);
-        let all_inner = are_inner(&source, triangles);
-        let (groups, rest) = triangles.as_chunks::<LANES>();
-        for (at, triangles) in groups.iter().enumerate() {
-            let inner = all_inner || are_inner(&source, triangles);
-            let settled =
-                if inner { group_terms(arch, triangles, &source, weight, &mut terms[at]) } else { 0 };
-            if settled != ALL && !self.settle(LANES, settled, |row| face(at * LANES + row), &mut terms[at]) {
-                return false;
-            }
-        }
-        let at = groups.len();
-        rest.is_empty() || self.settle(rest.len(), 0, |row| face(at * LANES + row), &mut terms[at])
+        let Some(settled) = block_terms(self.source, triangles, self.request.weight, terms) else {
+            return false;
+        };
+        self.settle(settled, triangles.len(), face, terms);
+        true
     }
 }
 
 impl Terms<'_> {
-    /// Computes the triangles of a group whose bit is not set, by the scalar path; false if a vertex does not exist.
-    #[inline(never)]
+    /// Computes those of some triangles that are not settled by the scalar path.
     fn settle(
         &mut self,
-        count: usize,
-        settled: u8,
-        face: impl Fn(usize) -> usize,
-        terms: &mut GroupTerms<f64>,
-    ) -> bool {
-        let Self { request, source, .. } = *self;
-        for row in (0..count).filter(|row| settled >> row & 1 == 0) {
-            let face = face(row);
-            if request.faces.face(face).iter().any(|&vertex| vertex as usize >= source.count()) {
-                return false;
-            }
-            let vector = &mut terms.vectors.0[row];
-            if self.fill_one(face, |_| false) {
-                *vector = self.scalar.vector;
-                terms.weights.0[row][..3].copy_from_slice(&self.scalar.weights);
+        settled: Settled,
+        triangles: usize,
+        face: &dyn Fn(usize) -> usize,
+        terms: &mut BlockTerms<f64>,
+    ) {
+        for at in settled.rest(triangles) {
+            if self.fill_one(face(at), |_| false) {
+                terms.vectors[at] = self.scalar.vector;
+                terms.weights[at][..3].copy_from_slice(&self.scalar.weights);
             } else {
-                *vector = [0.0; 4];
-                terms.weights.0[row] = [0.0; 4];
+                (terms.vectors[at], terms.weights[at]) = ([0.0; 4], [0.0; 4]);
             }
         }
-        true
     }
 
     /// Computes one face by the scalar path, and returns whether it adds to sums.
@@ -271,7 +215,7 @@ impl Terms<'_> {
     }
 
     /// Adds faces of any size. Their vertices exist: only slices of triangles come unchecked.
-    fn polygons(&mut self, faces: impl Iterator<Item = usize>, sums: &mut [Sum], first_slot: usize) {
+    fn polygons(&mut self, faces: &mut dyn Iterator<Item = usize>, sums: &mut [Sum], first_slot: usize) {
         for face in faces {
             let slots = &self.request.target[self.request.faces.range(face)];
             if !self.fill_one(face, |corner| repeats(slots, corner)) {

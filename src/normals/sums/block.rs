@@ -2,65 +2,115 @@
 //!
 //! The scalar path, [`CornerTerms`](crate::normals::sums::corner_terms::CornerTerms), gives the same bits.
 
-use crate::mesh::Storage;
-use crate::normals::faces::positions::{Extent, Source};
+use crate::mesh::{PositionsRef, Storage};
+use crate::normals::faces::positions::{EXACT_RATIO, Extent, Source};
 use crate::normals::faces::sliver;
 use crate::normals::recipe::Weight;
+use crate::normals::sums::gather::{are_in_place, columns, copied, whole_groups};
+use crate::normals::sums::scatter::BlockTerms;
 use crate::normals::sums::weight::TriangleMeasures;
-use crate::num::{LANES, Lanes, Real, Rows, Scalars, Truth, Vectors};
-
-/// What eight triangles add to sums.
-#[derive(Clone, Copy)]
-pub(crate) struct GroupTerms<T> {
-    /// Each face's vector and its length. Where every corner counts by area alone, the latter may be only an upper bound.
-    pub(crate) vectors: Rows<T>,
-    /// The weights of each face's corners. Where every corner counts the same, nothing.
-    pub(crate) weights: Rows<T>,
-}
-
-impl<T: Real> GroupTerms<T> {
-    pub(crate) const ZERO: Self = Self { vectors: Rows::ZERO, weights: Rows::ZERO };
-}
+use crate::num::{self, Kernel, LANES, Lanes, Scalars, Truth, Vectors};
 
 /// All eight triangles.
 pub(crate) const ALL: u8 = u8::MAX;
 
-/// Differences of `f32` values are exact in `f64` while no value is this many times as large as another that is not
-/// zero: 24 bits each, 28 between their exponents and one to carry make 53.
-const EXACT_RATIO: f64 = (1 << 28) as f64;
 /// 2^-300: sums of two squared edges above it keep clear of the subnormal range in everything computed from them.
 const SMALLEST_SQUARES: f64 = 4.909_093_465_297_727e-91;
 
-/// Whether vertices exist and none is the last. Others need the scalar path, as rows are read with the number after them.
-#[inline(always)]
-pub(crate) fn are_inner(source: &Source, triangles: &[[u32; 3]]) -> bool {
-    let highest = triangles.as_flattened().iter().fold(0, |highest, &vertex| vertex.max(highest));
-    (highest as usize) < source.count().saturating_sub(1)
+/// Computes what a block of triangles adds to sums; `None` if a vertex does not exist.
+pub(crate) fn block_terms(
+    source: &Source,
+    triangles: &[[u32; 3]],
+    weight: Weight,
+    terms: &mut BlockTerms<f64>,
+) -> Option<Settled> {
+    let positions = source.positions();
+    let settled = num::dispatch(BlockKernel { source, positions, triangles, weight, terms });
+    if settled.is_some() {
+        return settled;
+    }
+    let (singles, doubles);
+    let positions = match positions {
+        PositionsRef::F32(points) => {
+            singles = copied(points, triangles)?;
+            PositionsRef::F32(&singles)
+        }
+        PositionsRef::F64(points) => {
+            doubles = copied(points, triangles)?;
+            PositionsRef::F64(&doubles)
+        }
+    };
+    let triangles = whole_groups(triangles.len());
+    num::dispatch(BlockKernel { source, positions, triangles, weight, terms })
 }
 
-/// Computes what eight triangles, which [`are_inner`], add to sums. Gives one bit for each that is settled; what is not needs
-/// the scalar path.
+/// Computes what the triangles of a block add to sums, if they [`are_in_place`].
+struct BlockKernel<'a> {
+    source: &'a Source<'a>,
+    /// Those of the source or copies of some of them.
+    positions: PositionsRef<'a>,
+    triangles: &'a [[u32; 3]],
+    weight: Weight,
+    terms: &'a mut BlockTerms<f64>,
+}
+
+/// One bit for each triangle of a block that is settled; what is not needs the scalar path.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Settled(u64);
+
+impl Settled {
+    /// Adds the bits of a group of eight triangles.
+    #[inline(always)]
+    pub(crate) fn add(&mut self, group: usize, bits: u8) {
+        self.0 |= u64::from(bits) << (LANES * group);
+    }
+
+    /// Those of the first so many that are not settled.
+    pub(crate) fn rest(self, triangles: usize) -> impl Iterator<Item = usize> {
+        let some = if self.0 == u64::MAX { 0..0 } else { 0..triangles };
+        some.filter(move |&at| self.0 >> at & 1 == 0)
+    }
+}
+
+impl Kernel for BlockKernel<'_> {
+    type Output = Option<Settled>;
+
+    #[inline(always)]
+    fn run<A: Lanes>(self, arch: A) -> Option<Settled> {
+        let Self { source, positions, triangles, weight, terms } = self;
+        if !are_in_place(positions.len(), triangles) {
+            return None;
+        }
+        // A copy stays in registers.
+        let source = *source;
+        let (vectors, weights) = (terms.vectors.as_chunks_mut().0, terms.weights.as_chunks_mut().0);
+        let mut settled = Settled::default();
+        let groups = triangles.as_chunks().0.iter().zip(vectors).zip(weights);
+        for (group, ((triangles, vectors), weights)) in groups.enumerate() {
+            let corners = columns(arch, positions, triangles, source.factor())?;
+            settled.add(group, group_terms(arch, corners, &source, weight, vectors, weights));
+        }
+        Some(settled)
+    }
+}
+
+/// Computes what a group of eight triangles adds to sums.
 #[inline(always)]
-pub(crate) fn group_terms<A: Lanes>(
+fn group_terms<A: Lanes>(
     arch: A,
-    triangles: &[[u32; 3]; LANES],
+    corners: [[A::Number; 3]; 3],
     source: &Source,
     weight: Weight,
-    terms: &mut GroupTerms<f64>,
+    vectors: &mut [[f64; 4]; LANES],
+    weights: &mut [[f64; 4]; LANES],
 ) -> u8 {
-    let mut corners = [[0; LANES]; 3];
-    for (i, triangle) in triangles.iter().enumerate() {
-        for corner in 0..3 {
-            corners[corner][i] = triangle[corner];
-        }
-    }
-    let p0 = Vectors::new(arch, source.columns(arch, corners[0]));
-    let p1 = Vectors::new(arch, source.columns(arch, corners[1]));
-    let p2 = Vectors::new(arch, source.columns(arch, corners[2]));
-    if let Some(Extent { sliver_bound, grain }) = source.extent() {
+    let [p0, p1, p2] = corners;
+    let (p0, p1, p2) = (Vectors::new(arch, p0), Vectors::new(arch, p1), Vectors::new(arch, p2));
+    if let Some(Extent { sliver_bound, grain, is_exact }) = source.extent() {
         let (e1, e2) = (p1 - p0, p2 - p0);
-        let settled = Group { e1, e2, e3: p2 - p1, vector: e1.cross(e2) }.write(weight, sliver_bound, terms);
-        if settled & multiples(grain, [p0, p1, p2]).row_bits() == ALL {
+        let settled =
+            Group { e1, e2, e3: p2 - p1, vector: e1.cross(e2) }.write(weight, sliver_bound, vectors, weights);
+        if settled == ALL && (is_exact || multiples(grain, [p0, p1, p2]).row_bits() == ALL) {
             return ALL;
         }
     }
@@ -70,11 +120,11 @@ pub(crate) fn group_terms<A: Lanes>(
     let single = source.storage() == Storage::F32;
     if single && largest < EXACT_RATIO * smallest {
         let (e1, e2) = (p1 - p0, p2 - p0);
-        return Group { e1, e2, e3: p2 - p1, vector: e1.cross(e2) }.write(weight, bound, terms);
+        return Group { e1, e2, e3: p2 - p1, vector: e1.cross(e2) }.write(weight, bound, vectors, weights);
     }
     let ((e1, low1), (e2, low2)) = (p1.two_difference(p0), p2.two_difference(p0));
     let vector = e1.cross_with_low_parts(low1, e2, low2);
-    let settled = Group { e1, e2, e3: p2 - p1, vector }.write(weight, bound, terms);
+    let settled = Group { e1, e2, e3: p2 - p1, vector }.write(weight, bound, vectors, weights);
     if !single {
         return settled;
     }
@@ -111,7 +161,13 @@ struct Group<A: Lanes> {
 impl<A: Lanes> Group<A> {
     /// Writes terms; gives one bit for each triangle that is neither a sliver nor too small nor undefined.
     #[inline(always)]
-    fn write(self, weight: Weight, bound: f64, terms: &mut GroupTerms<f64>) -> u8 {
+    fn write(
+        self,
+        weight: Weight,
+        bound: f64,
+        vectors: &mut [[f64; 4]; LANES],
+        weights: &mut [[f64; 4]; LANES],
+    ) -> u8 {
         let Self { e1, e2, e3, vector } = self;
         let arch = vector.x.arch;
         let one = Scalars::splat(arch, 1.0);
@@ -128,17 +184,15 @@ impl<A: Lanes> Group<A> {
             }
             (_, false) => {
                 (face, length) = (vector, squared.sqrt());
-                let weights = TriangleMeasures::new(length, e1, e2, e3).corner_factors(weight);
-                let [a, b, c] = if weight.has_area_factor() {
-                    weights
-                } else {
+                let [mut a, mut b, mut c] = TriangleMeasures::new(length, e1, e2, e3).corner_factors(weight);
+                if !weight.has_area_factor() {
                     let reciprocal = one / length;
-                    [weights[0] * reciprocal, weights[1] * reciprocal, weights[2] * reciprocal]
-                };
-                terms.weights = arch.rows([a.value, b.value, c.value, c.value]);
+                    (a, b, c) = (a * reciprocal, b * reciprocal, c * reciprocal);
+                }
+                *weights = arch.rows([a.value, b.value, c.value, c.value]).0;
             }
         }
-        terms.vectors = arch.rows([face.x.value, face.y.value, face.z.value, length.value]);
+        *vectors = arch.rows([face.x.value, face.y.value, face.z.value, length.value]).0;
         settled.row_bits()
     }
 }

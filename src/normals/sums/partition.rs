@@ -8,7 +8,7 @@
 //! are busy with slots of their own.
 
 use crate::mesh::FacesRef;
-use crate::num::{Kernel, Lanes};
+use crate::num::{self, Kernel, Lanes};
 use std::ops::Range;
 
 /// Faces that are computed before they are added: enough to fill the pipeline, few enough to stay at hand.
@@ -38,7 +38,7 @@ impl Partition {
             &target[faces.start(first)..faces.start((first + BLOCK).min(self.faces))]
         };
         (1..self.parts).all(|part| {
-            let end = reach(beginning(part - 1)).end;
+            let end = num::dispatch(Reach(beginning(part - 1))).end;
             let slots = beginning(part);
             2 * slots.iter().filter(|&&slot| slot >= end).count() > slots.len()
         })
@@ -73,9 +73,8 @@ impl Touched {
     }
 
     /// Takes down the slots of the next block.
-    #[inline(always)]
     pub(crate) fn note(&mut self, slots: &[u32]) {
-        let Range { start, end } = reach(slots);
+        let Range { start, end } = num::dispatch(Reach(slots));
         self.lowest.push(start);
         self.end = self.end.max(end);
     }
@@ -104,11 +103,19 @@ impl Touched {
 
 /// From the lowest of some slots to beyond the highest. [`NONE`](crate::mesh::NONE) is the highest number: it lowers no
 /// minimum, and one more is nothing.
-#[inline(always)]
-fn reach(slots: &[u32]) -> Range<u32> {
-    let wider =
-        |Range { start, end }: Range<u32>, &slot: &u32| start.min(slot)..end.max(slot.wrapping_add(1));
-    slots.iter().fold(Range { start: u32::MAX, end: 0 }, wider)
+struct Reach<'a>(&'a [u32]);
+
+impl Kernel for Reach<'_> {
+    type Output = Range<u32>;
+
+    #[inline(always)]
+    fn run<A: Lanes>(self, _: A) -> Range<u32> {
+        let (mut start, mut end) = (u32::MAX, 0);
+        for &slot in self.0 {
+            (start, end) = (start.min(slot), end.max(slot.wrapping_add(1)));
+        }
+        start..end
+    }
 }
 
 /// Lowest and highest of some slots; a kernel so that it is compiled with the widest instructions.

@@ -6,18 +6,20 @@
 //! 1000. Real meshes have a few faces and sums out of this range: double precision computes them, up to one in [`EXCEPTIONS`].
 //! With more of them, or with lengths out of range, all is left to double precision.
 
-use crate::mesh::PositionsRef;
+use crate::mesh::{FacesRef, PositionsRef};
 use crate::normals::faces::component::Component;
 use crate::normals::faces::positions::Source;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::recipe::Weight;
-use crate::normals::sums::accumulate::{BlockTerms, UnusualFace, Walk, add_triangles};
-use crate::normals::sums::block::{ALL, GroupTerms};
+use crate::normals::sums::accumulate::{Fill, UnusualFace, Walk, add_triangles};
+use crate::normals::sums::block::{ALL, Settled};
 use crate::normals::sums::corner_terms::CornerTerms;
 use crate::normals::sums::finish::UncertainSlots;
-use crate::normals::sums::partition::{BLOCK, Partition};
+use crate::normals::sums::gather::{are_in_place, copied, rows, whole_groups};
+use crate::normals::sums::partition::Partition;
 use crate::normals::sums::recheck::Recheck;
 use crate::normals::sums::request::{SlotState, SumRequest, Sums};
+use crate::normals::sums::scatter::BlockTerms;
 use crate::normals::sums::single_finish::FinishSingles;
 use crate::normals::sums::weight::TriangleMeasures;
 use crate::normals::sums::weighted_sums::{SumScratch, accumulate, finish};
@@ -72,7 +74,9 @@ pub(crate) fn single_sums_into<O: Component>(
     let owned = accumulate(request, partition, parts, &|walk, sums, thin| {
         // Faces that are added to the sums of another part have been counted in theirs.
         let most_thin = if let Walk::Share(..) = walk { most_thin } else { usize::MAX };
-        num::dispatch(AddSingles { request, points, source: source.as_ref(), walk, sums, thin, most_thin })
+        let (weight, source, scalar) = (request.weight, source.as_ref(), CornerTerms::default());
+        let mut terms = SingleTerms { faces, weight, points, source, thin, most_thin, scalar };
+        add_triangles(request, walk, sums, &mut terms)
     });
     let thin: usize = parts.iter().map(|part| part.unusual.len()).sum();
     let mut is_in_range = false;
@@ -141,85 +145,53 @@ fn valences_are_in_range(target: &[u32], slots: usize) -> bool {
     counts.iter().all(|&count| count <= MOST_FACES)
 }
 
-/// Adds triangles to sums; false if one of them is out of range or has a vertex that does not exist.
-struct AddSingles<'a> {
-    request: &'a SumRequest<'a>,
+/// What triangles add to sums in single precision.
+struct SingleTerms<'a> {
+    faces: FacesRef<'a>,
+    weight: Weight,
     points: &'a [[f32; 3]],
     /// Where double precision reads the positions of thin faces, if it can.
     source: Option<&'a Source<'a>>,
-    walk: Walk<'a>,
-    sums: &'a mut [[f32; 4]],
     /// Takes the thin faces, of which there are this many at most.
-    thin: &'a mut Vec<UnusualFace>,
-    most_thin: usize,
-}
-
-impl Kernel for AddSingles<'_> {
-    type Output = bool;
-
-    #[inline(always)]
-    fn run<A: Lanes>(self, arch: A) -> bool {
-        let Self { request, points, source, walk, sums, thin, most_thin } = self;
-        let mut last = [0.0; 4];
-        last[..3].copy_from_slice(points.last().unwrap_or(&[0.0; 3]));
-        let points = Points { coordinates: points.as_flattened(), last: &last };
-        let terms = SingleTerms { request, points, source, thin, most_thin, scalar: CornerTerms::default() };
-        add_triangles(arch.singles(), request, walk, sums, terms)
-    }
-}
-
-/// What triangles add to sums in single precision.
-struct SingleTerms<'a> {
-    request: &'a SumRequest<'a>,
-    points: Points<'a>,
-    source: Option<&'a Source<'a>>,
     thin: &'a mut Vec<UnusualFace>,
     most_thin: usize,
     scalar: CornerTerms,
 }
 
-impl<A: EightLanes<Element = f32>> BlockTerms<A> for SingleTerms<'_> {
-    /// False if a triangle is out of range.
-    #[inline(always)]
+impl Fill<f32> for SingleTerms<'_> {
+    /// False if a triangle is out of range or has a vertex that does not exist.
     fn fill(
         &mut self,
-        arch: A,
         triangles: &[[u32; 3]],
-        face: impl Fn(usize) -> usize,
-        terms: &mut [GroupTerms<f32>; BLOCK / LANES],
+        face: &dyn Fn(usize) -> usize,
+        terms: &mut BlockTerms<f32>,
     ) -> bool {
-        let (points, weight) = (self.points, self.request.weight);
-        for (number, (triangles, terms)) in triangles.chunks(LANES).zip(terms).enumerate() {
-            let mut padded = [triangles[0]; LANES];
-            let group = triangles.first_chunk().unwrap_or_else(|| {
-                padded[..triangles.len()].copy_from_slice(triangles);
-                &padded
-            });
-            let Some(in_range) = group_terms(arch, group, points, weight, terms) else { return false };
-            let face = |row| face(number * LANES + row);
-            if in_range != ALL && !self.settle(triangles.len(), in_range, face, terms) {
-                return false;
-            }
+        let Self { weight, points, .. } = *self;
+        let mut in_range = num::dispatch(SingleBlock { points, triangles, weight, terms });
+        if let Err(Refusal::NotInPlace) = in_range {
+            let Some(points) = copied(points, triangles) else { return false };
+            let triangles = whole_groups(triangles.len());
+            in_range = num::dispatch(SingleBlock { points: &points, triangles, weight, terms });
         }
-        true
+        let Ok(in_range) = in_range else { return false };
+        self.settle(in_range, triangles.len(), face, terms)
     }
 }
 
 impl SingleTerms<'_> {
-    /// Computes the triangles of a group whose bit is not set in double precision. False if there are too many of them, or if
+    /// Computes those of some triangles that are out of range in double precision. False if there are too many of them, or if
     /// one is degenerate or below the rounding of its coordinates: such faces do not simply count.
-    #[inline(never)]
     fn settle(
         &mut self,
-        count: usize,
-        in_range: u8,
-        face: impl Fn(usize) -> usize,
-        terms: &mut GroupTerms<f32>,
+        in_range: Settled,
+        triangles: usize,
+        face: &dyn Fn(usize) -> usize,
+        terms: &mut BlockTerms<f32>,
     ) -> bool {
-        let Some(source) = self.source else { return false };
-        for row in (0..count).filter(|row| in_range >> row & 1 == 0) {
-            let (face, scalar) = (face(row), &mut self.scalar);
-            scalar.fill(self.request.faces, source, self.request.weight, face, |_| false);
+        for at in in_range.rest(triangles) {
+            let Some(source) = self.source else { return false };
+            let (face, scalar) = (face(at), &mut self.scalar);
+            scalar.fill(self.faces, source, self.weight, face, |_| false);
             let vector = scalar.vector.map(|x| x as f32);
             let weights = &scalar.weights;
             let are_finite =
@@ -232,10 +204,46 @@ impl SingleTerms<'_> {
                 return false;
             }
             self.thin.push((face as u32, FaceState::Counted));
-            terms.vectors.0[row] = vector;
-            terms.weights.0[row] = std::array::from_fn(|corner| weights[corner.min(2)] as f32);
+            terms.vectors[at] = vector;
+            terms.weights[at] = std::array::from_fn(|corner| weights[corner.min(2)] as f32);
         }
         true
+    }
+}
+
+/// Computes what a block of triangles adds to sums, and one bit for each whose shape is in range.
+struct SingleBlock<'a> {
+    points: &'a [[f32; 3]],
+    triangles: &'a [[u32; 3]],
+    weight: Weight,
+    terms: &'a mut BlockTerms<f32>,
+}
+
+/// Why a block is not computed.
+enum Refusal {
+    /// Triangles that have to be [`copied`] first.
+    NotInPlace,
+    /// A length is out of range.
+    OutOfRange,
+}
+
+impl Kernel for SingleBlock<'_> {
+    type Output = Result<Settled, Refusal>;
+
+    #[inline(always)]
+    fn run<A: Lanes>(self, arch: A) -> Result<Settled, Refusal> {
+        let Self { points, triangles, weight, terms } = self;
+        if !are_in_place(points.len(), triangles) {
+            return Err(Refusal::NotInPlace);
+        }
+        let (vectors, weights) = (terms.vectors.as_chunks_mut().0, terms.weights.as_chunks_mut().0);
+        let mut in_range = Settled::default();
+        let groups = triangles.as_chunks().0.iter().zip(vectors).zip(weights);
+        for (group, ((triangles, vectors), weights)) in groups.enumerate() {
+            let bits = group_terms(arch.singles(), points, triangles, weight, vectors, weights);
+            in_range.add(group, bits.ok_or(Refusal::OutOfRange)?);
+        }
+        Ok(in_range)
     }
 }
 
@@ -243,14 +251,16 @@ impl SingleTerms<'_> {
 #[inline(always)]
 fn group_terms<A: EightLanes<Element = f32>>(
     arch: A,
+    points: &[[f32; 3]],
     triangles: &[[u32; 3]; LANES],
-    points: Points,
     weight: Weight,
-    terms: &mut GroupTerms<f32>,
+    vectors: &mut [[f32; 4]; LANES],
+    weights: &mut [[f32; 4]; LANES],
 ) -> Option<u8> {
-    let [x0, y0, z0, _] = arch.columns(points.rows(triangles, 0)?);
-    let [x1, y1, z1, _] = arch.columns(points.rows(triangles, 1)?);
-    let [x2, y2, z2, _] = arch.columns(points.rows(triangles, 2)?);
+    let points = points.as_flattened();
+    let [x0, y0, z0, _] = arch.columns(rows(points, triangles, 0)?);
+    let [x1, y1, z1, _] = arch.columns(rows(points, triangles, 1)?);
+    let [x2, y2, z2, _] = arch.columns(rows(points, triangles, 2)?);
     let p0 = Vectors::new(arch, [x0, y0, z0]);
     let p1 = Vectors::new(arch, [x1, y1, z1]);
     let p2 = Vectors::new(arch, [x2, y2, z2]);
@@ -272,10 +282,10 @@ fn group_terms<A: EightLanes<Element = f32>>(
     let length = squared.sqrt();
     let (face, length_column) =
         if weight.has_area_factor() { (vector, length) } else { (vector.scaled(one / length), one) };
-    terms.vectors = arch.rows([face.x.value, face.y.value, face.z.value, length_column.value]);
+    *vectors = arch.rows([face.x.value, face.y.value, face.z.value, length_column.value]).0;
     if !weight.is_equal_at_corners() {
         let [a, b, c] = TriangleMeasures::new(length, e1, e2, e3).corner_factors(weight);
-        terms.weights = arch.rows([a.value, b.value, c.value, c.value]);
+        *weights = arch.rows([a.value, b.value, c.value, c.value]).0;
     }
     Some(in_range.row_bits())
 }
@@ -284,46 +294,6 @@ fn group_terms<A: EightLanes<Element = f32>>(
 #[inline(always)]
 fn largest<A: EightLanes>(point: Vectors<A>) -> Scalars<A> {
     point.x.abs().max(point.y.abs()).max(point.z.abs())
-}
-
-/// Positions as rows of four numbers: three coordinates and whatever comes next.
-#[derive(Clone, Copy)]
-struct Points<'a> {
-    coordinates: &'a [f32],
-    /// The last position has nothing after it.
-    last: &'a [f32; 4],
-}
-
-impl<'a> Points<'a> {
-    /// The position of a vertex; `None` if it does not exist.
-    #[inline(always)]
-    fn row(self, vertex: u32) -> Option<&'a [f32; 4]> {
-        let rest = self.coordinates.get(3 * vertex as usize..)?;
-        match rest.first_chunk::<4>() {
-            Some(row) => Some(row),
-            None if rest.len() == 3 => Some(self.last),
-            None => None,
-        }
-    }
-
-    /// One corner of eight triangles.
-    #[inline(always)]
-    fn rows(
-        self,
-        [a, b, c, d, e, f, g, h]: &[[u32; 3]; LANES],
-        corner: usize,
-    ) -> Option<[&'a [f32; 4]; LANES]> {
-        Some([
-            self.row(a[corner])?,
-            self.row(b[corner])?,
-            self.row(c[corner])?,
-            self.row(d[corner])?,
-            self.row(e[corner])?,
-            self.row(f[corner])?,
-            self.row(g[corner])?,
-            self.row(h[corner])?,
-        ])
-    }
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use crate::normals::faces::component::Component;
 use crate::normals::faces::positions::Source;
-use crate::normals::sums::accumulate::{Accumulate, Part, UnusualFace, Walk};
+use crate::normals::sums::accumulate::{Part, UnusualFace, Walk, add_faces};
 use crate::normals::sums::finish::{Finish, UncertainSlots};
 use crate::normals::sums::partition::Partition;
 use crate::normals::sums::recheck::Recheck;
@@ -56,7 +56,7 @@ pub(crate) fn weighted_sums_into<O: Component>(
     memory.resize_with(partition.parts().max(memory.len()), Part::default);
     let parts = &mut memory[..partition.parts()];
     let add = |walk: Walk, sums: &mut [Sum], unusual: &mut Vec<UnusualFace>| {
-        num::dispatch(Accumulate { request, source, walk, sums, unusual })
+        add_faces(request, source, walk, sums, unusual)
     };
     let Some(owned) = accumulate(request, partition, parts, &add) else {
         return Outcome { vertex_missing: true, ..Outcome::default() };

@@ -86,10 +86,6 @@ use instructions;
 #[repr(align(64))]
 pub(crate) struct Rows<T>(pub(crate) [[T; 4]; LANES]);
 
-impl<T: Real> Rows<T> {
-    pub(crate) const ZERO: Self = Self([[T::ZERO; 4]; LANES]);
-}
-
 /// A number for each lane, in memory.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
