@@ -76,10 +76,12 @@ pub(crate) enum Walk<'a> {
 
 /// Computes what blocks of triangles add to sums.
 pub(crate) trait Fill<T> {
-    /// Computes up to [`BLOCK`] triangles, the faces of these numbers; false if that cannot be done.
+    /// Computes up to [`BLOCK`] triangles, with the slots of their corners, the faces of these numbers; false if that cannot
+    /// be done.
     fn fill(
         &mut self,
         triangles: &[[u32; 3]],
+        slots: &[[u32; 3]],
         face: &dyn Fn(usize) -> usize,
         terms: &mut BlockTerms<T>,
     ) -> bool;
@@ -104,7 +106,7 @@ pub(crate) fn add_triangles<T: SumNumber>(
                 if let Some(touched) = &mut touched {
                     touched.note(slots.as_flattened());
                 }
-                if !fill.fill(&triangles[faces], &|at| first + at, terms) {
+                if !fill.fill(&triangles[faces], slots, &|at| first + at, terms) {
                     return false;
                 }
                 num::dispatch(Scatter { terms, is_equal, slots, sums, first_slot: 0 });
@@ -119,10 +121,10 @@ pub(crate) fn add_triangles<T: SumNumber>(
                     some_slots[at] = slots[face as usize];
                 }
                 let count = faces.len();
-                if !fill.fill(&some_triangles[..count], &|at| faces[at] as usize, terms) {
+                let slots = &some_slots[..count];
+                if !fill.fill(&some_triangles[..count], slots, &|at| faces[at] as usize, terms) {
                     return false;
                 }
-                let slots = &some_slots[..count];
                 num::dispatch(Scatter { terms, is_equal, slots, sums, first_slot: first_slot as u32 });
             }
         }
@@ -174,6 +176,7 @@ impl Fill<f64> for Terms<'_> {
     fn fill(
         &mut self,
         triangles: &[[u32; 3]],
+        _: &[[u32; 3]],
         face: &dyn Fn(usize) -> usize,
         terms: &mut BlockTerms<f64>,
     ) -> bool {

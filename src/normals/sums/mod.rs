@@ -26,6 +26,8 @@ pub(super) mod recheck;
 pub(super) mod weighted_sums;
 // Sums in which each corner selects its own faces.
 pub(super) mod corner_sums;
+// The number of faces of slots.
+pub(super) mod valences;
 // From sums in single precision to unit vectors.
 pub(super) mod single_finish;
 // The weighted sums in single precision.

@@ -21,10 +21,12 @@ use crate::normals::sums::recheck::Recheck;
 use crate::normals::sums::request::{SlotState, SumRequest, Sums};
 use crate::normals::sums::scatter::BlockTerms;
 use crate::normals::sums::single_finish::FinishSingles;
+use crate::normals::sums::valences::Valences;
 use crate::normals::sums::weight::TriangleMeasures;
 use crate::normals::sums::weighted_sums::{SumScratch, accumulate, finish};
 use crate::num::{self, EightLanes, Kernel, LANES, Lanes, Scalars, Vectors};
 use rayon::prelude::*;
+use std::sync::{Mutex, PoisonError};
 
 /// Squares of the shortest and the longest edge: 1e-6 and 1e6 in units of the caller, but for rounding.
 const SQUARED_EDGES: (f64, f64) = (0.999_999e-12, 1.000_001e12);
@@ -53,7 +55,7 @@ pub(crate) fn single_sums_into<O: Component>(
     state: &mut [SlotState],
 ) -> bool {
     let SumRequest { faces, target, slots, .. } = *request;
-    if !faces.is_triangles() || !valences_are_in_range(target, slots) {
+    if !faces.is_triangles() {
         return false;
     }
     let mut copied = std::mem::take(&mut scratch.single_positions);
@@ -64,8 +66,7 @@ pub(crate) fn single_sums_into<O: Component>(
             &copied
         }
     };
-    // Rounded positions do not determine the direction of a thin face.
-    let source = matches!(request.positions, PositionsRef::F32(_)).then(|| Source::new(request.positions));
+    let valences = (target.len() > MOST_FACES as usize).then(|| Mutex::new(Valences::new()));
     let partition = Partition::new(faces, target);
     let mut memory = std::mem::take(&mut scratch.single_parts);
     memory.resize_with(partition.parts().max(memory.len()), Default::default);
@@ -73,15 +74,30 @@ pub(crate) fn single_sums_into<O: Component>(
     let most_thin = faces.len() / EXCEPTIONS;
     let owned = accumulate(request, partition, parts, &|walk, sums, thin| {
         // Faces that are added to the sums of another part have been counted in theirs.
-        let most_thin = if let Walk::Share(..) = walk { most_thin } else { usize::MAX };
-        let (weight, source, scalar) = (request.weight, source.as_ref(), CornerTerms::default());
-        let mut terms = SingleTerms { faces, weight, points, source, thin, most_thin, scalar };
-        add_triangles(request, walk, sums, &mut terms)
+        let is_share = matches!(walk, Walk::Share(..));
+        let mut terms = SingleTerms {
+            faces,
+            weight: request.weight,
+            points,
+            positions: request.positions,
+            source: None,
+            thin,
+            most_thin: if is_share { most_thin } else { usize::MAX },
+            valences: valences.as_ref().filter(|_| is_share).map(|_| Valences::new()),
+            scalar: CornerTerms::default(),
+        };
+        let added = add_triangles(request, walk, sums, &mut terms);
+        if let (Some(all), Some(found)) = (&valences, terms.valences) {
+            all.lock().unwrap_or_else(PoisonError::into_inner).join(&found);
+        }
+        added
     });
     let thin: usize = parts.iter().map(|part| part.unusual.len()).sum();
+    let valences = valences.map(|all| all.into_inner().unwrap_or_else(PoisonError::into_inner));
     let mut is_in_range = false;
     if let Some(owned) = owned
         && thin <= most_thin
+        && valences.is_none_or(|valences| valences.are_at_most(MOST_FACES, target, slots))
     {
         finish(slots, parts, &owned, unit, state, &|part, owned, unit, state| {
             part.uncertain.clear();
@@ -93,8 +109,8 @@ pub(crate) fn single_sums_into<O: Component>(
         parts.iter().for_each(|part| uncertain.join(&part.uncertain));
         // All sums are zero again.
         scratch.single_parts = memory;
-        is_in_range = uncertain.recount.len() <= slots / EXCEPTIONS
-            && recheck(request, source, &uncertain, unit, state);
+        is_in_range =
+            uncertain.recount.len() <= slots / EXCEPTIONS && recheck(request, &uncertain, unit, state);
     }
     scratch.single_positions = copied;
     is_in_range
@@ -103,7 +119,6 @@ pub(crate) fn single_sums_into<O: Component>(
 /// Computes some sums again in double precision; false if one of them has no direction.
 fn recheck<O: Component>(
     request: &SumRequest,
-    source: Option<Source>,
     uncertain: &UncertainSlots,
     unit: &mut [[O; 3]],
     state: &mut [SlotState],
@@ -111,7 +126,7 @@ fn recheck<O: Component>(
     if uncertain.recount.is_empty() {
         return true;
     }
-    let source = &source.unwrap_or_else(|| Source::new(request.positions));
+    let source = &Source::new(request.positions);
     let found = Recheck { request, source, unusual: &[] }.run(uncertain);
     for &(slot, vector, found) in &found {
         (unit[slot as usize], state[slot as usize]) = (O::emit(vector), found);
@@ -119,42 +134,19 @@ fn recheck<O: Component>(
     found.iter().all(|(_, _, state)| state.has_normal())
 }
 
-/// Whether no slot has more corners than [`MOST_FACES`].
-fn valences_are_in_range(target: &[u32], slots: usize) -> bool {
-    /// Slots are first counted together with others, in a table that fits a cache.
-    const TABLE: usize = 1 << 16;
-    if target.len() <= MOST_FACES as usize {
-        return true;
-    }
-    let count = |slots: &[u32]| {
-        let mut counts = vec![0_u32; TABLE];
-        slots.iter().for_each(|&slot| counts[slot as usize % TABLE] += 1);
-        counts
-    };
-    let join = |mut a: Vec<u32>, b: Vec<u32>| {
-        a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
-        a
-    };
-    let share = target.len().div_ceil(rayon::current_num_threads()).max(TABLE);
-    let counts = target.par_chunks(share).map(count).reduce_with(join).unwrap_or_default();
-    if counts.iter().all(|&count| count <= MOST_FACES) {
-        return true;
-    }
-    let mut counts = vec![0_u32; slots];
-    target.iter().filter(|&&slot| (slot as usize) < slots).for_each(|&slot| counts[slot as usize] += 1);
-    counts.iter().all(|&count| count <= MOST_FACES)
-}
-
 /// What triangles add to sums in single precision.
 struct SingleTerms<'a> {
     faces: FacesRef<'a>,
     weight: Weight,
     points: &'a [[f32; 3]],
-    /// Where double precision reads the positions of thin faces, if it can.
-    source: Option<&'a Source<'a>>,
+    /// The positions in the type that they came in.
+    positions: PositionsRef<'a>,
+    /// Where double precision reads the positions of thin faces, once there is one.
+    source: Option<Source<'a>>,
     /// Takes the thin faces, of which there are this many at most.
     thin: &'a mut Vec<UnusualFace>,
     most_thin: usize,
+    valences: Option<Valences>,
     scalar: CornerTerms,
 }
 
@@ -163,9 +155,13 @@ impl Fill<f32> for SingleTerms<'_> {
     fn fill(
         &mut self,
         triangles: &[[u32; 3]],
+        slots: &[[u32; 3]],
         face: &dyn Fn(usize) -> usize,
         terms: &mut BlockTerms<f32>,
     ) -> bool {
+        if let Some(valences) = &mut self.valences {
+            valences.count(slots.as_flattened());
+        }
         let Self { weight, points, .. } = *self;
         let mut in_range = num::dispatch(SingleBlock { points, triangles, weight, terms });
         if let Err(Refusal::NotInPlace) = in_range {
@@ -189,7 +185,11 @@ impl SingleTerms<'_> {
         terms: &mut BlockTerms<f32>,
     ) -> bool {
         for at in in_range.rest(triangles) {
-            let Some(source) = self.source else { return false };
+            // Rounded positions do not determine the direction of a thin face.
+            if let PositionsRef::F64(_) = self.positions {
+                return false;
+            }
+            let source = self.source.get_or_insert_with(|| Source::new(self.positions));
             let (face, scalar) = (face(at), &mut self.scalar);
             scalar.fill(self.faces, source, self.weight, face, |_| false);
             let vector = scalar.vector.map(|x| x as f32);

@@ -100,6 +100,7 @@ impl Arithmetic for Avx2 {
     halves! {
         avx: add(a, b) = _mm256_add_pd, sub(a, b) = _mm256_sub_pd, mul(a, b) = _mm256_mul_pd,
         div(a, b) = _mm256_div_pd, and(a, b) = _mm256_and_pd, sqrt(a) = _mm256_sqrt_pd,
+        min(a, b) = _mm256_min_pd, max(a, b) = _mm256_max_pd,
     }
     halves! { fma: product_error(a, b, product) = _mm256_fmsub_pd }
 

@@ -75,6 +75,7 @@ impl Arithmetic for Avx512 {
     instructions! {
         avx512f: add(a, b) = _mm512_add_pd, sub(a, b) = _mm512_sub_pd, mul(a, b) = _mm512_mul_pd,
         div(a, b) = _mm512_div_pd, sqrt(a) = _mm512_sqrt_pd, abs(a) = _mm512_abs_pd,
+        min(a, b) = _mm512_min_pd, max(a, b) = _mm512_max_pd,
         product_error(a, b, product) = _mm512_fmsub_pd,
     }
 

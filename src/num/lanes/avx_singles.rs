@@ -47,6 +47,7 @@ impl Arithmetic for AvxSingles {
     instructions! {
         avx: add(a, b) = _mm256_add_ps, sub(a, b) = _mm256_sub_ps, mul(a, b) = _mm256_mul_ps,
         div(a, b) = _mm256_div_ps, and(a, b) = _mm256_and_ps, sqrt(a) = _mm256_sqrt_ps,
+        min(a, b) = _mm256_min_ps, max(a, b) = _mm256_max_ps,
     }
 
     #[inline(always)]

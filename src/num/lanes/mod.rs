@@ -66,6 +66,18 @@ pub(crate) trait Arithmetic: Copy {
     fn and(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
     /// `yes` where the mask says so, elsewhere `no`.
     fn select(self, mask: Self::Mask, yes: Self::Number, no: Self::Number) -> Self::Number;
+
+    /// a if a < b, otherwise b.
+    #[inline(always)]
+    fn min(self, a: Self::Number, b: Self::Number) -> Self::Number {
+        self.select(self.less(a, b), a, b)
+    }
+
+    /// a if a > b, otherwise b.
+    #[inline(always)]
+    fn max(self, a: Self::Number, b: Self::Number) -> Self::Number {
+        self.select(self.less(b, a), a, b)
+    }
 }
 
 /// Methods that are one instruction of an instruction set in the token.
@@ -186,6 +198,11 @@ mod tests {
             for x in [arch.add(a, b), arch.sub(a, b), arch.mul(a, b), arch.div(a, b), arch.abs(a)] {
                 take(x);
             }
+            let (zero, nan) = (arch.splat(0.0), arch.splat(f64::NAN));
+            for (a, b) in [(a, b), (a, nan), (nan, b), (zero, arch.splat(-0.0)), (arch.splat(-0.0), zero)] {
+                take(arch.min(a, b));
+                take(arch.max(a, b));
+            }
             take(arch.sqrt(arch.abs(c)));
             take(arch.product_error(a, b, arch.mul(a, b)));
             take(arch.differences(a, b, c));
@@ -274,6 +291,8 @@ mod tests {
             arch.mul(a, b),
             arch.div(a, b),
             arch.abs(a),
+            arch.min(a, b),
+            arch.max(c, d),
             arch.sqrt(arch.abs(c)),
             arch.product_error(a, b, arch.mul(a, b)),
             arch.select(first, c, d),

@@ -40,12 +40,12 @@ impl<A: Arithmetic> Scalars<A> {
 
     #[inline(always)]
     pub(crate) fn min(self, other: Self) -> Self {
-        other.less(self).select(other, self)
+        Self::new(self.arch, self.arch.min(other.value, self.value))
     }
 
     #[inline(always)]
     pub(crate) fn max(self, other: Self) -> Self {
-        self.less(other).select(other, self)
+        Self::new(self.arch, self.arch.max(other.value, self.value))
     }
 
     /// `(p, e)` with p = fl(ab) and p + e = ab exactly.
