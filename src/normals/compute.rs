@@ -5,22 +5,20 @@ use crate::normals::creases::dihedral_test::CreaseTest;
 use crate::normals::creases::grouping::{Grouping, can_do_without_topology, of_triangles, on_topology};
 use crate::normals::creases::hard_edges::applied_angle;
 use crate::normals::creases::smooth_groups::{SlotCorners, SmoothGroups};
-use crate::normals::faces::face_normals::{FaceNormals, face_normals};
+use crate::normals::faces::face_normals::FaceNormals;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::fallback::fallback_normals::{FaceField, FallbackNormals, corner_faults, face_faults};
 use crate::normals::fault::{Fault, FaultReason, Faults};
 use crate::normals::field::{Extras, NearCancellation, NormalField, Summary};
-use crate::normals::fits::choice::{Choice, choose};
-use crate::normals::fits::fitted_normals::{FitFailures, fitted_normals};
-use crate::normals::fits::jet::{JET, JetFallbacks};
 use crate::normals::fits::progress::{FitCount, FitObserver, UNOBSERVED};
-use crate::normals::fits::quadric::QUADRIC;
-use crate::normals::fits::rings::{FitRequest, Rings};
+use crate::normals::fits::rings::FitRequest;
+use crate::normals::fits::slot_fits::{Fits, fit_slots};
 use crate::normals::recipe::{Groups, NormalRecipe, Precision, Weight};
+use crate::normals::scratch::Scratch;
 use crate::normals::sums::corner_sums::TermTable;
 use crate::normals::sums::request::{SlotState, SumRequest, Sums};
 use crate::normals::sums::single_precision::single_sums;
-use crate::normals::sums::weighted_sums::weighted_sums;
+use crate::normals::sums::weighted_sums::{SumScratch, weighted_sums};
 use crate::num::Degrees;
 use crate::num::parallel;
 use glam::DVec3;
@@ -62,39 +60,64 @@ pub fn compute_observed(
     extras: Extras,
     observe: FitObserver<'_>,
 ) -> NormalField {
+    compute_in(mesh, recipe, extras, &mut Scratch::new(), observe)
+}
+
+/// As [`compute_with`], in memory that has served before.
+pub fn compute_reusing(
+    mesh: &Mesh,
+    recipe: &NormalRecipe,
+    extras: Extras,
+    scratch: &mut Scratch,
+) -> NormalField {
+    compute_in(mesh, recipe, extras, scratch, UNOBSERVED)
+}
+
+fn compute_in(
+    mesh: &Mesh,
+    recipe: &NormalRecipe,
+    extras: Extras,
+    scratch: &mut Scratch,
+    observe: FitObserver<'_>,
+) -> NormalField {
     let is_plain = can_do_without_topology(mesh, recipe);
     let needs_faces =
         !is_plain || extras.face_normals || !matches!(CreaseTest::of(mesh, recipe), CreaseTest::None);
     let points = mesh.positions();
-    let mut shape = Shape { points, faces: FaceNormals::default(), more_rings: 0, observe };
+    let mut shape = Shape { points, faces: std::mem::take(&mut scratch.faces), more_rings: 0, observe };
     if needs_faces {
         shape.find_faces(mesh);
+    } else {
+        shape.faces.clear();
     }
     let all_counted = parallel::all(&shape.faces.state, |&state| state == FaceState::Counted);
-    let plain =
-        (is_plain && all_counted).then(|| of_triangles(mesh, recipe, &shape.faces, extras.edge_counts));
+    let plain = (is_plain && all_counted)
+        .then(|| of_triangles(mesh, recipe, &shape.faces, extras.edge_counts, &mut scratch.groups));
     if let Some(grouping) = plain.flatten() {
-        let found = shape.sums(mesh, recipe, &grouping.groups);
+        let found = shape.sums(mesh, recipe, &grouping.groups, &mut scratch.sums);
         if found.is_clean {
-            return shape.field(mesh, recipe, extras, grouping, found, None);
+            let (field, faces) = shape.field(mesh, recipe, extras, grouping, found, None);
+            scratch.faces = faces;
+            return field;
         }
     }
     if !needs_faces {
         shape.find_faces(mesh);
     }
-    compute_shape(mesh, &Topology::build(mesh, recipe.weld), recipe, shape, extras)
+    compute_shape(mesh, &Topology::build(mesh, recipe.weld), recipe, shape, extras, scratch)
 }
 
 /// As [`compute`], on a topology built before, with the welding that it was built with.
 pub fn compute_on(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> NormalField {
-    compute_shape(mesh, topology, recipe, Shape::new(mesh.positions(), mesh), Extras::ALL)
+    let shape = Shape::new(mesh.positions(), mesh);
+    compute_shape(mesh, topology, recipe, shape, Extras::ALL, &mut Scratch::new())
 }
 
 /// As [`compute_on`], but fits take one more ring of neighbours. The angle to the normals of [`compute_on`] estimates their error
 /// on a surface without noise, as the error grows with the size of the neighbourhood.
 pub fn compute_wider(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> NormalField {
     let shape = Shape { more_rings: 1, ..Shape::new(mesh.positions(), mesh) };
-    compute_shape(mesh, topology, recipe, shape, Extras::NONE)
+    compute_shape(mesh, topology, recipe, shape, Extras::NONE, &mut Scratch::new())
 }
 
 /// As [`compute_on`], with the normals of faces that are there already.
@@ -106,7 +129,7 @@ pub(crate) fn compute_from(
 ) -> NormalField {
     let (points, faces) = (mesh.positions(), faces.into_computed());
     let shape = Shape { points, faces, more_rings: 0, observe: UNOBSERVED };
-    compute_shape(mesh, topology, recipe, shape, Extras::ALL)
+    compute_shape(mesh, topology, recipe, shape, Extras::ALL, &mut Scratch::new())
 }
 
 fn compute_shape(
@@ -115,10 +138,13 @@ fn compute_shape(
     recipe: &NormalRecipe,
     shape: Shape<'_>,
     extras: Extras,
+    scratch: &mut Scratch,
 ) -> NormalField {
     let grouping = on_topology(mesh, topology, recipe, &shape.faces, extras.edge_counts);
-    let sums = shape.sums(mesh, recipe, &grouping.groups);
-    shape.field(mesh, recipe, extras, grouping, sums, Some(topology))
+    let sums = shape.sums(mesh, recipe, &grouping.groups, &mut scratch.sums);
+    let (field, faces) = shape.field(mesh, recipe, extras, grouping, sums, Some(topology));
+    scratch.faces = faces;
+    field
 }
 
 /// A mesh in one of its shapes: its own, or a morph target's.
@@ -147,11 +173,17 @@ impl<'a> Shape<'a> {
     }
 
     fn find_faces(&mut self, mesh: &Mesh) {
-        self.faces = face_normals(mesh.faces().view(), self.points);
+        self.faces.fill(mesh.faces().view(), self.points);
     }
 
     /// The sum of every slot.
-    fn sums(&self, mesh: &Mesh, recipe: &NormalRecipe, groups: &SmoothGroups) -> SlotSums {
+    fn sums(
+        &self,
+        mesh: &Mesh,
+        recipe: &NormalRecipe,
+        groups: &SmoothGroups,
+        scratch: &mut SumScratch,
+    ) -> SlotSums {
         let request = SumRequest {
             faces: mesh.faces().view(),
             positions: self.points,
@@ -166,24 +198,25 @@ impl<'a> Shape<'a> {
         }
         // A fit takes the mean of `faithful` for its frame.
         let is_fit = recipe.weight.is_fit();
-        if let Some(sums) = (fast && !is_fit).then(|| single_sums(&request)).flatten() {
+        if let Some(sums) = (fast && !is_fit).then(|| single_sums(&request, scratch)).flatten() {
             return SlotSums { sums, is_clean: true, fast_declined: false };
         }
-        let (sums, outcome) = weighted_sums(&request);
+        let (sums, outcome) = weighted_sums(&request, scratch);
         let is_clean = outcome.all_good && outcome.unusual.is_empty();
         SlotSums { sums, is_clean, fast_declined: fast }
     }
 
-    /// The field of a mesh in its own shape. Without a topology, sums are clean.
+    /// The field of a mesh in its own shape, and the memory of face normals that are not part of it. Without a topology, sums
+    /// are clean.
     fn field(
-        self,
+        mut self,
         mesh: &Mesh,
         recipe: &NormalRecipe,
         extras: Extras,
         grouping: Grouping,
         sums: SlotSums,
         topology: Option<&Topology>,
-    ) -> NormalField {
+    ) -> (NormalField, FaceNormals) {
         let Grouping { groups, edges, cone_declined } = grouping;
         let mut summary = Summary {
             edges: edges.counts,
@@ -201,14 +234,18 @@ impl<'a> Shape<'a> {
         summary.splits = groups.entry_vertex.len() - summary.referenced_vertices;
         let mut faults = Faults { vertices: unreferenced(&groups.entry_vertex, mesh), ..Faults::default() };
         let Some(topology) = topology else {
-            return NormalField {
+            let field = NormalField {
                 normals: Column::per_corner(groups.of_entries(sums.sums.unit), groups.corner_entry),
                 entry_vertex: groups.entry_vertex,
-                face_normals: if extras.face_normals { self.faces.unit } else { Vec::new() },
+                face_normals: match extras.face_normals {
+                    true => std::mem::take(&mut self.faces.unit),
+                    false => Vec::new(),
+                },
                 morph_normals: Vec::new(),
                 faults,
                 summary,
             };
+            return (field, self.faces);
         };
         let shapes = 1 + mesh.columns().morph_targets.len();
         let count = FitCount::new(shapes * groups.slots, self.observe);
@@ -223,7 +260,7 @@ impl<'a> Shape<'a> {
             let moved: Vec<DVec3> = mesh.positions().iter().zip(target).map(|(p, &by)| p + by).collect();
             // The sum of two f32 values need not be one.
             let shape = Shape::new(PositionsRef::F64(&moved), mesh);
-            let sums = shape.sums(mesh, recipe, &groups).sums;
+            let sums = shape.sums(mesh, recipe, &groups, &mut SumScratch::default()).sums;
             let (mut normals, fallbacks, _) = shape.entries(mesh, topology, recipe, &groups, sums, &count);
             // A shape that loses a normal keeps that of the base: no displacement rather than an arbitrary one.
             summary.morph_fallbacks += fallbacks.len();
@@ -234,17 +271,21 @@ impl<'a> Shape<'a> {
         }
         faults.faces = face_faults(&self.faces, recipe.slivers);
         faults.corners = corner_faults(&groups.corner_entry, &fallbacks);
-        NormalField {
+        let field = NormalField {
             normals: Column::per_corner(values, groups.corner_entry),
             entry_vertex: groups.entry_vertex,
             face_normals: match extras.face_normals {
-                true => FaceField::with_fallbacks(mesh, topology, self.faces).into_units(),
+                true => {
+                    let faces = std::mem::take(&mut self.faces);
+                    FaceField::with_fallbacks(mesh, topology, faces).into_units()
+                }
                 false => Vec::new(),
             },
             morph_normals,
             faults,
             summary,
-        }
+        };
+        (field, self.faces)
     }
 
     /// The normal of every entry, from the sums of slots; the entries with a fallback normal, ascending, with the reason; and
@@ -261,7 +302,22 @@ impl<'a> Shape<'a> {
         let target = groups.corner_slots();
         let mut fits = Fits::default();
         if recipe.weight.is_fit() {
-            fits = self.fit(mesh, topology, recipe.weight, (&target, groups), &mut sums, count);
+            let by_slot;
+            let group_corners = match &groups.members {
+                Some(members) => members,
+                None => {
+                    by_slot = SlotCorners::by_slot(&target, sums.unit.len());
+                    &by_slot
+                }
+            };
+            let request = FitRequest {
+                corner_vertices: mesh.faces().corners(),
+                topology,
+                positions: self.points,
+                corner_group: &target,
+                group_corners,
+            };
+            fits = fit_slots(request, recipe.weight, self.more_rings, &mut sums, count);
         }
         let mut fallbacks = FallbackNormals::new(mesh.faces().view(), topology, &self.faces);
         let fallbacks = fallbacks.for_slots(&target, &sums.state, |slot, normal| sums.unit[slot] = normal);
@@ -274,73 +330,6 @@ impl<'a> Shape<'a> {
         let fallbacks = entries.filter_map(reason).collect();
         (values, fallbacks, fits)
     }
-
-    /// Replaces means by the normals of fits where there is one.
-    fn fit(
-        &self,
-        mesh: &Mesh,
-        topology: &Topology,
-        weight: Weight,
-        (target, groups): (&[u32], &SmoothGroups),
-        sums: &mut Sums,
-        count: &FitCount<'_>,
-    ) -> Fits {
-        let by_slot;
-        let members = match &groups.members {
-            Some(members) => members,
-            None => {
-                by_slot = SlotCorners::by_slot(target, sums.unit.len());
-                &by_slot
-            }
-        };
-        // What is left of a cancelling sum is no frame to fit in.
-        for (unit, _) in sums.unit.iter_mut().zip(&sums.state).filter(|(_, state)| !state.has_normal()) {
-            *unit = DVec3::ZERO;
-        }
-        let request = FitRequest {
-            corner_vertices: mesh.faces().corners(),
-            topology,
-            positions: self.points,
-            corner_group: target,
-            group_corners: members,
-        };
-        let rings = Rings::new(request, sums.unit.len());
-        let mut fits = Fits::default();
-        let mut weight = weight;
-        if weight == Weight::Best {
-            let choice = choose(&rings, &sums.unit, self.more_rings);
-            weight = choice.weight;
-            fits.choice = Some(choice);
-        }
-        let groups: Vec<u32> = (0..sums.unit.len() as u32).collect();
-        let done = |groups| count.add(groups);
-        let fitted = match weight {
-            Weight::Jet => {
-                let (normals, [degree_3, degree_2]) =
-                    fitted_normals(&rings, JET, self.more_rings, &sums.unit, &groups, &done);
-                fits.jet = JetFallbacks { degree_3, degree_2 };
-                normals
-            }
-            Weight::Quadric => {
-                let (normals, [failures]) =
-                    fitted_normals(&rings, [QUADRIC], self.more_rings, &sums.unit, &groups, &done);
-                fits.quadric = failures;
-                normals
-            }
-            _ => Vec::new(),
-        };
-        let fitted = sums.unit.iter_mut().zip(fitted).filter(|(_, fit)| *fit != DVec3::ZERO);
-        fitted.for_each(|(unit, fit)| *unit = fit);
-        fits
-    }
-}
-
-/// Where fits failed.
-#[derive(Clone, Copy, Debug, Default)]
-struct Fits {
-    quadric: FitFailures,
-    jet: JetFallbacks,
-    choice: Option<Choice>,
 }
 
 /// Sums over explicit lists of corners: the cone rule, where a face counts in several groups.
@@ -450,6 +439,29 @@ mod tests {
                 let recipe = NormalRecipe { weld: Weld::Off, weight, ..NormalRecipe::default() };
                 let tilt = compute(&mesh, &recipe).normals.values[0].distance(DVec3::Z);
                 assert!(tilt > 0.01, "{weight:?} {quads}: without welding each vertex has faces of its own");
+            }
+        }
+    }
+
+    /// One after the other in the same memory, larger and smaller, with and without topology.
+    #[test]
+    fn memory_that_has_served_before_changes_nothing() {
+        let mut scratch = Scratch::new();
+        let meshes = [
+            sphere_with_rows_at_poles(24, 12, false),
+            cube(Columns::default()),
+            sphere_with_rows_at_poles(6, 2, false),
+            sphere_with_rows_at_poles(24, 12, true),
+        ];
+        for mesh in meshes.iter().chain(meshes.iter().rev()) {
+            for crease in [Crease::OFF, Crease::Angle(Degrees(40.0))] {
+                for precision in [Precision::Fast, Precision::Faithful] {
+                    for (weld, extras) in [(Weld::Exact, Extras::ALL), (Weld::Off, Extras::NONE)] {
+                        let recipe = NormalRecipe { crease, precision, weld, ..NormalRecipe::default() };
+                        let field = compute_reusing(mesh, &recipe, extras, &mut scratch);
+                        assert_eq!(field, compute_with(mesh, &recipe, extras), "{recipe:?}");
+                    }
+                }
             }
         }
     }

@@ -7,7 +7,7 @@ use crate::normals::faces::face_normals::face_normals;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::fault::{Fault, FaultReason};
 use crate::normals::recipe::NormalRecipe;
-use crate::normals::slices::vertex_normals::Scratch;
+use crate::normals::scratch::Scratch;
 use crate::num::power_of_two;
 use crate::num::test_numbers::Numbers;
 use crate::trade::exact::{distance, error_in_ulps, face_normal};

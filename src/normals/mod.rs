@@ -20,12 +20,14 @@ mod fits;
 mod fallback;
 // Encoding: normals in few bits.
 pub mod encoding;
+// Memory that is used again.
+mod scratch;
 // Slices: the same kernels for the caller's own arrays.
 mod slices;
 
 pub use crate::mesh::Weld;
 pub(crate) use compute::compute_from;
-pub use compute::{compute, compute_observed, compute_on, compute_wider, compute_with};
+pub use compute::{compute, compute_observed, compute_on, compute_reusing, compute_wider, compute_with};
 pub use creases::chains::CreaseChains;
 pub use creases::dihedral_test::crease_slack;
 pub(crate) use creases::dihedral_test::{CreaseTest, SLACK_DEGREES};
@@ -42,8 +44,9 @@ pub use fits::progress::FitObserver;
 pub use recipe::{
     Averaging, Crease, CreaseRule, Groups, HardEdges, NormalRecipe, Precision, Scope, Slivers, Weight,
 };
+pub use scratch::Scratch;
 pub use slices::corner_normals::corner_normals;
-pub use slices::vertex_normals::{Coordinate, Scratch, SliceError, face_normals, vertex_normals};
+pub use slices::vertex_normals::{Coordinate, SliceError, face_normals, vertex_normals};
 
 // Meshes for tests of kernels.
 #[cfg(test)]

@@ -5,7 +5,7 @@ use super::effort::{Candidate, Effort, Observer, Progress, fewest_seconds};
 use super::vertex::recipe;
 use crate::mesh::{Faces, Mesh};
 use crate::normals::{
-    Averaging, Extras, NormalRecipe, Precision, Scratch, Weight, compute_with, vertex_normals,
+    Averaging, Extras, NormalRecipe, Precision, Scratch, Weight, compute_reusing, vertex_normals,
 };
 use glam::DVec3;
 use serde::Serialize;
@@ -43,7 +43,7 @@ pub enum Way {
     Slices,
     /// The same with [`Precision::Fast`].
     SlicesFast,
-    /// [`compute_with`] of a mesh, with creases and faults, faithful.
+    /// [`compute_reusing`] of a mesh, with creases and faults, faithful.
     Mesh,
     /// The same with [`Precision::Fast`], which fits do not have.
     MeshFast,
@@ -94,7 +94,10 @@ impl Costs {
             let precision = way.precision();
             if matches!(way, Way::Mesh | Way::MeshFast) {
                 let recipe = NormalRecipe { precision, ..recipe(weight) };
-                candidates.push(Box::new(move || drop(black_box(compute_with(mesh, &recipe, Extras::NONE)))));
+                let mut scratch = Scratch::new();
+                candidates.push(Box::new(move || {
+                    drop(black_box(compute_reusing(mesh, &recipe, Extras::NONE, &mut scratch)));
+                }));
                 continue;
             }
             let (mut scratch, mut normals) = (Scratch::new(), vec![[0.0; 3]; positions.len()]);

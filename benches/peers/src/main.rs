@@ -11,7 +11,7 @@ mod peers;
 
 use crease::mesh::{Faces, MeshBuilder};
 use crease::normals::{
-    Averaging, Crease, Extras, NormalRecipe, Precision, Scratch, Weight, compute_with, corner_normals,
+    Averaging, Crease, Extras, NormalRecipe, Precision, Scratch, Weight, compute_reusing, corner_normals,
     vertex_normals,
 };
 use crease::num::Degrees;
@@ -66,7 +66,7 @@ fn angle<'a>(mesh: &'a Mesh, pools: &'a [ThreadPool; 2]) -> Vec<Candidate<'a>> {
     candidates
 }
 
-/// `vertex_normals` on slices, and `compute_with` on a mesh without creases.
+/// `vertex_normals` on slices, and `compute_reusing` on a mesh without creases.
 fn ours<'a>(mesh: &'a Mesh, pools: &'a [ThreadPool; 2], weight: Weight) -> Vec<Candidate<'a>> {
     let mut candidates: Vec<Candidate> = Vec::new();
     let kinds = [
@@ -102,7 +102,11 @@ fn on_mesh<'a>(mesh: &Mesh, pool: &'a ThreadPool, recipe: NormalRecipe) -> Candi
         ..MeshBuilder::default()
     };
     let built = built.build().expect("the mesh is sound");
-    let work = move || drop(black_box(pool.install(|| compute_with(&built, &recipe, Extras::NONE))));
+    let mut scratch = Scratch::new();
+    let work = move || {
+        let field = pool.install(|| compute_reusing(&built, &recipe, Extras::NONE, &mut scratch));
+        drop(black_box(field));
+    };
     ("crease on a Mesh, 2 threads".into(), Box::new(work))
 }
 

@@ -67,6 +67,7 @@ pub(in crate::normals) fn of_triangles(
     recipe: &NormalRecipe,
     normals: &FaceNormals,
     counts_edges: bool,
+    memory: &mut GroupMemory,
 ) -> Option<Grouping> {
     let crease = CreaseTest::of(mesh, recipe);
     let turns = counts_edges.then(|| turns(mesh, &crease));
@@ -80,9 +81,8 @@ pub(in crate::normals) fn of_triangles(
         slivers: recipe.slivers,
         counts: turns.as_ref().map(Option::as_deref),
     };
-    let mut memory = GroupMemory::default();
     let mut corner_slot = bytemuck::zeroed_vec(faces.corners().len());
-    let (slots, found) = creases.entries(mesh.vertex_count(), &mut memory, &mut corner_slot);
+    let (slots, found) = creases.entries(mesh.vertex_count(), memory, &mut corner_slot);
     let is_joined = joined.is_some();
     if recipe.weld == Weld::Exact && !is_joined && !joins_no_edges(mesh, &found.edges.open) {
         return None;

@@ -31,6 +31,11 @@ pub(crate) fn face_normals(faces: FacesRef, positions: PositionsRef) -> FaceNorm
 }
 
 impl FaceNormals {
+    pub(crate) fn clear(&mut self) {
+        self.unit.clear();
+        self.state.clear();
+    }
+
     /// As [`face_normals`], in memory that has served before.
     pub(crate) fn fill(&mut self, faces: FacesRef, positions: PositionsRef) {
         self.unit.resize(faces.len(), DVec3::ZERO);

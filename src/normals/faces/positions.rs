@@ -154,7 +154,8 @@ impl Kernel for LargestDouble<'_> {
 #[cfg(test)]
 mod tests {
     use crate::normals::fault::FaultReason;
-    use crate::normals::slices::vertex_normals::{Scratch, face_normals};
+    use crate::normals::scratch::Scratch;
+    use crate::normals::slices::vertex_normals::face_normals;
 
     /// More than eight triangles, so that they are looked at side by side.
     #[test]

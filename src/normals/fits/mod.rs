@@ -18,9 +18,10 @@ pub(super) mod jet;
 pub(super) mod differences;
 // The one of these with the smallest error on a mesh.
 pub(super) mod choice;
-
 // How many fits are done.
 pub(super) mod progress;
+// Fits in place of means.
+pub(super) mod slot_fits;
 
 // Meshes of surfaces with exact normals.
 #[cfg(test)]

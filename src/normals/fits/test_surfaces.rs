@@ -7,7 +7,7 @@ use crate::normals::fits::polynomial::Polynomial;
 use crate::normals::fits::rings::{FitRequest, Rings};
 use crate::normals::recipe::{Slivers, Weight};
 use crate::normals::sums::request::SumRequest;
-use crate::normals::sums::weighted_sums::weighted_sums;
+use crate::normals::sums::weighted_sums::{SumScratch, weighted_sums};
 use crate::num::test_numbers::Numbers;
 use glam::DVec3;
 use std::f64::consts::TAU;
@@ -21,16 +21,15 @@ pub(super) fn build(positions: Vec<DVec3>, triangles: Vec<u32>) -> Mesh {
 /// The angle means of groups of corners: all at a vertex, or by the given numbers.
 pub(super) fn means_of(mesh: &Mesh, corner_group: &[u32]) -> Vec<DVec3> {
     let groups = corner_group.iter().max().map_or(0, |&group| group as usize + 1);
-    weighted_sums(&SumRequest {
+    let request = SumRequest {
         faces: mesh.faces().view(),
         positions: mesh.positions(),
         target: corner_group,
         slots: groups,
         weight: Weight::Angle,
         slivers: Slivers::Keep,
-    })
-    .0
-    .unit
+    };
+    weighted_sums(&request, &mut SumScratch::default()).0.unit
 }
 
 /// Calls a function with the rings of groups of corners.

@@ -1,18 +1,17 @@
 //! Normals of triangles in the caller's own slices: the same kernels, without building a mesh.
 
 use crate::mesh::{FacesRef, NONE};
-use crate::normals::creases::triangle_groups::GroupMemory;
 use crate::normals::faces::component::Component;
-use crate::normals::faces::face_normals::FaceNormals;
 use crate::normals::faces::face_normals::face_normals_into;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::fallback::neighbours::{neighbour_normals, vertex_fallbacks};
 use crate::normals::fault::{Fault, FaultReason, Faults};
 use crate::normals::recipe::{Averaging, Precision, Slivers};
+use crate::normals::scratch::Scratch;
 use crate::normals::sums::partition::Bounds;
 use crate::normals::sums::request::{SlotState, SumRequest};
 use crate::normals::sums::single_precision::single_sums_into;
-use crate::normals::sums::weighted_sums::{SumScratch, weighted_sums_into};
+use crate::normals::sums::weighted_sums::weighted_sums_into;
 use crate::num;
 
 /// The type of coordinates: `f32` or `f64`.
@@ -54,22 +53,6 @@ pub enum SliceError {
     /// The weights `quadric`, `jet` and `best` fit surfaces past the faces of a vertex, which takes a mesh with its topology.
     #[error("the {0} weight needs a mesh with topology; compute it from a NormalRecipe")]
     FitNeedsMesh(&'static str),
-}
-
-/// Memory for intermediate results: a second call of the same size allocates next to nothing.
-#[derive(Default)]
-pub struct Scratch {
-    pub(in crate::normals) sums: SumScratch,
-    pub(in crate::normals) slots: Vec<SlotState>,
-    pub(in crate::normals) faces: FaceNormals,
-    pub(in crate::normals) groups: GroupMemory,
-}
-
-impl Scratch {
-    /// Empty.
-    pub fn new() -> Self {
-        Self::default()
-    }
 }
 
 /// Computes the unit normal of every triangle, (P1−P0)×(P2−P0) made unit.

@@ -248,7 +248,7 @@ mod tests {
     use crate::normals::recipe::{Slivers, Weight};
     use crate::normals::sums::partition::Partition;
     use crate::normals::sums::request::SlotState;
-    use crate::normals::sums::weighted_sums::weighted_sums;
+    use crate::normals::sums::weighted_sums::{SumScratch, weighted_sums};
     use crate::normals::test_meshes::{bumpy, with_threads};
     use crate::num::test_numbers::Numbers;
 
@@ -284,10 +284,13 @@ mod tests {
                         weight,
                         slivers: Slivers::Exclude,
                     };
-                    let alone = with_threads(1, || weighted_sums(&request).0);
+                    let alone = with_threads(1, || weighted_sums(&request, &mut SumScratch::default()).0);
                     assert!(alone.state.iter().all(|&state| state == SlotState::Good));
                     for threads in [2, 3, 8] {
-                        assert_eq!(with_threads(threads, || weighted_sums(&request).0), alone);
+                        assert_eq!(
+                            with_threads(threads, || weighted_sums(&request, &mut SumScratch::default()).0),
+                            alone
+                        );
                     }
                 }
             }

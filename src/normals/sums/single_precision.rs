@@ -40,10 +40,10 @@ const MOST_FACES: u32 = 1000;
 const EXCEPTIONS: usize = 32;
 
 /// Weighted sums in single precision; `None` if something is out of range.
-pub(crate) fn single_sums(request: &SumRequest) -> Option<Sums> {
+pub(crate) fn single_sums(request: &SumRequest, scratch: &mut SumScratch) -> Option<Sums> {
     let mut sums = Sums::new(request.slots);
     let unit: &mut [[f64; 3]] = bytemuck::cast_slice_mut(&mut sums.unit);
-    single_sums_into(request, &mut SumScratch::default(), unit, &mut sums.state).then_some(sums)
+    single_sums_into(request, scratch, unit, &mut sums.state).then_some(sums)
 }
 
 /// The same into the caller's slices: a slot without faces has +Z and [`SlotState::Empty`]. Returns `false`, with unspecified
@@ -301,7 +301,8 @@ mod tests {
     use crate::mesh::{Faces, Mesh, MeshBuilder, Positions};
     use crate::normals::compute::compute;
     use crate::normals::recipe::{Averaging, NormalRecipe, Precision, Weight};
-    use crate::normals::slices::vertex_normals::{Scratch, vertex_normals};
+    use crate::normals::scratch::Scratch;
+    use crate::normals::slices::vertex_normals::vertex_normals;
     use crate::normals::test_meshes::{bumpy, with_threads};
     use crate::num::test_numbers::Numbers;
     use glam::DVec3;

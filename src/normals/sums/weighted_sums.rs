@@ -35,10 +35,10 @@ pub(crate) struct Outcome {
 /// Faces without direction add nothing, nor do slivers with [`Slivers::Exclude`](crate::normals::Slivers::Exclude), unless
 /// a slot has no other face. If all weights of a slot vanish, its faces count the same. A slot with one face has that
 /// face's normal to the bit.
-pub(crate) fn weighted_sums(request: &SumRequest) -> (Sums, Outcome) {
+pub(crate) fn weighted_sums(request: &SumRequest, scratch: &mut SumScratch) -> (Sums, Outcome) {
     let mut sums = Sums::new(request.slots);
     let unit: &mut [[f64; 3]] = bytemuck::cast_slice_mut(&mut sums.unit);
-    let outcome = weighted_sums_into(request, &mut SumScratch::default(), unit, &mut sums.state);
+    let outcome = weighted_sums_into(request, scratch, unit, &mut sums.state);
     (sums, outcome)
 }
 
