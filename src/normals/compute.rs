@@ -63,7 +63,22 @@ pub fn compute_observed(
     compute_in(mesh, recipe, extras, &mut Scratch::new(), observe)
 }
 
-/// As [`compute_with`], in memory that has served before.
+/// As [`compute_with`], in memory that has served before. The result is the same to the bit.
+///
+/// ```
+/// use crease::mesh::{Faces, Mesh};
+/// use crease::normals::{Extras, NormalRecipe, Scratch, Weight, compute_reusing};
+/// use glam::DVec3;
+///
+/// let mesh = Mesh::new(vec![DVec3::ZERO, DVec3::X, DVec3::Y], Faces::triangles(vec![0, 1, 2]))?;
+/// let mut scratch = Scratch::new();
+/// for weight in [Weight::Area, Weight::Angle] {
+///     let recipe = NormalRecipe { weight, ..NormalRecipe::default() };
+///     let field = compute_reusing(&mesh, &recipe, Extras::NONE, &mut scratch);
+///     assert_eq!(field.normals.values, [DVec3::Z; 3]);
+/// }
+/// # Ok::<(), crease::mesh::MeshError>(())
+/// ```
 pub fn compute_reusing(
     mesh: &Mesh,
     recipe: &NormalRecipe,

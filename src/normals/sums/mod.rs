@@ -22,12 +22,12 @@ pub(super) mod finish;
 pub(super) mod accumulate;
 // A second evaluation of sums that may have cancelled.
 pub(super) mod recheck;
+// The number of faces of slots.
+pub(super) mod valences;
 // The weighted sums of all vertices or groups.
 pub(super) mod weighted_sums;
 // Sums in which each corner selects its own faces.
 pub(super) mod corner_sums;
-// The number of faces of slots.
-pub(super) mod valences;
 // From sums in single precision to unit vectors.
 pub(super) mod single_finish;
 // The weighted sums in single precision.

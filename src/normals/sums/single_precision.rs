@@ -26,7 +26,7 @@ use crate::normals::sums::weight::TriangleMeasures;
 use crate::normals::sums::weighted_sums::{SumScratch, accumulate, finish};
 use crate::num::{self, EightLanes, Kernel, LANES, Lanes, Scalars, Vectors};
 use rayon::prelude::*;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Squares of the shortest and the longest edge: 1e-6 and 1e6 in units of the caller, but for rounding.
 const SQUARED_EDGES: (f64, f64) = (0.999_999e-12, 1.000_001e12);
@@ -66,7 +66,8 @@ pub(crate) fn single_sums_into<O: Component>(
             &copied
         }
     };
-    let valences = (target.len() > MOST_FACES as usize).then(|| Mutex::new(Valences::new()));
+    let counts = target.len() > MOST_FACES as usize;
+    let (tables, counted) = (Mutex::new(std::mem::take(&mut scratch.valences)), Mutex::new(Vec::new()));
     let partition = Partition::new(faces, target);
     let mut memory = std::mem::take(&mut scratch.single_parts);
     memory.resize_with(partition.parts().max(memory.len()), Default::default);
@@ -83,21 +84,22 @@ pub(crate) fn single_sums_into<O: Component>(
             source: None,
             thin,
             most_thin: if is_share { most_thin } else { usize::MAX },
-            valences: valences.as_ref().filter(|_| is_share).map(|_| Valences::new()),
+            valences: (counts && is_share).then(|| locked(&tables).pop().unwrap_or_default()),
             scalar: CornerTerms::default(),
         };
         let added = add_triangles(request, walk, sums, &mut terms);
-        if let (Some(all), Some(found)) = (&valences, terms.valences) {
-            all.lock().unwrap_or_else(PoisonError::into_inner).join(&found);
-        }
+        locked(&counted).extend(terms.valences);
         added
     });
     let thin: usize = parts.iter().map(|part| part.unusual.len()).sum();
-    let valences = valences.map(|all| all.into_inner().unwrap_or_else(PoisonError::into_inner));
+    let mut counted = std::mem::take(&mut *locked(&counted));
+    let valences_fit = Valences::are_at_most(&mut counted, MOST_FACES, target, slots);
+    counted.append(&mut locked(&tables));
+    scratch.valences = counted;
     let mut is_in_range = false;
     if let Some(owned) = owned
         && thin <= most_thin
-        && valences.is_none_or(|valences| valences.are_at_most(MOST_FACES, target, slots))
+        && valences_fit
     {
         finish(slots, parts, &owned, unit, state, &|part, owned, unit, state| {
             part.uncertain.clear();
@@ -114,6 +116,11 @@ pub(crate) fn single_sums_into<O: Component>(
     }
     scratch.single_positions = copied;
     is_in_range
+}
+
+/// What a lock holds, also if a thread has panicked with it.
+fn locked<T>(lock: &Mutex<T>) -> MutexGuard<'_, T> {
+    lock.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Computes some sums again in double precision; false if one of them has no direction.
