@@ -39,6 +39,9 @@ too-few =
     between its creases, or has too few vertices.
 safe = angle does not depend on the triangulation of flat faces, so it is the safe choice.
 partial = Only { $share } of the normals have a reference, so errors of the others are unknown.
+unknown-error =
+    Fits can be compared with those of wider neighbourhoods at only { $known } of { $estimated } normals. The error of the
+    reference is unknown, so the weightings cannot be compared.
 reference-stored =
     Errors are angles to the normals that the mesh stores, at { $estimated } of { $all } normals. Open boundaries are omitted.
 reference-jet =
@@ -48,8 +51,9 @@ reference-quadric =
     The reference is the normals of quadric, at { $estimated } of { $all } normals. Open boundaries are omitted. Its own error is
     about { $error }° (rms): quadrics of wider neighbourhoods differ by that much.
 reference-noise =
-    The vertices are noisy: jets are { $gap }° from quadrics, which is more than the error of quadrics. The reference is the
-    normals of quadric, at { $estimated } of { $all } normals. Open boundaries are omitted. Its own error is about { $error }° (rms).
+    Jets are { $gap }° from quadrics, which is more than the error of quadrics: the vertices are noisy, or too far apart for jets.
+    The reference is the normals of quadric, at { $estimated } of { $all } normals. Open boundaries are omitted. Its own error is
+    about { $error }° (rms).
 closest =
     { $best } has the smallest error of the sums of face normals: rms { $rms }°. angle, the default, has { $usual-rms }°.
 closest-usual = angle, the default, has the smallest error of the sums of face normals: rms { $rms }°.

@@ -49,6 +49,10 @@ impl OwnMesh {
             reasons.push(sentence("safe", &[]));
         } else if self.estimated_from < fewest || estimated < share * self.normals as f64 {
             reasons.extend([sentence("too-few", &self.counts()), sentence("safe", &[])]);
+        } else if (self.error_from as f64) < WELL_COVERED * estimated {
+            let [estimated, _] = self.counts();
+            let known = ("known", self.error_from.to_string().into());
+            reasons.extend([sentence("unknown-error", &[estimated, known]), sentence("safe", &[])]);
         } else {
             reasons.push(self.about_reference());
             if estimated < WELL_COVERED * self.normals as f64 {
@@ -212,5 +216,16 @@ mod tests {
     #[test]
     fn advice_is_right_or_none_is_given() {
         assert_advice(2, 20);
+    }
+
+    /// On so coarse a mesh hardly any fit has a wider one: the error of the reference is unknown, and not 0.
+    #[test]
+    fn no_sum_is_recommended_if_the_error_of_the_reference_is_unknown() {
+        let surfaces = NamedSurface::all(Effort::Full);
+        let ellipsoid = surfaces.iter().find(|surface| surface.name == "ellipsoid").unwrap();
+        let (own, _) = outcome(ellipsoid, Tiling::Icosphere, 0).unwrap();
+        assert!(2 * own.error_from < own.estimated_from, "{} of {}", own.error_from, own.estimated_from);
+        assert_eq!(own.recommended, None);
+        assert!(own.reasons.iter().any(|reason| reason.contains("error of the reference is unknown")));
     }
 }

@@ -102,8 +102,9 @@ impl<'a> MeasuredPart<'a> {
     }
 }
 
-/// How much fits differ, over the parts of a mesh. Where a wider fit has no normal, because it reaches a fold, nothing is known.
-pub(super) fn fit_differences(parts: &[MeasuredPart], recipe: &NormalRecipe) -> FitDifferences {
+/// How much fits differ, over the parts of a mesh, and at how many normals that is known: not where a wider fit has no normal,
+/// because it reaches a fold.
+pub(super) fn fit_differences(parts: &[MeasuredPart], recipe: &NormalRecipe) -> (FitDifferences, usize) {
     let mut angles = [const { Vec::new() }; 3];
     for part in parts {
         let wider = [Weight::Jet, Weight::Quadric].map(|weight| {
@@ -122,8 +123,9 @@ pub(super) fn fit_differences(parts: &[MeasuredPart], recipe: &NormalRecipe) -> 
             angles[2].push(angle_between(jet, quadrics[entry]));
         }
     }
+    let known = angles[0].len();
     let [jet, quadric, jet_to_quadric] = angles.map(|angles| AngleErrors::of(&angles).rms);
-    FitDifferences { jet, quadric, jet_to_quadric }
+    (FitDifferences { jet, quadric, jet_to_quadric }, known)
 }
 
 /// The normals of some weights on a mesh, and for each the largest angle to the reference at every vertex that has one. For

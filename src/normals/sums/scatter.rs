@@ -92,7 +92,7 @@ impl<T: SumNumber> Kernel for Scatter<'_, T> {
     }
 }
 
-/// Tells the compiler that this happens rarely.
+/// Marks a path that is rarely taken.
 #[cold]
 #[inline(always)]
 fn skipped() {}
