@@ -153,6 +153,7 @@ impl Kernel for LargestDouble<'_> {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::normals::fault::FaultReason;
     use crate::normals::scratch::Scratch;
     use crate::normals::slices::vertex_normals::face_normals;
@@ -165,5 +166,18 @@ mod tests {
             face_normals(&[[0.0; 3]; 3], &[[0, 1, 2]; 20], &mut Scratch::new(), &mut normals).unwrap();
         assert!(faults.faces.len() == 20 && faults.faces.iter().all(|f| f.reason == FaultReason::ZeroArea));
         assert_eq!(normals, [[0.0, 0.0, 1.0]; 20]);
+    }
+
+    /// Differences from coordinates near 2^-40 take 60 bits, and z is what is left of them: b' − b, against 1 for x and y.
+    #[test]
+    fn small_components_are_right_where_differences_are_not_exact() {
+        let power = |exponent: i32| num::power_of_two(exponent) as f32;
+        let (b, c) = (power(-40) * (1.0 + power(-20)), power(-38) * (1.0 + power(-21)));
+        let points = [[b, c, 0.0], [1.0, 1.0, 0.0], [2.0, 2.0, 1.0], [0.0; 3]];
+        let mut normals = [[0.0_f32; 3]; 16];
+        face_normals(&points, &[[0, 1, 2]; 16], &mut Scratch::new(), &mut normals).unwrap();
+        let z = (f64::from(c) - f64::from(b)) / 2.0_f64.sqrt();
+        // One unit in the last place.
+        assert!(normals.iter().all(|normal| (f64::from(normal[2]) - z).abs() <= z * f64::from(f32::EPSILON)));
     }
 }
