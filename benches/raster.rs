@@ -9,22 +9,14 @@
 #![allow(clippy::print_stdout, reason = "it prints a table")]
 
 mod baseline;
+mod torus;
 
 use baseline::{Baseline, Mode};
-use crease::num::{Degrees, LinearRgb, Transfer};
-use crease::raster::{
-    Camera, Cull, Object, Projection, RenderSettings, Scene, Shading, Shape, Statistics, Times, Triangles,
-    render,
-};
-use crease::shade::{Light, Material};
-use glam::{DMat4, DVec3};
-use std::f64::consts::TAU;
+use crease::num::Transfer;
+use crease::raster::{Cull, RenderScratch, RenderSettings, Shading, Statistics, Times, render_reusing};
 use std::hint::black_box;
 use std::time::Instant;
-
-const SIZE: [u32; 2] = [1920, 1080];
-const TOWARDS: DVec3 = DVec3::new(0.4, 0.6, 1.0);
-const EYE: DVec3 = DVec3::new(0.0, 3.2, 4.0);
+use torus::{SIZE, TOWARDS, Torus, camera};
 
 fn main() {
     let numbers: Vec<usize> =
@@ -36,10 +28,9 @@ fn main() {
     );
     println!("|---|---|---:|---:|---:|---:|---:|");
     for size in sizes {
-        let model = torus(size);
-        let mut models = vec![("in order", model)];
+        let mut models = vec![("in order", Torus::new(size))];
         if std::env::args().all(|argument| argument != "in-order") {
-            models.push(("shuffled", models[0].1.shuffled()));
+            models.push(("shuffled", shuffled(&models[0].1)));
         }
         for (order, model) in &models {
             for (name, shading, mode) in [
@@ -65,83 +56,21 @@ fn main() {
     }
 }
 
-/// What both rasterizers draw: resident buffers in single precision.
-struct Model {
-    positions: Vec<[f32; 3]>,
-    triangles: Vec<[u32; 3]>,
-    normals: Vec<[f32; 3]>,
-    face_normals: Vec<[f32; 3]>,
-}
-
-/// A torus of about this many triangles, in rows around the tube.
-fn torus(triangles: usize) -> Model {
-    let around = ((triangles as f64).sqrt() as usize).next_multiple_of(2);
-    let across = (triangles / 2).div_ceil(around);
-    let (mut positions, mut normals, mut list) = (Vec::new(), Vec::new(), Vec::new());
-    for i in 0..around {
-        for j in 0..across {
-            let (u, v) = (TAU * i as f64 / around as f64, TAU * j as f64 / across as f64);
-            let ((su, cu), (sv, cv)) = (libm::sincos(u), libm::sincos(v));
-            let normal = DVec3::new(cv * su, sv, cv * cu);
-            positions.push((DVec3::new(su, 0.0, cu) + normal * 0.4).as_vec3().to_array());
-            normals.push(normal.as_vec3().to_array());
-            let at = |i: usize, j: usize| (i % around * across + j % across) as u32;
-            list.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
-            list.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
-        }
+/// The same with triangles in another order.
+fn shuffled(torus: &Torus) -> Torus {
+    let mut order: Vec<usize> = (0..torus.triangles.len()).collect();
+    let mut state = 1_u64;
+    for i in (1..order.len()).rev() {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        order.swap(i, (state >> 33) as usize % (i + 1));
     }
-    let mut face_normals = vec![[0.0; 3]; list.len()];
-    crease::normals::face_normals(&positions, &list, &mut crease::normals::Scratch::new(), &mut face_normals)
-        .expect("the mesh is sound");
-    Model { positions, triangles: list, normals, face_normals }
-}
-
-impl Model {
-    /// The same with triangles in another order.
-    fn shuffled(&self) -> Self {
-        let mut order: Vec<usize> = (0..self.triangles.len()).collect();
-        let mut state = 1_u64;
-        for i in (1..order.len()).rev() {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            order.swap(i, (state >> 33) as usize % (i + 1));
-        }
-        Self {
-            positions: self.positions.clone(),
-            normals: self.normals.clone(),
-            triangles: order.iter().map(|&i| self.triangles[i]).collect(),
-            face_normals: order.iter().map(|&i| self.face_normals[i]).collect(),
-        }
-    }
-
-    fn scene(&self) -> Scene<'_> {
-        let shape = Shape::Triangles(Triangles {
-            positions: &self.positions,
-            triangles: &self.triangles,
-            normals: &self.normals,
-            face_normals: &self.face_normals,
-        });
-        Scene {
-            objects: vec![Object { transform: DMat4::IDENTITY, ..Object::new(shape, Material::default()) }],
-            lines: Vec::new(),
-            lights: vec![Light::Directional { towards: TOWARDS, colour: LinearRgb::WHITE }],
-            camera: camera(),
-            background: LinearRgb::BLACK,
-        }
+    Torus {
+        positions: torus.positions.clone(),
+        normals: torus.normals.clone(),
+        triangles: order.iter().map(|&i| torus.triangles[i]).collect(),
+        face_normals: order.iter().map(|&i| torus.face_normals[i]).collect(),
     }
 }
-
-fn camera() -> Camera {
-    Camera {
-        eye: EYE,
-        target: DVec3::ZERO,
-        up: DVec3::Y,
-        projection: Projection::Perspective(Degrees(ANGLE).into()),
-        near: 0.1,
-    }
-}
-
-/// The vertical angle with which the torus covers 40 % of the picture.
-const ANGLE: f64 = 27.25;
 
 fn settings(shading: Shading) -> RenderSettings {
     RenderSettings {
@@ -155,7 +84,7 @@ fn settings(shading: Shading) -> RenderSettings {
 
 /// Median seconds of the baseline and of ours with one and two threads; and the statistics of the last picture drawn
 /// with one.
-fn measure(model: &Model, shading: Shading, mode: Mode, rounds: usize) -> ([f64; 3], Statistics) {
+fn measure(model: &Torus, shading: Shading, mode: Mode, rounds: usize) -> ([f64; 3], Statistics) {
     let mut baseline = Baseline::new(SIZE, &camera(), TOWARDS, mode);
     let scene = model.scene();
     let settings = settings(shading);
@@ -163,17 +92,23 @@ fn measure(model: &Model, shading: Shading, mode: Mode, rounds: usize) -> ([f64;
         rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool of threads")
     });
     let mut statistics = Statistics::default();
+    // The baseline keeps its memory as well.
+    let mut scratches = [RenderScratch::default(), RenderScratch::default()];
+    let [of_one, of_two] = &mut scratches;
     let mut candidates: [Box<dyn FnMut()>; 3] = [
         Box::new(|| {
             baseline.draw(&model.positions, &model.triangles, &model.normals, &model.face_normals);
             black_box(&baseline.pixels);
         }),
         Box::new(|| {
-            let image = pools[0].install(|| render(&scene, &settings)).expect("the scene is sound");
+            let image = pools[0].install(|| render_reusing(&scene, &settings, of_one));
+            let image = image.expect("the scene is sound");
             statistics = black_box(&image).statistics;
+            of_one.recycle(image);
         }),
         Box::new(|| {
-            black_box(pools[1].install(|| render(&scene, &settings)).expect("the scene is sound"));
+            let image = pools[1].install(|| render_reusing(&scene, &settings, of_two));
+            of_two.recycle(black_box(image.expect("the scene is sound")));
         }),
     ];
     let mut seconds = [Vec::new(), Vec::new(), Vec::new()];

@@ -7,19 +7,11 @@
 
 #![allow(clippy::print_stdout, reason = "it prints a table")]
 
-use crease::num::{Degrees, LinearRgb};
-use crease::raster::{
-    Camera, Object, Projection, RenderSettings, Scene, Shading, Shape, TraceSettings, Triangles, render,
-};
-use crease::shade::{Light, Material};
-use glam::DVec3;
-use std::f64::consts::TAU;
-use std::hint::black_box;
+mod torus;
 
-const SIZE: [u32; 2] = [1920, 1080];
-const EYE: DVec3 = DVec3::new(0.0, 3.2, 4.0);
-const TOWARDS: DVec3 = DVec3::new(0.4, 0.6, 1.0);
-const ANGLE: f64 = 27.25;
+use crease::raster::{RenderSettings, Shading, TraceSettings, render};
+use std::hint::black_box;
+use torus::{SIZE, Torus};
 
 fn main() {
     let numbers: Vec<usize> =
@@ -35,7 +27,7 @@ fn main() {
         for _ in 0..rounds {
             let [drawn, traced, shadowed] = pool.install(|| {
                 [(Shading::Phong, 0), (Shading::Traced, 0), (Shading::Traced, 1)]
-                    .map(|(shading, samples)| torus.draw(shading, samples))
+                    .map(|(shading, samples)| draw(&torus, shading, samples))
             });
             // The tree is built with what the rasterizer needs of the geometry, too.
             tree.push(traced[0] - drawn[0]);
@@ -63,61 +55,11 @@ fn median(mut times: Vec<f64>) -> f64 {
     times[times.len() / 2]
 }
 
-struct Torus {
-    positions: Vec<[f32; 3]>,
-    triangles: Vec<[u32; 3]>,
-    normals: Vec<[f32; 3]>,
-}
-
-impl Torus {
-    /// A torus of about this many triangles.
-    fn new(triangles: usize) -> Self {
-        let around = ((triangles as f64).sqrt() as usize).next_multiple_of(2);
-        let across = (triangles / 2).div_ceil(around);
-        let (mut positions, mut normals, mut list) = (Vec::new(), Vec::new(), Vec::new());
-        for i in 0..around {
-            for j in 0..across {
-                let (u, v) = (TAU * i as f64 / around as f64, TAU * j as f64 / across as f64);
-                let ((su, cu), (sv, cv)) = (libm::sincos(u), libm::sincos(v));
-                let normal = DVec3::new(cv * su, sv, cv * cu);
-                positions.push((DVec3::new(su, 0.0, cu) + normal * 0.4).as_vec3().to_array());
-                normals.push(normal.as_vec3().to_array());
-                let at = |i: usize, j: usize| (i % around * across + j % across) as u32;
-                list.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
-                list.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
-            }
-        }
-        Self { positions, triangles: list, normals }
-    }
-
-    fn scene(&self) -> Scene<'_> {
-        let shape = Shape::Triangles(Triangles {
-            positions: &self.positions,
-            triangles: &self.triangles,
-            normals: &self.normals,
-            face_normals: &[],
-        });
-        Scene {
-            objects: vec![Object::new(shape, Material::default())],
-            lines: Vec::new(),
-            lights: vec![Light::Directional { towards: TOWARDS, colour: LinearRgb::WHITE }],
-            camera: Camera {
-                eye: EYE,
-                target: DVec3::ZERO,
-                up: DVec3::Y,
-                projection: Projection::Perspective(Degrees(ANGLE).into()),
-                near: 0.1,
-            },
-            background: LinearRgb::BLACK,
-        }
-    }
-
-    /// Seconds for geometry and for tiles.
-    fn draw(&self, shading: Shading, shadow_samples: u32) -> [f64; 2] {
-        let tracing = TraceSettings { shadow_samples, ..TraceSettings::default() };
-        let settings = RenderSettings { size: SIZE, shading, tracing, ..RenderSettings::default() };
-        let image = render(&self.scene(), &settings).expect("the scene is valid");
-        let times = black_box(image).statistics.times;
-        [times.geometry.as_secs_f64(), times.tiles.as_secs_f64()]
-    }
+/// Seconds for geometry and for tiles.
+fn draw(torus: &Torus, shading: Shading, shadow_samples: u32) -> [f64; 2] {
+    let tracing = TraceSettings { shadow_samples, ..TraceSettings::default() };
+    let settings = RenderSettings { size: SIZE, shading, tracing, ..RenderSettings::default() };
+    let image = render(&torus.scene(), &settings).expect("the scene is valid");
+    let times = black_box(image).statistics.times;
+    [times.geometry.as_secs_f64(), times.tiles.as_secs_f64()]
 }

@@ -158,7 +158,7 @@ impl Transfer {
     #[inline]
     pub fn pixel_u8(self, linear: f32) -> u8 {
         match self {
-            Transfer::Direct => quantise(f64::from(linear), 255.0) as u8,
+            Transfer::Direct => nearest_u8(linear),
             Transfer::Srgb => CODES.look_up(linear),
         }
     }
@@ -168,6 +168,15 @@ impl Transfer {
 #[inline]
 fn quantise(y: f64, steps: f64) -> u32 {
     (y.clamp(0.0, 1.0) * steps + 0.5) as u32
+}
+
+/// round(255 y) for y clamped to 0…1, without a conversion, which has no vector instruction: adding 1.5 · 2⁵² leaves the nearest whole
+/// number in the low bits. The product is exact. Only 0.5 is halfway between two codes, and the even one, 128, is the upper one.
+#[inline]
+fn nearest_u8(y: f32) -> u8 {
+    let y = if y > 0.0 { y } else { 0.0 };
+    let y = if y < 1.0 { y } else { 1.0 };
+    (f64::from(y) * 255.0 + 6_755_399_441_055_744.0).to_bits() as u8
 }
 
 /// Buckets an octave, by the upper bits of the significand: narrow enough that no bucket meets two steps of the code.
@@ -232,6 +241,24 @@ mod tests {
         }
         assert_eq!(Transfer::Direct.to_u16(0.5), 32_768);
         assert_eq!(Transfer::Srgb.to_u16(1.0), 65_535);
+    }
+
+    /// Around every step of the code, and for what is no colour.
+    #[test]
+    fn direct_codes_of_pixels_are_those_of_the_formula() {
+        let steps = (0..256).map(|code| (f64::from(code) - 0.5) / 255.0).flat_map(|step| {
+            let bits = (step as f32).to_bits();
+            (0..7).map(move |ulps| f32::from_bits(bits + ulps - 3))
+        });
+        let others =
+            [0.0, -0.0, 0.5, 1.0, 2.0, -1.0, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, 1e-40, 0.25];
+        for linear in steps.chain(others) {
+            assert_eq!(
+                Transfer::Direct.pixel_u8(linear),
+                Transfer::Direct.to_u8(f64::from(linear)),
+                "{linear}"
+            );
+        }
     }
 
     #[test]

@@ -32,7 +32,7 @@ pub use error::RenderError;
 pub use frame::empty_picture::Unseen;
 pub use frame::job::depth_range;
 pub(crate) use frame::render::pixel_colour;
-pub use frame::render::render;
+pub use frame::render::{RenderScratch, render, render_reusing};
 pub use load::{
     LoadOptions, NormalSettings, Recentring, SceneFile, SceneMesh, SceneObject, SceneShape, StoredFormat,
     default_lights, load, rotation,

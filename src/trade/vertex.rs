@@ -285,7 +285,8 @@ mod tests {
     #[test]
     fn slight_noise_makes_quadrics_the_choice() {
         let pattern = Pattern::Marching;
-        let cut = Tessellation { pattern, segments: [48, 48], noise: 3e-4, seed: 8, ..Tessellation::default() };
+        let cut =
+            Tessellation { pattern, segments: [48, 48], noise: 3e-4, seed: 8, ..Tessellation::default() };
         let sample = SampleMesh::new(&surface("catenoid"), &cut).unwrap();
         assert_eq!(sample.field(Weight::Best).summary.choice.unwrap().weight, Weight::Quadric);
         let rms = |weight| AngleErrors::of(&sample.errors(&sample.field(weight))).rms;

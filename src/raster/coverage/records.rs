@@ -144,8 +144,8 @@ pub(crate) fn face_corners<'a>(
 #[inline(always)]
 pub(crate) fn triangle_corners(drawn: &DrawnObject, record: &Record) -> [Corner; 3] {
     let numbers = drawn.list.corners(record.triangle);
-    let (vertices, turned) = (record.vertices, record.turned);
-    [0, 1, 2].map(|k| Corner { number: numbers[k], vertex: vertices[k], turned })
+    let corner = |k: usize| Corner { number: numbers[k], vertex: record.vertices[k], turned: record.turned };
+    [corner(0), corner(1), corner(2)]
 }
 
 pub(crate) fn mean_colour(colours: &[LinearRgb], corners: impl ExactSizeIterator<Item = Corner>) -> Vec3 {

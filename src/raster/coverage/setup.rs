@@ -1,5 +1,6 @@
 //! A triangle prepared for one tile: edge functions in whole numbers and a plane of depth.
 
+use crate::num::{self, EightLanes, Lanes};
 use crate::raster::view::fixed_point::{ONE, first_pixel, last_pixel, whole};
 use crate::raster::view::project::ScreenVertex;
 
@@ -118,21 +119,51 @@ pub(crate) const LARGE: u32 = u32::MAX;
 /// Triangles that are prepared side by side.
 pub(crate) const GROUP: usize = 32;
 
+/// Where the corners of a group of triangles are stored.
+pub(crate) struct Corners<'a>([[&'a ScreenVertex; GROUP]; 3]);
+
+impl<'a> Corners<'a> {
+    pub(crate) fn new() -> Self {
+        Self([[&ScreenVertex { x: 0, y: 0, depth: 0.0, outside: 0 }; GROUP]; 3])
+    }
+
+    #[inline(always)]
+    pub(crate) fn set(&mut self, lane: usize, [a, b, c]: [&'a ScreenVertex; 3]) {
+        (self.0[0][lane], self.0[1][lane], self.0[2][lane]) = (a, b, c);
+    }
+}
+
 /// Corners of a group of triangles, row by row.
 #[derive(Default)]
 pub(crate) struct CornerRows {
     x: [[i32; GROUP]; 3],
     y: [[i32; GROUP]; 3],
     depth: [[f32; GROUP]; 3],
+    pub(crate) outside: [[u32; GROUP]; 3],
 }
 
 impl CornerRows {
+    /// Turns eight vertices at a time into rows: reading them number by number takes as long as all that follows.
     #[inline(always)]
+    pub(crate) fn load<A: Lanes>(&mut self, arch: A, corners: &Corners) {
+        let single = arch.singles();
+        for (k, corners) in corners.0.iter().enumerate() {
+            for (eight, v) in corners.as_chunks::<{ num::LANES }>().0.iter().enumerate() {
+                let rows = [v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]];
+                let [x, y, depth, outside] = single.columns(rows.map(bytemuck::cast_ref));
+                let at = eight * num::LANES..(eight + 1) * num::LANES;
+                self.x[k][at.clone()].copy_from_slice(&bytemuck::cast::<_, [i32; 8]>(single.to_array(x)));
+                self.y[k][at.clone()].copy_from_slice(&bytemuck::cast::<_, [i32; 8]>(single.to_array(y)));
+                self.depth[k][at.clone()].copy_from_slice(&single.to_array(depth));
+                self.outside[k][at].copy_from_slice(&bytemuck::cast::<_, [u32; 8]>(single.to_array(outside)));
+            }
+        }
+    }
+
+    #[cfg(test)]
     pub(crate) fn set(&mut self, lane: usize, v: &[ScreenVertex; 3]) {
         for (k, v) in v.iter().enumerate() {
-            self.x[k][lane] = v.x;
-            self.y[k][lane] = v.y;
-            self.depth[k][lane] = v.depth;
+            (self.x[k][lane], self.y[k][lane], self.depth[k][lane]) = (v.x, v.y, v.depth);
         }
     }
 

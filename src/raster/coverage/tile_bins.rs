@@ -2,7 +2,7 @@
 
 use crate::num::parallel;
 use crate::num::{self, Kernel, Lanes};
-use crate::raster::coverage::setup::{CornerRows, GROUP, TILE, double_area};
+use crate::raster::coverage::setup::{CornerRows, Corners, GROUP, TILE, double_area};
 use crate::raster::coverage::triangles::DrawnObject;
 use crate::raster::settings::Cull;
 use crate::raster::view::clip::{ClipVertex, Shares, clip, screen_vertex};
@@ -142,26 +142,25 @@ impl Kernel for FindTiles<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run<A: Lanes>(self, _: A) {
+    fn run<A: Lanes>(self, arch: A) {
         let Self { object, range, binning, counts, found } = self;
         let mut clipper = Clipper::default();
-        let mut corners = CornerRows::default();
+        let mut corners = Corners::new();
+        let mut rows = CornerRows::default();
         let mut outside = [0; GROUP];
         let mut is_drawn = [false; GROUP];
         let mut boxes = [[0; 4]; GROUP];
         let total = range.len() as u64;
         for start in range.clone().step_by(GROUP) {
             let count = (range.end - start).min(GROUP as u32) as usize;
-            for (lane, outside) in outside.iter_mut().enumerate().take(count) {
-                let v = object.screen(start + lane as u32);
-                *outside = v[0].outside | v[1].outside | v[2].outside;
-                if *outside != 0 && v[0].outside & v[1].outside & v[2].outside != 0 {
-                    *outside = OUT_OF_SIGHT;
-                }
-                corners.set(lane, &v);
+            for lane in 0..count {
+                corners.set(lane, object.screen(start + lane as u32));
             }
+            rows.load(arch, &corners);
             for lane in 0..GROUP {
-                (is_drawn[lane], boxes[lane]) = binning.touched(&corners.get(lane), object.mirrored);
+                let [a, b, c] = [rows.outside[0][lane], rows.outside[1][lane], rows.outside[2][lane]];
+                outside[lane] = if a & b & c == 0 { a | b | c } else { OUT_OF_SIGHT };
+                (is_drawn[lane], boxes[lane]) = binning.touched(&rows.get(lane), object.mirrored);
             }
             for lane in 0..count {
                 let triangle = start + lane as u32;

@@ -2,7 +2,7 @@
 
 use crate::num::{Kernel, Lanes};
 use crate::raster::coverage::records::Record;
-use crate::raster::coverage::setup::{CornerRows, GROUP, LARGE, Setup};
+use crate::raster::coverage::setup::{CornerRows, Corners, GROUP, LARGE, Setup};
 use crate::raster::coverage::tile_bins::{Bins, CLIPPED, Clipper, Piece, tiles};
 use crate::raster::coverage::visible_triangle::Visible;
 use crate::raster::frame::job::Job;
@@ -77,7 +77,8 @@ impl TileList {
         let triangle = self.triangles[piece.map_or(number, |&(at, _)| at as usize)] & !CLIPPED;
         let object = job.owner(triangle);
         let triangle = triangle - job.drawn[object].first;
-        let corners = piece.map_or_else(|| job.drawn[object].screen(triangle), |(_, piece)| piece.vertices);
+        let corners =
+            piece.map_or_else(|| job.drawn[object].screen(triangle).map(|v| *v), |(_, piece)| piece.vertices);
         Owner::Triangle { object, triangle, corners }
     }
 
@@ -96,7 +97,6 @@ impl TileList {
 
     /// Records of owners in ascending order, and the runs of those that are of one object.
     pub(crate) fn records(&self, job: &Job, owners: &[u32], records: &mut Vec<Record>, runs: &mut Vec<Run>) {
-        records.clear();
         runs.clear();
         let (whole, rest) =
             owners.split_at(owners.partition_point(|&owner| (owner as usize) < self.triangles.len()));
@@ -109,16 +109,20 @@ impl TileList {
                 Some(next) => from + whole[from..].partition_point(|&owner| number(owner) < next.first),
             };
             if from < end {
-                // Written in place: appending would copy each once more.
-                records.resize(end, Record::cast(object.object));
-                for (record, &owner) in records[from..].iter_mut().zip(&whole[from..end]) {
+                // Written in place of those of another tile: appending would copy each once more.
+                if records.len() < end {
+                    records.resize(end, Record::default());
+                }
+                for (record, &owner) in records[from..end].iter_mut().zip(&whole[from..end]) {
                     let triangle = number(owner) - object.first;
-                    *record = Record::new(job, object, triangle, &object.screen(triangle));
+                    let [a, b, c] = object.screen(triangle);
+                    *record = Record::new(job, object, triangle, &[*a, *b, *c]);
                 }
                 runs.push(Run { object: object.object, drawn: Some(at), records: from..end });
             }
             from = end;
         }
+        records.truncate(whole.len());
         for &owner in rest {
             let record = self.record(job, owner);
             let (object, end) = (record.object as usize, records.len() + 1);
@@ -147,11 +151,17 @@ impl Kernel for DrawTriangles<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run<A: Lanes>(self, _: A) {
+    fn run<A: Lanes>(self, arch: A) {
         let Self { job, list, origin, visible } = self;
         let (triangles, pieces) = (&list.triangles[..], &list.pieces[..]);
-        let mut group = Group { corners: CornerRows::default(), owners: [0; GROUP], count: 0, origin };
-        let mut setups = Setup::default();
+        let mut group = Group {
+            corners: Corners::new(),
+            owners: [0; GROUP],
+            count: 0,
+            origin,
+            rows: CornerRows::default(),
+            setups: Setup::default(),
+        };
         let (mut piece, mut from) = (0, 0);
         for (number, object) in job.drawn.iter().enumerate() {
             let end = match job.drawn.get(number + 1) {
@@ -160,57 +170,55 @@ impl Kernel for DrawTriangles<'_> {
             };
             for (at, &triangle) in triangles.iter().enumerate().take(end).skip(from) {
                 if triangle & CLIPPED == 0 {
-                    group.add(&object.screen(triangle - object.first), at as u32);
-                    group.draw_if(GROUP, &mut setups, visible);
+                    group.add(object.screen(triangle - object.first), at as u32);
+                    group.draw_if(arch, GROUP, visible);
                     continue;
                 }
                 while piece < pieces.len() && pieces[piece].0 as usize == at {
-                    group.add(&pieces[piece].1.vertices, (triangles.len() + piece) as u32);
-                    group.draw_if(GROUP, &mut setups, visible);
+                    group.add(pieces[piece].1.vertices.each_ref(), (triangles.len() + piece) as u32);
+                    group.draw_if(arch, GROUP, visible);
                     piece += 1;
                 }
             }
             from = end;
         }
-        group.draw_if(1, &mut setups, visible);
+        group.draw_if(arch, 1, visible);
     }
 }
 
 /// Triangles gathered to be prepared side by side.
-struct Group {
-    corners: CornerRows,
+struct Group<'a> {
+    corners: Corners<'a>,
     owners: [u32; GROUP],
     count: usize,
     origin: [i32; 2],
+    rows: CornerRows,
+    setups: Setup<[i32; GROUP], [f32; GROUP]>,
 }
 
-impl Group {
+impl<'a> Group<'a> {
     #[inline(always)]
-    fn add(&mut self, v: &[ScreenVertex; 3], owner: u32) {
-        self.corners.set(self.count, v);
+    fn add(&mut self, corners: [&'a ScreenVertex; 3], owner: u32) {
+        self.corners.set(self.count, corners);
         self.owners[self.count] = owner;
         self.count += 1;
     }
 
     #[inline(always)]
-    fn draw_if(
-        &mut self,
-        least: usize,
-        setups: &mut Setup<[i32; GROUP], [f32; GROUP]>,
-        visible: &mut Visible,
-    ) {
+    fn draw_if<A: Lanes>(&mut self, arch: A, least: usize, visible: &mut Visible) {
         if self.count < least {
             return;
         }
-        setups.prepare(&self.corners, self.origin);
+        self.rows.load(arch, &self.corners);
+        self.setups.prepare(&self.rows, self.origin);
         let mut masks = [0; GROUP];
-        setups.masks(&mut masks);
+        self.setups.masks(&mut masks);
         for (lane, &mask) in masks.iter().enumerate().take(self.count) {
             if mask != LARGE {
-                visible.draw_small(setups, lane, mask, self.owners[lane]);
+                visible.draw_small(&self.setups, lane, mask, self.owners[lane]);
                 continue;
             }
-            let setup = setups.get(lane);
+            let setup = self.setups.get(lane);
             if !setup.is_empty() {
                 visible.draw(&setup, self.owners[lane]);
             }

@@ -25,7 +25,7 @@ pub(crate) struct DrawnObject<'a> {
 }
 
 impl<'a> DrawnObject<'a> {
-    /// Cuts and projects the shape of an object; `None` for analytic surfaces.
+    /// Cuts and projects the shape of an object, in the memory of other vertices if there is any; `None` for analytic surfaces.
     pub(crate) fn new(
         shape: &Shape<'a>,
         object: usize,
@@ -33,6 +33,7 @@ impl<'a> DrawnObject<'a> {
         transform: DMat4,
         mirrored: bool,
         view: &View,
+        spare: &mut Vec<Vec<ScreenVertex>>,
     ) -> Option<Self> {
         let points = shape.points()?;
         let list = match *shape {
@@ -47,7 +48,8 @@ impl<'a> DrawnObject<'a> {
         };
         let near = points.iter().next().unwrap_or_default();
         let map = ObjectMap::about(view, transform, near);
-        let (vertices, outside) = project(points, &map, view);
+        let mut vertices = spare.pop().unwrap_or_default();
+        let outside = project(points, &map, view, &mut vertices);
         Some(Self { object, first, list, points, vertices, outside, map, mirrored })
     }
 
@@ -73,8 +75,9 @@ impl<'a> DrawnObject<'a> {
     }
 
     #[inline(always)]
-    pub(crate) fn screen(&self, triangle: u32) -> [ScreenVertex; 3] {
-        self.list.vertices(triangle).map(|vertex| self.vertices[vertex as usize])
+    pub(crate) fn screen(&self, triangle: u32) -> [&ScreenVertex; 3] {
+        let [a, b, c] = self.list.vertices(triangle);
+        [&self.vertices[a as usize], &self.vertices[b as usize], &self.vertices[c as usize]]
     }
 }
 

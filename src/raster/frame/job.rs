@@ -10,7 +10,7 @@ use crate::raster::settings::{LARGEST_SIDE, RenderSettings, Shading, Show};
 use crate::raster::shading::surface_colour::{ObjectColour, Shaders};
 use crate::raster::traced::lamp::Lamp;
 use crate::raster::traced::world::{TracedScene, World};
-use crate::raster::view::project::NOT_FINITE;
+use crate::raster::view::project::{NOT_FINITE, ScreenVertex};
 use crate::raster::view::screen_transform::{Rays, View};
 use crate::shade::{Frame, Guards, Optics, ShadeSettings, Terminator, Viewer};
 use crate::surface::Placed;
@@ -24,6 +24,8 @@ pub(crate) struct Job<'a> {
     pub(crate) background: [f32; 3],
     pub(crate) objects: Vec<Prepared<'a>>,
     pub(crate) drawn: Vec<DrawnObject<'a>>,
+    /// The light on every vertex of each of these, where it was computed in advance.
+    pub(crate) lit: Vec<Option<Vec<Vec3>>>,
     /// Smallest and largest distance of a vertex along the axis, for [`Show::Depth`].
     pub(crate) distances: [f64; 2],
     /// Where a picture is traced.
@@ -46,6 +48,15 @@ pub(crate) struct Prepared<'a> {
 
 impl<'a> Job<'a> {
     pub(crate) fn new(scene: &'a Scene<'a>, settings: &'a RenderSettings) -> Result<Self> {
+        Self::reusing(scene, settings, &mut Vec::new())
+    }
+
+    /// The same in the memory of other jobs' vertices.
+    pub(crate) fn reusing(
+        scene: &'a Scene<'a>,
+        settings: &'a RenderSettings,
+        spare: &mut Vec<Vec<ScreenVertex>>,
+    ) -> Result<Self> {
         let [width, height] = settings.size;
         if !settings.size.iter().all(|side| (1..=LARGEST_SIDE).contains(side)) {
             let found = format!("the picture is {width} by {height} pixels; each side must be 1 to 16384");
@@ -68,8 +79,15 @@ impl<'a> Job<'a> {
         let (mut drawn, mut first) = (Vec::new(), 0);
         for (number, object) in scene.objects.iter().enumerate().filter(|&(n, _)| !objects[n].is_cast) {
             let mirrored = normal_matrix(DMat3::from_mat4(object.transform)).is_some_and(|n| n.mirrored());
-            let ready =
-                DrawnObject::new(&object.shape, number, first as u32, object.transform, mirrored, &view);
+            let ready = DrawnObject::new(
+                &object.shape,
+                number,
+                first as u32,
+                object.transform,
+                mirrored,
+                &view,
+                spare,
+            );
             let Some(ready) = ready else { continue };
             first += ready.list.len();
             if first > i32::MAX as usize {
@@ -87,7 +105,8 @@ impl<'a> Job<'a> {
         let rays = Rays::new(&view, frame.unit);
         let is_traced = settings.shading == Shading::Traced && settings.show == Show::Shaded;
         let traced = is_traced.then(|| traced(scene, &objects, &drawn, frame));
-        Ok(Self { settings, view, rays, frame, background, objects, drawn, distances, traced })
+        let lit = vec![None; drawn.len()];
+        Ok(Self { settings, view, rays, frame, background, objects, drawn, lit, distances, traced })
     }
 
     /// The number among [`drawn`](Self::drawn) of the object that a triangle is of.
@@ -244,6 +263,15 @@ impl<'a> Prepared<'a> {
         match self.shape {
             Shape::Mesh { normals, .. } => normals.normals.slot(corner as usize, vertex).unwrap_or(NONE),
             _ => vertex,
+        }
+    }
+
+    /// Whether vertices have one normal each.
+    pub(crate) fn has_vertex_normals(&self) -> bool {
+        match self.shape {
+            Shape::Mesh { normals, .. } => matches!(normals.normals.index, ColumnIndex::PerVertex),
+            Shape::Triangles(_) => true,
+            Shape::Surface(_) => false,
         }
     }
 

@@ -6,7 +6,9 @@ pub(super) mod job;
 pub(super) mod tile;
 // Why a picture is empty.
 pub(super) mod empty_picture;
-// From a scene to a picture of stored numbers.
+// Tiles written to the picture.
+mod target;
+// From a scene to a picture.
 pub(super) mod render;
 // Times of the stages.
 mod stopwatch;

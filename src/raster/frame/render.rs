@@ -1,18 +1,19 @@
-//! From a scene to a picture: tiles in parallel, then linear colours to stored numbers.
+//! From a scene to a picture: tiles in parallel.
 
-use crate::num::{self, Kernel, Lanes, Transfer};
-use crate::raster::coverage::setup::{SIDE, TILE};
-use crate::raster::coverage::tile_bins::{Binning, Bins, tiles};
-use crate::raster::coverage::visible_triangle::{BLOCKS, LANES, PIXELS, number};
+use crate::raster::coverage::setup::TILE;
+use crate::raster::coverage::tile_bins::{Binning, Bins};
+use crate::raster::coverage::visible_triangle::number;
 use crate::raster::error::Result;
 use crate::raster::frame::job::Job;
 use crate::raster::frame::stopwatch::Stopwatch;
-use crate::raster::frame::tile::{Finished, Worker};
+use crate::raster::frame::target::{Target, targets};
+use crate::raster::frame::tile::Worker;
 use crate::raster::lines::LineJob;
 use crate::raster::picture::{Image, Pixels, Statistics, Times};
 use crate::raster::scene::Scene;
 use crate::raster::settings::{Bits, RenderSettings};
-use crate::shade::ToneRule;
+use crate::raster::shading::lighting::light_in_advance;
+use crate::raster::view::project::ScreenVertex;
 use rayon::prelude::*;
 use std::sync::Mutex;
 
@@ -23,8 +24,11 @@ use std::sync::Mutex;
 /// equally near faces the lower index shows.
 ///
 /// Uses the current thread pool of rayon; the picture is the same at any number of threads. In addition to the picture
-/// it takes 16 bytes a vertex, 16 bytes a triangle of a cut polygon, about 5 bytes a triangle for the lists of tiles,
+/// it takes 16 bytes a vertex (with Gouraud shading 28), 16 bytes a triangle of a cut polygon, about 5 bytes a triangle for the lists of tiles,
 /// and about 250 kB a thread.
+///
+/// Shares of a triangle's corners have a relative error of at most 3·10⁻⁷: they are computed in single precision where edge functions
+/// are exact in it, that is up to about 13 pixels from a corner, elsewhere in double precision.
 ///
 /// ```
 /// use crease::mesh::{Faces, MeshBuilder};
@@ -56,17 +60,45 @@ use std::sync::Mutex;
 /// # Errors
 /// Invalid cameras, sizes, transforms, lists and numbers; colours that are not finite.
 pub fn render(scene: &Scene, settings: &RenderSettings) -> Result<Image> {
+    render_reusing(scene, settings, &mut RenderScratch::default())
+}
+
+/// The memory of pictures that were drawn before.
+#[derive(Default)]
+pub struct RenderScratch {
+    vertices: Vec<Vec<ScreenVertex>>,
+    workers: Vec<Worker>,
+    image: Option<Image>,
+}
+
+impl RenderScratch {
+    /// Gives back the memory of a picture that is no longer needed.
+    pub fn recycle(&mut self, image: Image) {
+        self.image = Some(image);
+    }
+}
+
+/// Draws a scene as [`render`] does, in the memory of pictures before.
+///
+/// # Errors
+/// As [`render`].
+pub fn render_reusing(
+    scene: &Scene,
+    settings: &RenderSettings,
+    scratch: &mut RenderScratch,
+) -> Result<Image> {
     let start = Stopwatch::start();
-    let job = Job::new(scene, settings)?;
+    let mut job = Job::reusing(scene, settings, &mut scratch.vertices)?;
     let lines = LineJob::new(&job, scene)?;
     let geometry = start.elapsed();
     let start = Stopwatch::start();
     let bins = bins(&job);
     let binning = start.elapsed();
     let start = Stopwatch::start();
-    let mut image = blank(settings);
-    let drawn = draw_tiles(&job, &bins, &lines, &mut image)?;
-    image.statistics.covered_pixels = drawn.covered;
+    job.lit = light_in_advance(&job, bins.counts.drawn);
+    let mut image = blank(settings, scratch.image.take());
+    let drawn = draw_tiles(&job, &bins, &lines, &mut image, &mut scratch.workers)?;
+    image.statistics = Statistics { covered_pixels: drawn.covered, ..Statistics::default() };
     image.statistics.rays = drawn.rays;
     let samples = drawn.covered.saturating_mul(settings.samples.count() as u64);
     image.statistics.light_cut = if drawn.cut > 0.0 { drawn.cut / samples.max(1) as f64 } else { 0.0 };
@@ -74,6 +106,7 @@ pub fn render(scene: &Scene, settings: &RenderSettings) -> Result<Image> {
     image.statistics.triangles_clipped = bins.counts.clipped;
     image.statistics.triangles_culled = bins.counts.culled;
     image.statistics.times = Times { geometry, binning, tiles: start.elapsed() };
+    scratch.vertices.extend(job.drawn.into_iter().map(|object| object.vertices));
     Ok(image)
 }
 
@@ -98,19 +131,35 @@ pub(crate) fn bins(job: &Job) -> Bins {
     Bins::new(&job.drawn, Binning { view: &job.view, cull: job.settings.cull, samples })
 }
 
-fn blank(settings: &RenderSettings) -> Image {
+/// A picture of which every pixel is still to be written, in the memory of another if there is one.
+fn blank(settings: &RenderSettings, before: Option<Image>) -> Image {
     let count = settings.size.iter().map(|&side| side as usize).product();
+    let (pixels, coverage, linear, objects) = match before {
+        Some(image) => (Some(image.pixels), image.coverage, image.linear, image.objects),
+        None => (None, Vec::new(), None, None),
+    };
     Image {
         size: settings.size,
-        pixels: match settings.bits {
-            Bits::Eight => Pixels::Eight(vec![[0; 3]; count]),
-            Bits::Sixteen => Pixels::Sixteen(vec![[0; 3]; count]),
+        pixels: match (settings.bits, pixels) {
+            (Bits::Eight, Some(Pixels::Eight(list))) => Pixels::Eight(resized(list, count)),
+            (Bits::Eight, _) => Pixels::Eight(vec![[0; 3]; count]),
+            (Bits::Sixteen, Some(Pixels::Sixteen(list))) => Pixels::Sixteen(resized(list, count)),
+            (Bits::Sixteen, _) => Pixels::Sixteen(vec![[0; 3]; count]),
         },
-        coverage: vec![0; count],
-        linear: settings.keep_linear.then(|| vec![[0.0; 3]; count]),
-        objects: settings.keep_objects.then(|| vec![0; count]),
+        coverage: resized(coverage, count),
+        linear: settings.keep_linear.then(|| resized(linear.unwrap_or_default(), count)),
+        objects: settings.keep_objects.then(|| resized(objects.unwrap_or_default(), count)),
         statistics: Statistics::default(),
     }
+}
+
+/// So many numbers of any value.
+fn resized<T: Default + Clone>(mut list: Vec<T>, count: usize) -> Vec<T> {
+    if list.is_empty() {
+        return vec![T::default(); count];
+    }
+    list.resize(count, T::default());
+    list
 }
 
 /// What tiles report.
@@ -121,10 +170,16 @@ struct TileCounts {
     cut: f64,
 }
 
-fn draw_tiles(job: &Job, bins: &Bins, lines: &LineJob, image: &mut Image) -> Result<TileCounts> {
-    let workers = Mutex::new(Vec::new());
+fn draw_tiles(
+    job: &Job,
+    bins: &Bins,
+    lines: &LineJob,
+    image: &mut Image,
+    workers: &mut Vec<Worker>,
+) -> Result<TileCounts> {
+    let workers = Mutex::new(workers);
     let spare =
-        || workers.lock().ok().and_then(|mut workers: std::sync::MutexGuard<Vec<Worker>>| workers.pop());
+        || workers.lock().ok().and_then(|mut workers: std::sync::MutexGuard<&mut Vec<Worker>>| workers.pop());
     let draw = |mut target: Target| {
         let mut worker = spare().unwrap_or_else(Worker::new);
         (worker.tracer.count, worker.tracer.cut) = (0, 0.0);
@@ -148,173 +203,47 @@ fn draw_tiles(job: &Job, bins: &Bins, lines: &LineJob, image: &mut Image) -> Res
     })
 }
 
-/// The rows of a picture that lie in a tile.
-pub(crate) struct Target<'a> {
-    pub(crate) tile: [usize; 2],
-    colours: TargetColours<'a>,
-    coverage: Vec<&'a mut [u8]>,
-    linear: Vec<&'a mut [[f32; 3]]>,
-    objects: Vec<&'a mut [u32]>,
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::num::LinearRgb;
+    use crate::raster::{Camera, Object, Shape, Triangles};
+    use crate::shade::{Light, Material};
+    use glam::DVec3;
 
-enum TargetColours<'a> {
-    Eight(Vec<&'a mut [[u8; 3]]>),
-    Sixteen(Vec<&'a mut [[u16; 3]]>),
-}
-
-pub(crate) fn targets(image: &mut Image) -> Vec<Target<'_>> {
-    let size = image.size;
-    let columns = tiles(size)[0];
-    let colours: Vec<TargetColours> = match &mut image.pixels {
-        Pixels::Eight(list) => rows_of_tiles(list, size).into_iter().map(TargetColours::Eight).collect(),
-        Pixels::Sixteen(list) => rows_of_tiles(list, size).into_iter().map(TargetColours::Sixteen).collect(),
-    };
-    let mut linear = image.linear.as_mut().map(|list| rows_of_tiles(list, size).into_iter());
-    let mut objects = image.objects.as_mut().map(|list| rows_of_tiles(list, size).into_iter());
-    let coverage = rows_of_tiles(&mut image.coverage, size);
-    let targets = colours.into_iter().zip(coverage).enumerate().map(|(number, (colours, coverage))| {
-        let linear = linear.as_mut().and_then(Iterator::next).unwrap_or_default();
-        let objects = objects.as_mut().and_then(Iterator::next).unwrap_or_default();
-        Target { tile: [number % columns, number / columns], colours, coverage, linear, objects }
-    });
-    targets.collect()
-}
-
-/// Cuts a list of pixels into the rows of each tile, tile by tile.
-fn rows_of_tiles<T>(list: &mut [T], size: [u32; 2]) -> Vec<Vec<&mut [T]>> {
-    let [columns, rows] = tiles(size);
-    let mut targets: Vec<Vec<&mut [T]>> = Vec::with_capacity(columns * rows);
-    targets.resize_with(columns * rows, || Vec::with_capacity(TILE));
-    for (y, row) in list.chunks_mut(size[0] as usize).enumerate() {
-        for (x, part) in row.chunks_mut(TILE).enumerate() {
-            targets[y / TILE * columns + x].push(part);
+    /// Pictures of other sizes, depths and lists in between change nothing, also on tiles with nothing but background.
+    #[test]
+    fn reused_memory_changes_no_picture() {
+        let positions = [[0.0_f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.5]];
+        let shape = Shape::Triangles(Triangles {
+            positions: &positions,
+            triangles: &[[0, 1, 2], [2, 1, 3]],
+            normals: &[[0.0, 0.0, 1.0]; 4],
+            face_normals: &[[0.0, 0.0, 1.0]; 2],
+        });
+        let scene = Scene {
+            objects: vec![Object::new(shape, Material::default())],
+            lines: Vec::new(),
+            lights: vec![Light::Directional { towards: DVec3::Z, colour: LinearRgb::WHITE }],
+            camera: Camera::framing((DVec3::new(-2.0, -2.0, 0.0), DVec3::new(3.0, 3.0, 0.5)), 1.0),
+            background: LinearRgb::new(0.2, 0.1, 0.4),
+        };
+        let plain = RenderSettings { size: [200, 140], ..RenderSettings::default() };
+        let rich = RenderSettings {
+            size: [130, 260],
+            bits: Bits::Sixteen,
+            keep_linear: true,
+            keep_objects: true,
+            ..RenderSettings::default()
+        };
+        let mut scratch = RenderScratch::default();
+        for settings in [plain, rich, plain, RenderSettings { size: [300, 300], ..rich }, rich] {
+            let expected = render(&scene, &settings).unwrap();
+            assert!(expected.statistics.covered_pixels > 50, "{:?}", expected.statistics);
+            let image = render_reusing(&scene, &settings, &mut scratch).unwrap();
+            let statistics = Statistics { times: expected.statistics.times, ..image.statistics };
+            assert!(Image { statistics, ..image.clone() } == expected);
+            scratch.recycle(image);
         }
-    }
-    targets
-}
-
-impl Target<'_> {
-    pub(crate) fn write(&mut self, job: &Job, tile: Option<&Finished>) -> u64 {
-        match tile {
-            Some(tile) => num::dispatch(WriteTile { target: self, settings: job.settings, tile }),
-            None => {
-                self.fill(job);
-                0
-            }
-        }
-    }
-
-    /// Background all over. What is covered and the linear colours of a new picture are 0 already.
-    fn fill(&mut self, job: &Job) {
-        let RenderSettings { tone, transfer, .. } = job.settings;
-        let toned = tone.apply(job.background);
-        match &mut self.colours {
-            TargetColours::Eight(rows) => {
-                let pixel = toned.map(|component| transfer.pixel_u8(component));
-                rows.iter_mut().for_each(|row| row.fill(pixel));
-            }
-            TargetColours::Sixteen(rows) => {
-                let pixel = toned.map(|component| transfer.to_u16(f64::from(component)));
-                rows.iter_mut().for_each(|row| row.fill(pixel));
-            }
-        }
-        self.linear.iter_mut().for_each(|row| row.fill(job.background));
-    }
-}
-
-/// Writes a tile row by row.
-struct WriteTile<'a, 'b> {
-    target: &'a mut Target<'b>,
-    settings: &'a RenderSettings,
-    tile: &'a Finished<'a>,
-}
-
-impl Kernel for WriteTile<'_, '_> {
-    /// How many pixels are covered.
-    type Output = u64;
-
-    #[inline(always)]
-    fn run<A: Lanes>(self, _: A) -> u64 {
-        let Self { target, settings, tile } = self;
-        let mut covered = 0;
-        for (y, objects) in target.objects.iter_mut().enumerate() {
-            let count = objects.len().min(TILE);
-            objects[..count].copy_from_slice(&row_of_tile(tile.objects, y)[..count]);
-        }
-        for (y, coverage) in target.coverage.iter_mut().enumerate() {
-            let samples = row_of_tile(tile.covered, y);
-            let count = coverage.len().min(TILE);
-            coverage[..count].copy_from_slice(&samples[..count]);
-            covered += match tile.edged {
-                None => samples[..count].iter().map(|&samples| u64::from(samples > 0)).sum::<u64>(),
-                Some(edged) => row_of_tile(edged, y)[..count].iter().map(|&edged| u64::from(edged)).sum(),
-            };
-        }
-        for y in 0..target.coverage.len() {
-            let mut row = tile.colours.each_ref().map(|colours| row_of_tile(colours, y));
-            if let Some(linear) = target.linear.get_mut(y) {
-                for (x, linear) in linear.iter_mut().enumerate().take(TILE) {
-                    *linear = [row[0][x], row[1][x], row[2][x]];
-                }
-            }
-            apply_tone(settings.tone, &mut row);
-            match &mut target.colours {
-                TargetColours::Eight(rows) => quantise(settings.transfer, &row, rows[y]),
-                TargetColours::Sixteen(rows) => {
-                    for (x, pixel) in rows[y].iter_mut().enumerate().take(TILE) {
-                        *pixel = row.each_ref().map(|row| settings.transfer.to_u16(f64::from(row[x])));
-                    }
-                }
-            }
-        }
-        covered
-    }
-}
-
-/// A row of pixels out of the blocks that a tile is stored in.
-#[inline(always)]
-fn row_of_tile<T: Copy + Default>(tile: &[T; PIXELS], y: usize) -> [T; TILE] {
-    let mut row = [T::default(); TILE];
-    for (block, part) in row.as_chunks_mut::<SIDE>().0.iter_mut().enumerate() {
-        let at = (y / SIDE * BLOCKS + block) * LANES + y % SIDE * SIDE;
-        part.copy_from_slice(&tile[at..at + SIDE]);
-    }
-    row
-}
-
-/// Applies the tone rule to a row; the choice is made outside the loop.
-#[inline(always)]
-fn apply_tone(tone: ToneRule, [red, green, blue]: &mut [[f32; TILE]; 3]) {
-    let mut apply = |tone: ToneRule| {
-        for x in 0..TILE {
-            [red[x], green[x], blue[x]] = tone.apply([red[x], green[x], blue[x]]);
-        }
-    };
-    match tone {
-        ToneRule::Clamp => apply(ToneRule::Clamp),
-        ToneRule::DivideByMax => apply(ToneRule::DivideByMax),
-    }
-}
-
-/// Makes 8-bit numbers of a row.
-#[inline(always)]
-fn quantise(transfer: Transfer, row: &[[f32; TILE]; 3], out: &mut [[u8; 3]]) {
-    let mut codes = [[0; TILE]; 3];
-    for (codes, row) in codes.iter_mut().zip(row) {
-        match transfer {
-            Transfer::Direct => {
-                for x in 0..TILE {
-                    codes[x] = Transfer::Direct.pixel_u8(row[x]);
-                }
-            }
-            Transfer::Srgb => {
-                for x in 0..out.len().min(TILE) {
-                    codes[x] = Transfer::Srgb.pixel_u8(row[x]);
-                }
-            }
-        }
-    }
-    for (x, pixel) in out.iter_mut().enumerate().take(TILE) {
-        *pixel = [codes[0][x], codes[1][x], codes[2][x]];
     }
 }

@@ -3,6 +3,7 @@
 use crate::num;
 use crate::raster::coverage::records::Record;
 use crate::raster::coverage::setup::{TILE, depth_plane, double_area};
+use crate::raster::coverage::shown::{Block, Shown};
 use crate::raster::coverage::tile_bins::{Bins, tile_origin, tiles};
 use crate::raster::coverage::tile_list::{DrawTriangles, Owner, Run, TileList};
 use crate::raster::coverage::visible_triangle::{Colours, NOTHING, PIXELS, Visible, number, place};
@@ -11,7 +12,6 @@ use crate::raster::frame::job::Job;
 use crate::raster::lines::{LineJob, LineSet, Segment};
 use crate::raster::picture::with_sample;
 use crate::raster::settings::{Shading, Show};
-use crate::raster::shading::interpolate::VisibleSample;
 use crate::raster::shading::ray_cast::{Hits, cast};
 use crate::raster::shading::shade_samples::{Painter, Tile};
 use crate::raster::traced::camera_rays::{TileTracer, first_hit};
@@ -24,15 +24,11 @@ pub(crate) struct Worker {
     visible: Visible,
     hits: Option<Hits>,
     pub(crate) tracer: TileTracer,
-    /// The record of each owner that is seen, [`NOTHING`] for others; and one place more, for no owner.
-    record_of: Vec<u32>,
-    /// The owners that are seen, ascending.
-    owners: Vec<u32>,
+    shown: Shown,
     records: Vec<Record>,
     runs: Vec<Run>,
-    seen: Vec<VisibleSample>,
-    /// Those of one of several objects.
-    seen_of_run: Vec<VisibleSample>,
+    /// The blocks that show the object in hand.
+    blocks: Vec<Block>,
     painter: Painter,
     /// Colours of the samples in hand.
     colour: Colours,
@@ -75,12 +71,10 @@ impl Worker {
             visible: Visible::new(),
             hits: None,
             tracer: TileTracer::default(),
-            record_of: Vec::new(),
-            owners: Vec::new(),
+            shown: Shown::new(),
             records: Vec::new(),
             runs: Vec::new(),
-            seen: Vec::new(),
-            seen_of_run: Vec::new(),
+            blocks: Vec::new(),
             painter: Painter::new(),
             colour: colours(),
             sum: colours(),
@@ -111,7 +105,9 @@ impl Worker {
         self.list.fill(job, bins, tile);
         self.covered.fill(0);
         self.edged.fill(false);
-        self.objects.fill(0);
+        if job.settings.keep_objects {
+            self.objects.fill(0);
+        }
         for (number, sample) in job.settings.samples.offsets().enumerate() {
             let origin = tile_origin(tile, sample);
             match &job.traced {
@@ -192,46 +188,21 @@ impl Worker {
         }
     }
 
-    /// Lists visible samples and makes a record of each visible triangle: first all owners are marked, then marked ones are numbered,
-    /// then pixels take the numbers, without branches that a predictor cannot foresee in a dense mesh.
+    /// Finds out what each sample shows, and makes a record of each visible triangle.
     fn collect(&mut self, job: &Job, tile: [usize; 2]) {
         self.hide_outside(job, tile);
-        let none = self.list.len();
-        self.record_of.clear();
-        self.record_of.resize(none + 1, NOTHING);
-        let owners = &self.visible.owner[..];
-        for (covered, &owner) in self.covered.iter_mut().zip(owners) {
+        let Self { visible, shown, list, records, runs, .. } = self;
+        for (covered, &owner) in self.covered.iter_mut().zip(visible.owner.iter()) {
             *covered += u8::from(owner != NOTHING);
         }
-        for &owner in owners {
-            self.record_of[(owner as usize).min(none)] = 0;
-        }
-        self.owners.clear();
-        self.owners.resize(none + 1, 0);
-        let mut count = 0;
-        for (owner, record) in self.record_of[..none].iter_mut().enumerate() {
-            self.owners[count] = owner as u32;
-            let is_seen = *record == 0;
-            *record = count as u32;
-            count += usize::from(is_seen);
-        }
-        self.owners.truncate(count);
-        self.list.records(job, &self.owners, &mut self.records, &mut self.runs);
-        self.seen.clear();
-        self.seen.resize(PIXELS + 1, VisibleSample { pixel: 0, record: 0 });
-        let mut count = 0;
-        for (pixel, &owner) in owners.iter().enumerate() {
-            let record = self.record_of[(owner as usize).min(none)];
-            self.seen[count] = VisibleSample { pixel: pixel as u16, record };
-            count += usize::from(owner != NOTHING);
-        }
-        self.seen.truncate(count);
+        shown.number(&visible.owner, list.len());
+        list.records(job, &shown.owners, records, runs);
     }
 
     /// Adds the visible object of each pixel's sample to the pixel's number.
     fn number_objects(&mut self) {
-        for (number, &owner) in self.objects.iter_mut().zip(self.visible.owner.iter()) {
-            let record = self.record_of.get(owner as usize).map(|&record| &self.records[record as usize]);
+        for (number, &record) in self.objects.iter_mut().zip(self.shown.records.iter()) {
+            let record = self.records.get(record as usize);
             *number = with_sample(*number, record.map(|record| record.object));
         }
     }
@@ -258,19 +229,13 @@ impl Worker {
             return Ok(());
         }
         for run in &self.runs {
-            self.painter.prepare(job, run, &self.list, &self.owners, &mut self.records)?;
-            let seen = if self.runs.len() == 1 {
-                &self.seen
-            } else {
-                let is_its = |seen: &&VisibleSample| run.records.contains(&(seen.record as usize));
-                self.seen_of_run.clear();
-                self.seen_of_run.extend(self.seen.iter().filter(is_its));
-                &self.seen_of_run
-            };
+            self.painter.prepare(job, run, &self.list, &self.shown.owners, &mut self.records)?;
+            self.shown.blocks(run.records.clone(), &mut self.blocks);
             let tile = Tile {
-                seen,
+                blocks: &self.blocks,
+                shown: &self.shown.records,
                 records: &self.records,
-                depth: &self.visible.depth[..],
+                depth: &self.visible.depth,
                 hits: self.hits.as_ref(),
                 origin,
             };

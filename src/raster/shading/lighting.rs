@@ -1,11 +1,11 @@
 //! Light on corners and faces: on points that are not samples.
 
-use crate::mesh::NONE;
-use crate::num::{self, Kernel, Lanes};
+use crate::num::{self, Kernel, Lanes, parallel};
+use crate::raster::coverage::records::ValueKind;
 use crate::raster::coverage::triangles::{Corner, DrawnObject};
 use crate::raster::error::{RenderError, Result};
 use crate::raster::frame::job::{Job, Prepared};
-use crate::raster::shading::surface_colour::Shaders;
+use crate::raster::shading::surface_colour::{ObjectColour, Shaders};
 use crate::raster::view::project::Points;
 use crate::raster::view::screen_transform::{ObjectMap, REACH};
 use crate::shade::SurfaceRows;
@@ -30,40 +30,61 @@ pub(crate) struct PointLight {
     colours: [Vec<f32>; 3],
     /// Which point each corner asked for is.
     point_of: Vec<u32>,
-    memo: Vec<Known>,
+    /// What each point is, for corners.
+    known: Vec<Known>,
+    /// The point of a corner by the low bits of its entry, if that point is known to be of the corner.
+    memo: Vec<u32>,
 }
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 struct Known {
     entry: u32,
     vertex: u32,
     turned: bool,
-    point: u32,
 }
 
-/// Corners remembered, by the low bits of their entries; a forgotten one is lit a second time.
+/// Corners remembered; a forgotten one is lit a second time.
 const MEMO: usize = 4096;
-const UNKNOWN: Known = Known { entry: 0, vertex: NONE, turned: false, point: 0 };
 
 impl PointLight {
     /// Lights corners of faces with their normals; [`colour`](Self::colour) then has the light on each.
     pub(crate) fn corners(&mut self, lit: &Lit, corners: impl Iterator<Item = Corner>) -> Result<()> {
         self.clear();
-        self.memo.clear();
-        self.memo.resize(MEMO, UNKNOWN);
-        for corner @ Corner { number, vertex, turned } in corners {
-            let entry = lit.object.entry(number, vertex);
-            let known = &mut self.memo[entry as usize % MEMO];
-            if (known.entry, known.vertex, known.turned) != (entry, vertex, turned) {
-                *known = Known { entry, vertex, turned, point: self.vertices.len() as u32 };
+        self.known.clear();
+        self.memo.resize(MEMO, 0);
+        corners.for_each(|corner| {
+            let Corner { number, vertex, turned } = corner;
+            let known = Known { entry: lit.object.entry(number, vertex), vertex, turned };
+            let point = &mut self.memo[known.entry as usize % MEMO];
+            if self.known.get(*point as usize) != Some(&known) {
+                *point = self.known.len() as u32;
+                self.known.push(known);
                 self.vertices.push(vertex);
                 let normal = lit.object.corner_normal(corner).to_array();
                 self.normals.iter_mut().zip(normal).for_each(|(row, component)| row.push(component));
             }
-            self.point_of.push(known.point);
-        }
+            self.point_of.push(*point);
+        });
         self.place(lit);
         self.light(lit)
+    }
+
+    /// Lights a range of vertices that have one normal each, and writes the light on them.
+    fn vertices(&mut self, lit: &Lit, range: std::ops::Range<u32>, out: &mut [Vec3]) -> Result<()> {
+        self.clear();
+        self.vertices.extend(range.clone());
+        for vertex in range {
+            let corner = Corner { number: 0, vertex, turned: false };
+            let normal = lit.object.corner_normal(corner).to_array();
+            self.normals.iter_mut().zip(normal).for_each(|(row, component)| row.push(component));
+        }
+        self.place(lit);
+        self.light(lit)?;
+        let [red, green, blue] = &self.colours;
+        for (((out, &red), &green), &blue) in out.iter_mut().zip(red).zip(green).zip(blue) {
+            *out = Vec3::new(red, green, blue);
+        }
+        Ok(())
     }
 
     /// Lights one point for each face: the mean of its corners, with the face's normal.
@@ -152,6 +173,34 @@ impl PointLight {
         let done = lit.shaders.shade_rows(&rows, colours, exactly);
         done.map_err(|error| RenderError::NotFinite { object, error })
     }
+}
+
+/// Vertices that one task lights.
+const TASK: usize = 4096;
+
+/// The light on all vertices of objects that are shaded at vertices, if of so many triangles most are drawn: in order of vertices this
+/// is faster than tile by tile. What fails is left to the tiles, which light only what is visible.
+pub(crate) fn light_in_advance(job: &Job, drawn_triangles: u64) -> Vec<Option<Vec<Vec3>>> {
+    let vertices: usize = job.drawn.iter().map(|object| object.vertices.len()).sum();
+    let are_most_visible = 2 * drawn_triangles >= vertices as u64;
+    job.drawn.iter().map(|drawn| are_most_visible.then(|| lit_vertices(job, drawn)).flatten()).collect()
+}
+
+/// The light on every vertex of an object that is shaded at vertices which have one normal each; `None` for others, and if a vertex,
+/// which may not be visible, has no finite colour.
+fn lit_vertices(job: &Job, drawn: &DrawnObject) -> Option<Vec<Vec3>> {
+    let object = &job.objects[drawn.object];
+    let ObjectColour::Lit(shaders) = &object.colour else { return None };
+    if ValueKind::new(object) != ValueKind::CornerColours || !object.has_vertex_normals() {
+        return None;
+    }
+    let mut colours = vec![Vec3::ZERO; drawn.vertices.len()];
+    let lit = Lit { job, object, drawn, shaders };
+    let done = parallel::map_chunks_with(&mut colours, TASK, PointLight::default, |light, task, out| {
+        let first = task * TASK;
+        light.vertices(&lit, first as u32..(first + out.len()) as u32, out)
+    });
+    done.into_iter().all(|done| done.is_ok()).then_some(colours)
 }
 
 /// The vertices that a point is the mean of.

@@ -46,8 +46,8 @@ impl Hits {
         Self { at: vec![CastHit::default(); PIXELS] }
     }
 
-    pub(crate) fn at(&self, pixel: u16) -> &CastHit {
-        &self.at[usize::from(pixel)]
+    pub(crate) fn at(&self, pixel: usize) -> &CastHit {
+        &self.at[pixel]
     }
 
     /// Casts the rays of a tile at an object. Where the object is as near as what is there, what is there stays.

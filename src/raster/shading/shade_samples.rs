@@ -4,18 +4,21 @@ use crate::num;
 use crate::raster::coverage::records::{
     Record, ValueKind, face_corners, mean_colour, piece_values, single, takes_mean, triangle_corners,
 };
+use crate::raster::coverage::shown::Block;
 use crate::raster::coverage::tile_list::{Run, TileList};
 use crate::raster::coverage::triangles::{Corner, DrawnObject};
-use crate::raster::coverage::visible_triangle::{Colours, PIXELS, place};
+use crate::raster::coverage::visible_triangle::{Colours, LANES, PIXELS};
 use crate::raster::error::{RenderError, Result};
 use crate::raster::frame::job::{Job, Prepared};
 use crate::raster::settings::{Interpolation, Show};
 use crate::raster::shading::false_colour;
-use crate::raster::shading::interpolate::{BATCH, Interpolate, Positions, Row, ScanPolygon, VisibleSample};
+use crate::raster::shading::interpolate::{
+    BATCH, Interpolate, Positions, Row, ScanPolygon, Spread, fill_lanes, sample_at,
+};
 use crate::raster::shading::lighting::{Lit, PointLight};
 use crate::raster::shading::ray_cast::{Hits, cast};
 use crate::raster::shading::surface_colour::{ObjectColour, Shaders};
-use crate::raster::view::fixed_point::{BITS, ONE};
+use crate::raster::view::fixed_point::ONE;
 use crate::shade::SurfaceRows;
 use glam::{DVec3, Vec3};
 
@@ -32,9 +35,12 @@ pub(crate) struct Painter {
 
 /// The visible samples of one object in a tile.
 pub(crate) struct Tile<'a> {
-    pub(crate) seen: &'a [VisibleSample],
+    /// The blocks that show it.
+    pub(crate) blocks: &'a [Block],
+    /// The record that each pixel shows.
+    pub(crate) shown: &'a [u32; PIXELS],
     pub(crate) records: &'a [Record],
-    pub(crate) depth: &'a [f32],
+    pub(crate) depth: &'a [f32; PIXELS],
     pub(crate) hits: Option<&'a Hits>,
     /// The sample of the tile's first pixel, in 256ths of a pixel of the picture.
     pub(crate) origin: [i32; 2],
@@ -63,10 +69,11 @@ impl Painter {
         records: &mut [Record],
     ) -> Result<()> {
         self.polygons.clear();
-        let (object, Some(drawn)) = (&job.objects[run.object], run.drawn) else { return Ok(()) };
-        let drawn = &job.drawn[drawn];
+        let (object, Some(number)) = (&job.objects[run.object], run.drawn) else { return Ok(()) };
+        let drawn = &job.drawn[number];
         let (records, owners) = (&mut records[run.records.clone()], &owners[run.records.clone()]);
         let wanted = ValueKind::new(object);
+        let lit_before = job.lit[number].as_ref().filter(|_| !records.iter().any(|record| record.turned));
         match (wanted, &object.colour) {
             (ValueKind::Nothing, _) => return Ok(()),
             (ValueKind::FaceNormal, _) => {
@@ -86,8 +93,9 @@ impl Painter {
             }
             (ValueKind::CornerNormals, _) => {
                 for record in records.iter_mut() {
-                    let corners = triangle_corners(drawn, record);
-                    record.values = corners.map(|corner| object.corner_normal(corner));
+                    let [a, b, c] = triangle_corners(drawn, record);
+                    record.values =
+                        [object.corner_normal(a), object.corner_normal(b), object.corner_normal(c)];
                 }
             }
             (ValueKind::CornerColours, ObjectColour::Given(colours)) => {
@@ -95,11 +103,18 @@ impl Painter {
                     record.values = record.vertices.map(|vertex| single(colours[vertex as usize]));
                 }
             }
+            (ValueKind::CornerColours, ObjectColour::Lit(_)) if let Some(lit) = lit_before => {
+                for record in records.iter_mut() {
+                    let [a, b, c] = record.vertices;
+                    record.values = [lit[a as usize], lit[b as usize], lit[c as usize]];
+                }
+            }
             (ValueKind::CornerColours, ObjectColour::Lit(shaders)) => {
                 let corners = records.iter().flat_map(|record| triangle_corners(drawn, record));
                 self.light.corners(&Lit { job, object, drawn, shaders }, corners)?;
                 for (at, record) in records.iter_mut().enumerate() {
-                    record.values = [0, 1, 2].map(|k| self.light.colour(3 * at + k));
+                    let colour = |k: usize| self.light.colour(3 * at + k);
+                    record.values = [colour(0), colour(1), colour(2)];
                 }
             }
         }
@@ -183,28 +198,26 @@ impl Painter {
         };
         let needs_positions = shaders.is_some_and(|shaders| shaders.needs_positions())
             || matches!(job.settings.show, Show::Deviation(_)) && prepared.truth.is_some();
-        for seen in tile.seen.chunks(BATCH) {
+        for blocks in tile.blocks.chunks(BATCH / LANES) {
             match tile.hits.filter(|_| prepared.is_cast) {
-                Some(hits) => self.take_hits(hits, seen),
+                Some(hits) => self.take_hits(hits, blocks),
                 None => {
-                    self.take_values(job, prepared, wanted, seen, tile);
+                    self.take_values(job, prepared, wanted, blocks, tile);
                     if needs_positions {
-                        self.take_positions(job, seen, tile);
+                        self.take_positions(job, blocks, tile);
                     }
                 }
             }
             match (shaders, job.settings.show) {
-                (Some(shaders), _) => self.shade(job, object, shaders, seen, tile)?,
+                (Some(shaders), _) => self.shade(job, object, shaders, blocks, tile)?,
                 // The values are colours already.
                 (None, Show::Shaded) => {}
-                (None, _) => self.show_false_colours(job, prepared, seen, tile),
+                (None, _) => self.show_false_colours(job, prepared, blocks, tile),
             }
             let is_colour = shaders.is_none() && job.settings.show == Show::Shaded;
             let colours = if is_colour { &self.values } else { &self.colours };
             for (out, colours) in out.iter_mut().zip(colours.iter()) {
-                for (seen, &colour) in seen.iter().zip(colours.iter()) {
-                    out[usize::from(seen.pixel) % PIXELS] = colour;
-                }
+                write_blocks(blocks, colours, out);
             }
         }
         Ok(())
@@ -215,52 +228,57 @@ impl Painter {
         job: &Job,
         object: usize,
         shaders: &Shaders,
-        seen: &[VisibleSample],
+        blocks: &[Block],
         tile: &Tile,
     ) -> Result<()> {
         let prepared = &job.objects[object];
         let by_faces = prepared.settings.asks_faces() && !prepared.is_cast;
         if by_faces {
-            for (lane, seen) in seen.iter().enumerate() {
-                let record = &tile.records[seen.record as usize];
+            for (at, record) in tile.shown(blocks) {
                 let normal = prepared.face_normal(record.face, record.turned).to_array();
-                self.faces.iter_mut().zip(normal).for_each(|(row, component)| row[lane] = component);
+                self.faces.iter_mut().zip(normal).for_each(|(row, component)| row[at.row] = component);
             }
         }
-        let count = seen.len();
+        for rows in [&mut self.positions, &mut self.values, &mut self.faces] {
+            fill_lanes(blocks, rows);
+        }
+        let count = blocks.len() * LANES;
         let rows = SurfaceRows {
             positions: self.positions.each_ref().map(|row| &row[..count]),
             normals: self.values.each_ref().map(|row| &row[..count]),
             faces: by_faces.then(|| self.faces.each_ref().map(|row| &row[..count])),
         };
         let colours = self.colours.each_mut().map(|row| &mut row[..count]);
-        shaders
-            .shade_rows(&rows, colours, |lane| seen_exactly(job, object, tile, seen[lane]))
-            .map_err(|error| RenderError::NotFinite { object, error })
+        let exactly = |at: usize| {
+            let block = blocks[at / LANES];
+            seen_exactly(job, object, tile, block.start() + block.lane_or_first(at % LANES))
+        };
+        let shaded = shaders.shade_rows(&rows, colours, exactly);
+        shaded.map_err(|error| RenderError::NotFinite { object, error })
     }
 
-    fn show_false_colours(&mut self, job: &Job, prepared: &Prepared, seen: &[VisibleSample], tile: &Tile) {
-        for (lane, seen) in seen.iter().enumerate() {
-            let at = |rows: &[Row; 3]| Vec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);
+    fn show_false_colours(&mut self, job: &Job, prepared: &Prepared, blocks: &[Block], tile: &Tile) {
+        for (Shown { row, pixel }, record) in tile.shown(blocks) {
+            let at = |rows: &[Row; 3]| Vec3::new(rows[0][row], rows[1][row], rows[2][row]);
             let sample = false_colour::Sample {
-                record: &tile.records[seen.record as usize],
-                hit: tile.hits.filter(|_| prepared.is_cast).map(|hits| hits.at(seen.pixel)),
+                record,
+                hit: tile.hits.filter(|_| prepared.is_cast).map(|hits| hits.at(pixel)),
                 value: at(&self.values),
                 position: at(&self.positions),
-                depth: tile.depth[usize::from(seen.pixel)],
-                at: tile.place(*seen),
+                depth: tile.depth[pixel],
+                at: sample_at(tile.origin, pixel),
             };
             let colour = false_colour::colour(job, prepared, &sample).to_array();
-            self.colours.iter_mut().zip(colour).for_each(|(row, component)| row[lane] = component);
+            self.colours.iter_mut().zip(colour).for_each(|(out, component)| out[row] = component);
         }
     }
 
-    fn take_positions(&mut self, job: &Job, seen: &[VisibleSample], tile: &Tile) {
+    fn take_positions(&mut self, job: &Job, blocks: &[Block], tile: &Tile) {
         num::dispatch(Positions {
             rays: &job.rays,
-            seen,
+            blocks,
             depth: tile.depth,
-            records: job.view.has_level().then_some(tile.records),
+            records: job.view.has_level().then_some((tile.records, tile.shown)),
             origin: tile.origin,
             out: &mut self.positions,
         });
@@ -271,55 +289,81 @@ impl Painter {
         job: &Job,
         prepared: &Prepared,
         wanted: ValueKind,
-        seen: &[VisibleSample],
+        blocks: &[Block],
         tile: &Tile,
     ) {
-        let Tile { records, origin, .. } = *tile;
-        if !wanted.varies() {
-            let [x, y, z] = &mut *self.values;
-            for (((seen, x), y), z) in seen.iter().zip(x).zip(y).zip(z) {
-                [*x, *y, *z] = records[seen.record as usize].values[0].to_array();
-            }
-            return;
-        }
+        let &Tile { records, shown, origin, .. } = tile;
         // In a parallel projection the picture is the scene seen from far away: nothing to correct.
         let is_perspective = prepared.settings.interpolation == Interpolation::Perspective;
-        let perspective = is_perspective && job.view.perspective;
-        num::dispatch(Interpolate { records, seen, origin, perspective, out: &mut self.values });
-        if self.polygons.is_empty() {
+        let spread = match wanted.varies() {
+            false => Spread::Constant,
+            true if is_perspective && job.view.perspective => Spread::Perspective,
+            true => Spread::Affine,
+        };
+        num::dispatch(Interpolate { records, blocks, shown, origin, spread, out: &mut self.values });
+        if self.polygons.is_empty() || !wanted.varies() {
             return;
         }
-        for (lane, seen) in seen.iter().enumerate() {
-            let face = records[seen.record as usize].face;
-            let Ok(found) = self.polygons.binary_search_by_key(&face, |&(face, _)| face) else { continue };
-            let at = tile.place(*seen).map(|n| f64::from(n) / f64::from(ONE));
+        for (Shown { row, pixel }, record) in tile.shown(blocks) {
+            let found = self.polygons.binary_search_by_key(&record.face, |&(face, _)| face);
+            let Ok(found) = found else { continue };
+            let at = sample_at(tile.origin, pixel).map(|n| f64::from(n) / f64::from(ONE));
             let value = self.polygons[found].1.value(at);
-            self.values.iter_mut().zip(value.to_array()).for_each(|(row, value)| row[lane] = value as f32);
+            self.values.iter_mut().zip(value.to_array()).for_each(|(out, value)| out[row] = value as f32);
         }
     }
 
-    fn take_hits(&mut self, hits: &Hits, seen: &[VisibleSample]) {
-        for (lane, seen) in seen.iter().enumerate() {
-            let hit = hits.at(seen.pixel);
-            self.values.iter_mut().zip(hit.normal.to_array()).for_each(|(row, value)| row[lane] = value);
-            self.positions.iter_mut().zip(hit.position.to_array()).for_each(|(row, value)| row[lane] = value);
+    fn take_hits(&mut self, hits: &Hits, blocks: &[Block]) {
+        for Shown { row, pixel } in shown(blocks) {
+            let hit = hits.at(pixel);
+            self.values.iter_mut().zip(hit.normal.to_array()).for_each(|(out, value)| out[row] = value);
+            self.positions.iter_mut().zip(hit.position.to_array()).for_each(|(out, value)| out[row] = value);
         }
     }
 }
 
-impl Tile<'_> {
-    fn place(&self, seen: VisibleSample) -> [i32; 2] {
-        let [column, row] = place(usize::from(seen.pixel)).map(|n| n as i32);
-        [self.origin[0] + (column << BITS), self.origin[1] + (row << BITS)]
+/// A sample that shows the object: its place in rows, and its pixel in the tile.
+struct Shown {
+    row: usize,
+    pixel: usize,
+}
+
+fn shown(blocks: &[Block]) -> impl Iterator<Item = Shown> + '_ {
+    let of_block = |(at, block): (usize, &Block)| {
+        let block = *block;
+        block.shown().map(move |lane| Shown { row: at * LANES + lane, pixel: block.start() + lane })
+    };
+    blocks.iter().enumerate().flat_map(of_block)
+}
+
+/// Writes the colours of rows to the pixels that show the object.
+fn write_blocks(blocks: &[Block], row: &Row, out: &mut [f32; PIXELS]) {
+    for (block, row) in blocks.iter().zip(row.as_chunks::<LANES>().0) {
+        let out = &mut out[block.start()..][..LANES];
+        if block.is_full() {
+            out.copy_from_slice(row);
+        } else {
+            block.shown().for_each(|lane| out[lane] = row[lane]);
+        }
+    }
+}
+
+impl<'a> Tile<'a> {
+    /// The samples of blocks that show the object, with their records.
+    fn shown<'b>(&'b self, blocks: &'b [Block]) -> impl Iterator<Item = (Shown, &'a Record)> + 'b {
+        shown(blocks).map(|at| {
+            let record = &self.records[self.shown[at.pixel] as usize];
+            (at, record)
+        })
     }
 }
 
 /// Where a sample sees an object, in the frame of the shaders, before depth and corners are rounded.
-fn seen_exactly(job: &Job, object: usize, tile: &Tile, seen: VisibleSample) -> DVec3 {
-    let at = tile.place(seen).map(|n| f64::from(n) / f64::from(ONE));
+fn seen_exactly(job: &Job, object: usize, tile: &Tile, pixel: usize) -> DVec3 {
+    let at = sample_at(tile.origin, pixel).map(|n| f64::from(n) / f64::from(ONE));
     let position = match job.drawn.iter().find(|drawn| drawn.object == object) {
         Some(drawn) => {
-            let triangle = tile.records[seen.record as usize].vertices;
+            let triangle = tile.records[tile.shown[pixel] as usize].vertices;
             drawn.plane_point(&job.view, triangle, at).from_eye + (job.view.eye - job.view.origin)
         }
         None => cast(job, object, at).map_or(DVec3::NAN, |(hit, _)| hit.position - job.view.origin),

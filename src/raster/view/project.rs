@@ -7,8 +7,9 @@ use crate::raster::view::fixed_point::{GUARD, snap};
 use crate::raster::view::screen_transform::{ObjectMap, View};
 use glam::DVec3;
 
-/// A vertex as the rasterizer sees it: 16 bytes.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// A vertex as the rasterizer sees it: 16 bytes, a row of four numbers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
 pub(crate) struct ScreenVertex {
     /// In 256ths of a pixel from the upper left corner; see [`fixed`](crate::raster::view::fixed_point).
     pub(crate) x: i32,
@@ -28,14 +29,13 @@ pub(crate) type Points<'a> = PositionsRef<'a>;
 /// Vertices that one task projects.
 const TASK: usize = 8192;
 
-/// Projects and snaps all vertices; also returns the planes that any of them is outside of.
-pub(crate) fn project(points: Points, map: &ObjectMap, view: &View) -> (Vec<ScreenVertex>, u32) {
-    let mut vertices = vec![ScreenVertex::default(); points.len()];
-    let outside = match points {
-        Points::F64(points) => project_all(points, map, view, &mut vertices),
-        Points::F32(points) => project_all(points, map, view, &mut vertices),
-    };
-    (vertices, outside)
+/// Projects and snaps all vertices, in place of those in the list; returns the planes that any of them is outside of.
+pub(crate) fn project(points: Points, map: &ObjectMap, view: &View, vertices: &mut Vec<ScreenVertex>) -> u32 {
+    vertices.resize(points.len(), ScreenVertex::default());
+    match points {
+        Points::F64(points) => project_all(points, map, view, vertices),
+        Points::F32(points) => project_all(points, map, view, vertices),
+    }
 }
 
 fn project_all<T: Point>(points: &[T], map: &ObjectMap, view: &View, vertices: &mut [ScreenVertex]) -> u32 {
