@@ -7,8 +7,8 @@ use super::unit::{Unit, count_vertices};
 use crate::io::{ReadError, WriteError};
 use crate::num::LinearRgb;
 use crate::raster::{
-    Camera, Image, LoadOptions, Object, Paint, RenderError, RenderSettings, Samples, Scene, SceneFile,
-    SceneShape, Shape, Show, pixel_colour, probe, render,
+    Camera, Image, LoadOptions, Object, Paint, RenderError, RenderScratch, RenderSettings, Samples, Scene,
+    SceneFile, SceneShape, Shape, Show, pixel_colour, probe, render_reusing,
 };
 use crate::shade::Light;
 use std::borrow::Cow;
@@ -36,6 +36,8 @@ pub struct Stage<'a> {
     background: LinearRgb,
     /// Those of other models that were needed.
     loaded: Rc<RefCell<Loaded>>,
+    /// The memory of pictures before.
+    scratch: Rc<RefCell<RenderScratch>>,
 }
 
 /// Models of objects that were read, and the corners that they have in all.
@@ -66,8 +68,9 @@ impl<'a> Stage<'a> {
             }
             units.push(unit);
         }
-        let (units, background, loaded) = (units.into(), whole.background, Rc::default());
-        Ok(Self { document, base, options, settings, units, first, background, loaded })
+        let (units, background) = (units.into(), whole.background);
+        let (loaded, scratch) = (Rc::default(), Rc::default());
+        Ok(Self { document, base, options, settings, units, first, background, loaded, scratch })
     }
 
     /// The same scene, drawn with another number of samples for each pixel.
@@ -121,7 +124,8 @@ impl<'a> Stage<'a> {
         let objects = models.iter().zip(&files).flat_map(|((unit, model), file)| {
             file.unframed().objects.into_iter().map(|object| self.changed(*unit, model, object))
         });
-        Ok(render(&self.scene(objects.collect(), lights, camera), &self.settings)?)
+        let scene = self.scene(objects.collect(), lights, camera);
+        Ok(render_reusing(&scene, &self.settings, &mut self.scratch.borrow_mut())?)
     }
 
     /// Which sides of faces are seen, before a black background.

@@ -8,7 +8,9 @@ use crate::cli::common::failure::Failure;
 use crate::cli::common::output::Store;
 use crate::cli::common::progress::Progress;
 use crease::num::{Degrees, LinearRgb};
-use crease::raster::{Image, RenderError, RenderSettings, SceneFile, Show, Statistics, render};
+use crease::raster::{
+    Image, RenderError, RenderScratch, RenderSettings, SceneFile, Show, Statistics, render_reusing,
+};
 use crease::report::{
     Animation, CutOut, Panel, Picture, ReportError, cut_out, deviation_range, encode_jpeg, encode_png,
     encode_webp, overlay, panels, show_legend,
@@ -39,16 +41,17 @@ pub struct Drawing {
 }
 
 pub fn draw(file: &mut SceneFile, request: &Request, progress: &Progress) -> Result<Drawn, Failure> {
+    let scratch = &mut RenderScratch::default();
     match request.subject {
         Subject::Picture => {
-            let image = image(file, &file.settings, request)?;
+            let image = image(file, &file.settings, request, scratch)?;
             let drawings = vec![Drawing { name: None, statistics: image.statistics }];
             if request.target.is_none() {
                 let size = image.size;
                 return Ok(Drawn { image: Some(image), ..Drawn::of_bytes(Vec::new(), size, drawings, None) });
             }
             let settings = file.settings;
-            let cut = finished(image.clone(), file, &settings, request)?;
+            let cut = finished(image.clone(), file, &settings, request, scratch)?;
             let opacity = Some(&*cut.opacity).filter(|opacity| !opacity.is_empty());
             let bytes = as_file(&cut.picture, opacity, &file.settings, request.file)?;
             Ok(Drawn::of_bytes(bytes, cut.picture.size, drawings, Some(image)))
@@ -57,9 +60,9 @@ pub fn draw(file: &mut SceneFile, request: &Request, progress: &Progress) -> Res
             let (mut drawings, mut list) = (Vec::new(), Vec::new());
             for variant in variants {
                 let settings = variant.settings(&file.settings);
-                let image = image(file, &settings, request)?;
+                let image = image(file, &settings, request, scratch)?;
                 drawings.push(Drawing { name: Some(variant.choice().into()), statistics: image.statistics });
-                let picture = finished(image, file, &settings, request)?.picture;
+                let picture = finished(image, file, &settings, request, scratch)?.picture;
                 list.push(Panel { caption: variant.caption().into(), picture });
             }
             let sheet = panels(&list)?;
@@ -67,11 +70,16 @@ pub fn draw(file: &mut SceneFile, request: &Request, progress: &Progress) -> Res
             let bytes = as_file(&sheet, None, &file.settings, request.file)?;
             Ok(Drawn::of_bytes(bytes, sheet.size, drawings, None))
         }
-        Subject::Turntable(frames) => turntable(file, frames, request, progress),
+        Subject::Turntable(frames) => turntable(file, frames, request, progress, scratch),
     }
 }
 
-fn image(file: &SceneFile, settings: &RenderSettings, request: &Request) -> Result<Image, Failure> {
+fn image(
+    file: &SceneFile,
+    settings: &RenderSettings,
+    request: &Request,
+    scratch: &mut RenderScratch,
+) -> Result<Image, Failure> {
     let mut scene = file.scene();
     let kinds = &request.args.shading.overlay;
     let mut lines: Vec<_> = kinds.iter().flat_map(|&kind| overlay(&scene, settings.size, kind)).collect();
@@ -79,7 +87,7 @@ fn image(file: &SceneFile, settings: &RenderSettings, request: &Request) -> Resu
         lines.style.hide = request.hides_lines(lines.style.hide);
     }
     scene.lines.extend(lines);
-    render(&scene, settings).map_err(|error| {
+    render_reusing(&scene, settings, scratch).map_err(|error| {
         let lights = file.lights.as_ref().map_or(0, Vec::len);
         let of_input = |error: RenderError| match error {
             RenderError::Lacks { .. } => Failure::advised(error),
@@ -95,12 +103,13 @@ fn finished(
     file: &mut SceneFile,
     settings: &RenderSettings,
     request: &Request,
+    scratch: &mut RenderScratch,
 ) -> Result<CutOut, Failure> {
     let mut cut = CutOut { picture: Picture::from(image), opacity: Vec::new() };
     if let Some(background @ (Background::Transparent | Background::Gradient)) = request.args.scene.background
     {
         let black = std::mem::replace(&mut file.background, LinearRgb::WHITE);
-        let on_white = self::image(file, settings, request);
+        let on_white = self::image(file, settings, request, scratch);
         file.background = black;
         cut = cut_out(cut.picture, &on_white?.into(), settings.transfer);
         if background == Background::Gradient {
@@ -172,6 +181,7 @@ fn turntable(
     frames: u16,
     request: &Request,
     progress: &Progress,
+    scratch: &mut RenderScratch,
 ) -> Result<Drawn, Failure> {
     let pivot = pivot(file);
     let placed: Vec<_> = file.objects.iter().map(|object| object.transform).collect();
@@ -183,13 +193,13 @@ fn turntable(
         // Each frame turns from the start: roundings do not add up.
         file.objects.iter_mut().zip(&placed).for_each(|(object, &transform)| object.transform = transform);
         turn(file, about(up, angle), pivot);
-        let image = image(file, &file.settings, request)?;
+        let image = image(file, &file.settings, request, scratch)?;
         // Some frames are asked for twice.
         if frame == drawings.len() {
             drawings.push(Drawing { name: Some(format!("{}°", angle.0)), statistics: image.statistics });
         }
         let settings = file.settings;
-        let picture = finished(image, file, &settings, request)?.picture;
+        let picture = finished(image, file, &settings, request, scratch)?.picture;
         progress.done();
         Ok(picture)
     };
