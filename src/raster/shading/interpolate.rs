@@ -130,7 +130,8 @@ pub(crate) fn sample_at(origin: [i32; 2], pixel: usize) -> [i32; 2] {
 }
 
 /// Corners nearer than this to a block's first pixel, in 256ths of a pixel, have edge functions that are exact in single precision
-/// at all its pixels: differences of coordinates are below 2¹², and products of two below 2²⁴.
+/// at all its pixels: differences of coordinates are below 2¹², and products of two below 2²⁴. Nearness is between 10⁻³⁸ and 10³⁰, so
+/// that its products with them and their sums neither overflow nor lose digits.
 const SMALL: i32 = (1 << 12) - ((SIDE as i32 - 1) << BITS);
 
 /// Numbers in half of a block's pixels.
@@ -387,13 +388,15 @@ mod tests {
         let mut inside = [0; 2];
         for round in 0..3000 {
             let size = [100, 900, 3000, 200_000][round % 4];
+            // From the least to the largest nearness that a view has.
+            let unit = [1.0, 2e-37, 9e29][round % 3];
             let at = [0; 2].map(|_| numbers.below(1 << 20) as i32);
             let mut place = || [0; 2].map(|_| numbers.below(2 * size) as i32 - size as i32);
             let corners = [place(), place(), place()];
             let record = Record {
                 x: corners.map(|[x, _]| at[0] + x),
                 y: corners.map(|[_, y]| at[1] + y),
-                nearness: [0; 3].map(|_| 0.1 + numbers.unit() as f32),
+                nearness: [0; 3].map(|_| (0.1 + numbers.unit() as f32) * unit),
                 ..Record::default()
             };
             let found = num::dispatch(BothShares(&record, at));
