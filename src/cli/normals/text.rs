@@ -260,7 +260,7 @@ fn remarks(report: &Report) -> Vec<(&'static str, String)> {
         ("cone", of(|part| part.cone_declined), "fan", "too large for the cone rule, cut by the fan rule"),
         ("weld", of(|part| part.wide_clusters), "cluster", "of positions wider than twice the distance"),
     ];
-    rows.extend(best(parts).map(|text| ("best", text)));
+    rows.extend(best(parts).into_iter().map(|text| ("best", text)));
     rows.extend(jet(parts).into_iter().map(|text| ("jet", text)));
     for (label, number, what, text) in exceptions.iter().filter(|row| row.1 > 0) {
         rows.push((label, format!("{} {text}", count(*number, what))));
@@ -275,32 +275,35 @@ fn remarks(report: &Report) -> Vec<(&'static str, String)> {
     rows
 }
 
-/// What `--weight best` chose, with its estimates.
-fn best(parts: &[Part]) -> Option<String> {
-    let found = || parts.iter().filter_map(|part| part.outcome.best);
-    let first = found().next()?;
-    if found().nth(1).is_some() {
-        let weights = [Weight::Jet, Weight::Quadric, Weight::Angle];
-        let parts = |weight: Weight| found().filter(|it| it.weight == weight).count();
-        let chosen = weights.map(|weight| (parts(weight), weight.name()));
-        let chosen = chosen
-            .iter()
-            .filter(|it| it.0 > 0)
-            .map(|it| format!("{} for {}", it.1, count_of(it.0, "submesh", "submeshes")));
-        return Some(chosen.collect::<Vec<_>>().join(", "));
+/// Submeshes whose choice of `--weight best` is explained one by one, at most.
+const EXPLAINED: usize = 4;
+
+/// What `--weight best` chose: with its estimates, or for many submeshes the counts.
+fn best(parts: &[Part]) -> Vec<String> {
+    let found = || parts.iter().filter_map(|part| Some((part, part.outcome.best?)));
+    match found().count() {
+        0 | 1 => found().map(|(_, choice)| reason("", &choice)).collect(),
+        2..=EXPLAINED => found()
+            .map(|(part, choice)| reason(&format!(" for {}", escaped(&part.outcome.name)), &choice))
+            .collect(),
+        _ => {
+            let weights = [Weight::Jet, Weight::Quadric, Weight::Angle];
+            let submeshes = |weight| found().filter(|(_, choice)| choice.weight == weight).count();
+            let chosen = weights.map(|weight| (submeshes(weight), weight.name()));
+            let chosen = chosen.iter().filter(|it| it.0 > 0);
+            let texts = chosen.map(|it| format!("{} for {}", it.1, count_of(it.0, "submesh", "submeshes")));
+            vec![texts.collect::<Vec<_>>().join(", ")]
+        }
     }
-    let Choice { weight, sampled, fitted, noise, jet, quadric, angle } = first;
+}
+
+fn reason(of: &str, &Choice { weight, sampled, fitted, noise, jet, quadric, angle }: &Choice) -> String {
+    let name = weight.name();
     if 2 * fitted < sampled || sampled == 0 {
-        return Some(format!(
-            "{}: surfaces can be fitted at {fitted} of {sampled} normals only",
-            weight.name()
-        ));
+        return format!("{name}{of}: surfaces can be fitted at {fitted} of {sampled} normals only");
     }
     let [noise, jet, quadric, angle] = [noise, jet, quadric, angle].map(three_digits);
-    Some(format!(
-        "{}: estimated rms errors jet {jet}°, quadric {quadric}°, angle {angle}°; noise {noise}°",
-        weight.name()
-    ))
+    format!("{name}{of}: estimated rms errors jet {jet}°, quadric {quadric}°, angle {angle}°; noise {noise}°")
 }
 
 /// Where jets are of lower degree, by the reason.

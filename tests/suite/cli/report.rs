@@ -231,6 +231,40 @@ fn the_best_weight_keeps_creases() {
     assert_eq!(normals.iter().filter(steep).count(), 0, "no normal is between top and wall");
 }
 
+/// A glTF of so many triangles, each a mesh of its own.
+fn triangles(count: usize) -> String {
+    let meshes: Vec<String> = (0..count)
+        .map(|n| format!(r#"{{"name":"m{n}","primitives":[{{"attributes":{{"POSITION":0}}}}]}}"#))
+        .collect();
+    let nodes: Vec<String> = (0..count).map(|n| format!(r#"{{"mesh":{n}}}"#)).collect();
+    let bytes = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
+    let buffer = format!(r#"{{"byteLength":36,"uri":"data:application/octet-stream;base64,{bytes}"}}"#);
+    format!(
+        r#"{{"asset":{{"version":"2.0"}},"nodes":[{}],"meshes":[{}],"buffers":[{buffer}],
+        "bufferViews":[{{"buffer":0,"byteLength":36}}],"accessors":[{{"bufferView":0,"componentType":5126,"count":3,
+        "type":"VEC3","min":[0,0,0],"max":[1,1,0]}}]}}"#,
+        nodes.join(","),
+        meshes.join(",")
+    )
+}
+
+#[test]
+fn the_best_weight_is_explained_for_each_of_few_submeshes() {
+    let [few, many] = [2, 5].map(triangles);
+    let work = folder(&[("few.gltf", &few), ("many.gltf", &many)]);
+    let printed = |name: &str| {
+        let output = normals([&*path(work.path().join(name)), "--weight", "best", "--dry-run"]);
+        assert_eq!(code(&output), 0, "{}", text(&output.stderr));
+        text(&output.stdout).to_owned()
+    };
+    let few = printed("few.gltf");
+    for name in ["m0", "m1"] {
+        let line = format!("best     angle for {name}: surfaces can be fitted at 0 of 3 normals only\n");
+        assert!(few.contains(&line), "{few}");
+    }
+    assert!(printed("many.gltf").contains("best     angle for 5 submeshes\n"));
+}
+
 #[test]
 fn several_inputs_give_a_line_each_in_their_order_whatever_happens() {
     let work = folder(&[("b.obj", TRIANGLE), ("a.obj", BAD), ("c.obj", TRIANGLE)]);
