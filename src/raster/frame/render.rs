@@ -207,27 +207,59 @@ fn draw_tiles(
 mod tests {
     use super::*;
     use crate::num::LinearRgb;
-    use crate::raster::{Camera, Object, Shape, Triangles};
+    use crate::raster::{Camera, Object, Shading, Shape, Triangles};
     use crate::shade::{Light, Material};
     use glam::DVec3;
 
-    /// Pictures of other sizes, depths and lists in between change nothing, also on tiles with nothing but background.
-    #[test]
-    fn reused_memory_changes_no_picture() {
-        let positions = [[0.0_f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.5]];
+    const POSITIONS: [[f32; 3]; 4] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.5]];
+
+    /// Two triangles, of which the second may show its back.
+    fn scene(triangles: &[[u32; 3]; 2]) -> Scene<'_> {
         let shape = Shape::Triangles(Triangles {
-            positions: &positions,
-            triangles: &[[0, 1, 2], [2, 1, 3]],
-            normals: &[[0.0, 0.0, 1.0]; 4],
+            positions: &POSITIONS,
+            triangles,
+            normals: &[[0.0, 0.0, 1.0], [0.0, 0.6, 0.8], [0.6, 0.0, 0.8], [0.0, 0.0, 1.0]],
             face_normals: &[[0.0, 0.0, 1.0]; 2],
         });
-        let scene = Scene {
+        Scene {
             objects: vec![Object::new(shape, Material::default())],
             lines: Vec::new(),
             lights: vec![Light::Directional { towards: DVec3::Z, colour: LinearRgb::WHITE }],
             camera: Camera::framing((DVec3::new(-2.0, -2.0, 0.0), DVec3::new(3.0, 3.0, 0.5)), 1.0),
             background: LinearRgb::new(0.2, 0.1, 0.4),
-        };
+        }
+    }
+
+    /// Against single pixels, whose corners are lit one by one.
+    #[test]
+    fn light_in_advance_changes_no_bit() {
+        for (triangles, two_sided) in
+            [([[0, 1, 2], [2, 1, 3]], false), ([[0, 1, 2], [2, 3, 1]], false), ([[0, 1, 2], [2, 3, 1]], true)]
+        {
+            let scene = scene(&triangles);
+            let settings = RenderSettings {
+                size: [100, 100],
+                shading: Shading::Gouraud,
+                keep_linear: true,
+                two_sided,
+                ..RenderSettings::default()
+            };
+            let image = render(&scene, &settings).unwrap();
+            let covered = (0..10_000_u32).filter(|&pixel| image.coverage[pixel as usize] > 0).step_by(7);
+            let mut compared = 0;
+            for pixel in covered {
+                let alone = pixel_colour(&scene, &settings, [pixel % 100, pixel / 100]).unwrap();
+                assert_eq!(alone, image.linear.as_ref().unwrap()[pixel as usize], "{pixel} {two_sided}");
+                compared += 1;
+            }
+            assert!(compared > 5, "{compared}");
+        }
+    }
+
+    /// Pictures of other sizes, depths, lists and shadings in between change nothing, also on tiles with nothing but background.
+    #[test]
+    fn reused_memory_changes_no_picture() {
+        let scene = scene(&[[0, 1, 2], [2, 1, 3]]);
         let plain = RenderSettings { size: [200, 140], ..RenderSettings::default() };
         let rich = RenderSettings {
             size: [130, 260],
@@ -237,7 +269,10 @@ mod tests {
             ..RenderSettings::default()
         };
         let mut scratch = RenderScratch::default();
-        for settings in [plain, rich, plain, RenderSettings { size: [300, 300], ..rich }, rich] {
+        let larger = RenderSettings { size: [300, 300], ..rich };
+        let shaded = [Shading::Flat, Shading::Gouraud, Shading::Traced, Shading::Wireframe, Shading::Phong];
+        let shaded = shaded.map(|shading| RenderSettings { shading, ..plain });
+        for settings in [plain, rich, plain, larger, rich].into_iter().chain(shaded).chain([plain]) {
             let expected = render(&scene, &settings).unwrap();
             assert!(expected.statistics.covered_pixels > 50, "{:?}", expected.statistics);
             let image = render_reusing(&scene, &settings, &mut scratch).unwrap();
