@@ -11,33 +11,11 @@ import time
 import numpy as np
 import open3d as o3d
 
-WIDTH, HEIGHT, ANGLE = 1920, 1080, 27.25
-EYE = np.array([0.0, 3.2, 4.0])
-
-
-def torus(triangles):
-    around = int(math.sqrt(triangles))
-    around += around % 2
-    across = -(-(triangles // 2) // around)
-    u, v = np.meshgrid(2 * np.pi * np.arange(around) / around, 2 * np.pi * np.arange(across) / across, indexing="ij")
-    normal = np.stack([np.cos(v) * np.sin(u), np.sin(v), np.cos(v) * np.cos(u)], -1)
-    ring = np.stack([np.sin(u), np.zeros_like(u), np.cos(u)], -1)
-    i, j = np.meshgrid(np.arange(around), np.arange(across), indexing="ij")
-
-    def at(i, j):
-        return (i % around) * across + j % across
-
-    first = np.stack([at(i, j), at(i + 1, j), at(i + 1, j + 1)], -1)
-    second = np.stack([at(i, j), at(i + 1, j + 1), at(i, j + 1)], -1)
-    faces = np.stack([first, second], -2).reshape(-1, 3)
-    return (ring + 0.4 * normal).reshape(-1, 3).astype(np.float32), faces.astype(np.uint32)
+from torus import ANGLE, EYE, HEIGHT, WIDTH, axes, torus
 
 
 def rays():
-    forward = -EYE / np.linalg.norm(EYE)
-    right = np.cross(forward, [0, 1, 0])
-    right /= np.linalg.norm(right)
-    up = np.cross(right, forward)
+    right, up, forward = axes()
     scale = 0.5 * HEIGHT / math.tan(math.radians(ANGLE) / 2)
     # In tiles of 8 × 8 pixels, in which Embree finds neighbours together.
     x = (np.arange(WIDTH) + 0.5 - WIDTH / 2) / scale
@@ -55,7 +33,7 @@ def main():
     print("| triangles | tree ms | first hits ms | Mrays/s | covered |")
     print("|---|---:|---:|---:|---:|")
     for size in sizes:
-        positions, faces = torus(size)
+        positions, _, faces = torus(size)
         builds, casts = [], []
         for _ in range(rounds):
             scene = o3d.t.geometry.RaycastingScene(nthreads=2)

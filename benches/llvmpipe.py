@@ -14,7 +14,9 @@ import subprocess
 import sys
 import time
 
-WIDTH, HEIGHT, ANGLE = 1920, 1080, 27.25
+import numpy as np
+
+from torus import ANGLE, EYE, HEIGHT, WIDTH, axes, torus
 
 LIGHT = """
 uniform vec3 eye;
@@ -57,14 +59,11 @@ SHADINGS = {
 }
 
 
-def camera(np, eye):
-    forward = -eye / np.linalg.norm(eye)
-    right = np.cross(forward, [0.0, 1.0, 0.0])
-    right /= np.linalg.norm(right)
-    up = np.cross(right, forward)
+def camera():
+    right, up, forward = axes()
     view = np.eye(4)
     view[:3, :3] = [right, up, -forward]
-    view[:3, 3] = -view[:3, :3] @ eye
+    view[:3, 3] = -view[:3, :3] @ EYE
     near, far = 0.1, 100.0
     f = 1.0 / math.tan(math.radians(ANGLE) / 2)
     project = np.zeros((4, 4))
@@ -74,46 +73,27 @@ def camera(np, eye):
     return (project @ view).T.astype("f4").tobytes()
 
 
-def torus(np, triangles):
-    around = int(math.sqrt(triangles))
-    around += around % 2
-    across = -(-(triangles // 2) // around)
-    u, v = np.meshgrid(2 * np.pi * np.arange(around) / around, 2 * np.pi * np.arange(across) / across, indexing="ij")
-    normal = np.stack([np.cos(v) * np.sin(u), np.sin(v), np.cos(v) * np.cos(u)], -1)
-    ring = np.stack([np.sin(u), np.zeros_like(u), np.cos(u)], -1)
-    i, j = np.meshgrid(np.arange(around), np.arange(across), indexing="ij")
-
-    def at(i, j):
-        return (i % around) * across + j % across
-
-    faces = [[at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)]]
-    faces = np.stack([np.stack(face, -1) for face in faces], -2).reshape(-1, 3)
-    vertices = np.concatenate([ring + 0.4 * normal, normal], -1).reshape(-1, 6)
-    return vertices.astype("f4"), faces.astype("u4")
-
-
 def measure(rounds, sizes):
     import moderngl
-    import numpy as np
 
     context = moderngl.create_context(standalone=True, backend="egl")
     if "llvmpipe" not in context.info["GL_RENDERER"]:
         sys.exit(f"error: the driver is {context.info['GL_RENDERER']}, not llvmpipe")
-    eye = np.array([0.0, 3.2, 4.0])
     target = context.framebuffer([context.renderbuffer((WIDTH, HEIGHT))], context.depth_renderbuffer((WIDTH, HEIGHT)))
     target.use()
     context.enable(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
     for size in sizes:
-        vertices, faces = torus(np, size)
+        positions, normals, faces = torus(size)
+        vertices = np.concatenate([positions, normals], -1)
         buffers = context.buffer(vertices.tobytes()), context.buffer(faces.tobytes())
         for name, (qualifier, corner, pixel) in SHADINGS.items():
             texts = [VERTEX, FRAGMENT]
             for key, text in {"QUALIFIER": qualifier, "LIGHT": LIGHT, "CORNER": corner, "PIXEL": pixel}.items():
                 texts = [source.replace(key, text) for source in texts]
             program = context.program(vertex_shader=texts[0].strip(), fragment_shader=texts[1].strip())
-            program["camera"].write(camera(np, eye))
+            program["camera"].write(camera())
             if "eye" in program:
-                program["eye"].value = tuple(eye)
+                program["eye"].value = tuple(EYE)
             names = ["at", "n"]
             mesh = context.vertex_array(program, [(buffers[0], "3f 3f", *names)], buffers[1], index_element_size=4)
             times = []
