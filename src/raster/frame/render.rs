@@ -24,8 +24,8 @@ use std::sync::Mutex;
 /// equally near faces the lower index shows.
 ///
 /// Uses the current thread pool of rayon; the picture is the same at any number of threads. In addition to the picture
-/// it takes 16 bytes a vertex (with Gouraud shading 28), 16 bytes a triangle of a cut polygon, about 5 bytes a triangle for the lists of tiles,
-/// and about 250 kB a thread.
+/// it takes 16 bytes a vertex (with Gouraud shading 28), 16 bytes a triangle of a cut polygon, about 5 bytes a triangle for the lists
+/// of tiles, and about 250 kB a thread.
 ///
 /// Shares of a triangle's corners have a relative error of at most 3·10⁻⁷: they are computed in single precision where edge functions
 /// are exact in it, that is up to about 13 pixels from a corner, elsewhere in double precision.
@@ -78,7 +78,23 @@ impl RenderScratch {
     }
 }
 
-/// Draws a scene as [`render`] does, in the memory of pictures before.
+/// Draws a scene as [`render`] does, in the memory of pictures before, for one frame after the other.
+///
+/// ```
+/// use crease::num::LinearRgb;
+/// use crease::raster::{Camera, RenderScratch, RenderSettings, Scene, render_reusing};
+/// use glam::DVec3;
+///
+/// let camera = Camera::framing((DVec3::ZERO, DVec3::ONE), 1.0);
+/// let scene =
+///     Scene { objects: Vec::new(), lines: Vec::new(), lights: Vec::new(), camera, background: LinearRgb::BLACK };
+/// let mut scratch = RenderScratch::default();
+/// for _frame in 0..3 {
+///     let image = render_reusing(&scene, &RenderSettings::default(), &mut scratch)?;
+///     scratch.recycle(image);
+/// }
+/// # Ok::<(), crease::raster::RenderError>(())
+/// ```
 ///
 /// # Errors
 /// As [`render`].
@@ -106,7 +122,9 @@ pub fn render_reusing(
     image.statistics.triangles_clipped = bins.counts.clipped;
     image.statistics.triangles_culled = bins.counts.culled;
     image.statistics.times = Times { geometry, binning, tiles: start.elapsed() };
-    scratch.vertices.extend(job.drawn.into_iter().map(|object| object.vertices));
+    let vertices = job.drawn.into_iter().map(|object| object.vertices);
+    // Small objects do not keep the memory of large ones.
+    scratch.vertices = vertices.rev().filter(|list| list.capacity() <= 2 * list.len()).collect();
     Ok(image)
 }
 
@@ -254,6 +272,24 @@ mod tests {
             }
             assert!(compared > 5, "{compared}");
         }
+    }
+
+    /// Edges leave the picture through the tiles at its right and lower border.
+    #[test]
+    fn edges_outside_the_picture_are_not_counted() {
+        let mut scene = scene(&[[0, 1, 2], [2, 1, 3]]);
+        scene.camera = Camera::framing((DVec3::ZERO, DVec3::new(0.4, 0.4, 0.5)), 1.0);
+        let settings = RenderSettings {
+            size: [100, 90],
+            shading: Shading::Wireframe,
+            keep_linear: true,
+            ..RenderSettings::default()
+        };
+        let image = render(&scene, &settings).unwrap();
+        let background = scene.background.to_array().map(|c| c as f32);
+        let drawn = image.linear.unwrap().iter().filter(|&&colour| colour != background).count();
+        assert!(drawn > 50, "{drawn}");
+        assert_eq!(image.statistics.covered_pixels, drawn as u64);
     }
 
     /// Pictures of other sizes, depths, lists and shadings in between change nothing, also on tiles with nothing but background.

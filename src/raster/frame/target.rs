@@ -126,7 +126,11 @@ impl Kernel for WriteTile<'_, '_> {
         }
         match tile.edged {
             None => coverage.iter().flat_map(|row| row.iter()).map(|&samples| u64::from(samples > 0)).sum(),
-            Some(edged) => edged.iter().map(|&edged| u64::from(edged)).sum(),
+            Some(edged) => {
+                let inside = |[x, y]: [usize; 2]| coverage.get(y).is_some_and(|row| x < row.len());
+                let counts = |&(pixel, &edged): &(usize, &bool)| edged && inside(place(pixel));
+                edged.iter().enumerate().filter(counts).count() as u64
+            }
         }
     }
 }
