@@ -423,6 +423,21 @@ mod tests {
         assert!(inside.iter().all(|&inside| inside > 1000), "{inside:?}");
     }
 
+    /// Rows of a full block, one of two lanes, and no block.
+    #[test]
+    fn lanes_of_other_objects_take_the_first_that_counts() {
+        let blocks = [Block { number: 3, lanes: u16::MAX }, Block { number: 9, lanes: 0b1000_0010_0000 }];
+        let mut rows = [0.0, 100.0, 200.0].map(|from| std::array::from_fn(|at| from + at as f32));
+        fill_lanes(&blocks, &mut rows);
+        for (row, from) in rows.iter().zip([0.0, 100.0, 200.0]) {
+            for (at, &found) in row.iter().enumerate() {
+                // The second block's lanes are 16 to 31 of the row, of which 21 and 27 show the object.
+                let expected = if (16..32).contains(&at) && at != 27 { 21 } else { at };
+                assert_eq!(found, from + expected as f32, "{at}");
+            }
+        }
+    }
+
     /// The closed form of reference §4.1, and the two printed values.
     #[test]
     fn the_diamond_turns_its_centre() {
