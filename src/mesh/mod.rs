@@ -48,7 +48,7 @@ pub(crate) use edge_matching::EdgeMatcher;
 pub use face_edit::FaceEdit;
 pub(crate) use face_normals::{are_same, normals_oppose, stored_unit, vector_area};
 pub use faces::Faces;
-pub(crate) use faces::{FacesRef, next_in_triangle, previous_in_triangle};
+pub(crate) use faces::{FacesRef, next_in_triangle};
 pub use link::Link;
 pub(crate) use link::MAX_CORNERS;
 #[cfg(feature = "report")]

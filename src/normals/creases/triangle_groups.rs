@@ -1,12 +1,10 @@
 //! Smooth groups of plain triangles, vertex by vertex.
 //!
 //! All edges at a vertex are seen from its own corners, so the fans around it need no topology of the whole
-//! mesh. Most vertices lie inside a smooth surface: their triangles follow each other once round, and no crease is among
-//! them. That takes one comparison of vertex numbers and one of normals a triangle; the others are matched and walked in full.
+//! mesh. Up to eight corners are matched by one comparison of vertex numbers each, and most edges are smooth by one product of
+//! normals. Vertices of more corners, and those where edges are irregular, are matched and walked in full.
 
-use crate::mesh::{
-    EdgeMatcher, FacesRef, Link, NONE, Rings, Scatter, next_in_triangle, previous_in_triangle,
-};
+use crate::mesh::{EdgeMatcher, FacesRef, Link, NONE, Rings, Scatter, next_in_triangle};
 use crate::normals::creases::dihedral_test::{AngleFilter, CreaseTest};
 use crate::normals::creases::edge_counts::RingCounts;
 use crate::normals::creases::fans::{FanWalker, Fans};
@@ -143,17 +141,28 @@ impl Kernel for CountGroups<'_, '_> {
         let TriangleCreases { crease, counts: counted, .. } = context.creases;
         let filter = crease.filter(counted.is_some());
         let every = matches!(crease, CreaseTest::Every);
+        let triangles = context.creases.faces.corners().as_chunks().0;
         let mut block = [const { Spokes::NONE }; BLOCK];
         for (first, counts) in (first..).step_by(BLOCK).zip(counts.chunks_mut(BLOCK)) {
             for (vertex, spokes) in (first..first + counts.len()).zip(&mut block) {
-                spokes.lay_out(context.creases.faces.corners(), context.rings.at(vertex));
+                spokes.lay_out(triangles, vertex as u32, context.rings.at(vertex));
             }
             for ((vertex, count), spokes) in (first..).zip(counts).zip(&block) {
-                let is_smooth = !every && spokes.are_one_smooth_fan(arch, &context, filter);
-                *count = if is_smooth { 1 } else { walk.count_groups(vertex) };
-                if is_smooth && counted.is_some() {
-                    walk.found.edges.counts.smooth += spokes.edges_to_higher(vertex as u32);
-                }
+                let Some(links) = spokes.links(arch, &context) else {
+                    *count = walk.count_groups(vertex);
+                    continue;
+                };
+                let uncertain = if every { links.linked } else { spokes.uncertain(links, &context, filter) };
+                *count = match uncertain == 0 && links.are_one_cycle(spokes.count) {
+                    true => {
+                        if counted.is_some() {
+                            walk.found.edges.counts.smooth += spokes.edges_to_higher(vertex as u32);
+                        }
+                        1
+                    }
+                    false if counted.is_none() => walk.count_linked_groups(vertex, spokes, links, uncertain),
+                    false => walk.count_groups(vertex),
+                };
             }
         }
     }
@@ -173,15 +182,19 @@ impl Spokes {
     const NONE: Self = Self { to: [NONE; LANES], from: [NONE; LANES], faces: [0; LANES], count: 0 };
 
     #[inline(always)]
-    fn lay_out(&mut self, vertices: &[u32], ring: &[u32]) {
+    fn lay_out(&mut self, triangles: &[[u32; 3]], vertex: u32, ring: &[u32]) {
         *self = Self::NONE;
-        let Some(first) = ring.first().filter(|_| ring.len() <= LANES) else { return };
+        if ring.len() > LANES {
+            return;
+        }
         self.count = ring.len();
-        self.faces = [first / 3; LANES];
         for (i, &corner) in ring.iter().enumerate() {
-            self.to[i] = vertices[next_in_triangle(corner) as usize];
-            self.from[i] = vertices[previous_in_triangle(corner) as usize];
-            self.faces[i] = corner / 3;
+            let face = corner / 3;
+            let [a, b, c] = triangles[face as usize];
+            let to = if b == vertex { c } else { a };
+            let to = if a == vertex { b } else { to };
+            // Of three numbers and one of them, the other two are left.
+            (self.to[i], self.from[i], self.faces[i]) = (to, a ^ b ^ c ^ vertex ^ to, face);
         }
     }
 
@@ -191,37 +204,96 @@ impl Spokes {
         self.to[..self.count].iter().filter(|&&to| to > vertex).count()
     }
 
-    /// Whether the triangles follow each other once around the vertex, each across an edge of just the two, all add to
-    /// sums, and no edge is over the limit, nor so near to it that it needs a closer look. (A triangle that has two corners
-    /// here adds to no sum.)
+    /// How the corners follow each other. `None` if they are none or too many, if an edge has triangles that are wound against
+    /// each other or more than two, or if a triangle does not add to sums. (A triangle that has two corners here does not.)
     #[inline(always)]
-    fn are_one_smooth_fan<A: Lanes>(&self, arch: A, context: &Context, filter: Option<AngleFilter>) -> bool {
-        let FaceNormals { unit, state } = context.creases.normals;
+    fn links<A: Lanes>(&self, arch: A, context: &Context) -> Option<Links> {
+        let Self { to, from, faces, count } = self;
+        let mut links = Links { next: 0, linked: 0 };
+        let (mut reached, mut irregular) = (0, 0);
+        for (at, &to) in to[..*count].iter().enumerate() {
+            // The corners whose triangles arrive from where this one leaves to.
+            let met = arch.equal_bits(from, to);
+            irregular |= met & met.wrapping_sub(1) | met & reached;
+            reached |= met;
+            links.linked |= u8::from(met != 0) << at;
+            links.next |= u64::from(met.trailing_zeros() % 8) << (8 * at + 3);
+        }
+        let is_linked = |at: usize| links.linked >> at & 1 == 1;
+        let leaves_alone = |at: usize| arch.equal_bits(to, to[at]).is_power_of_two();
+        if irregular != 0 || *count == 0 || !(0..*count).all(|at| is_linked(at) || leaves_alone(at)) {
+            return None;
+        }
+        let state = &context.creases.normals.state;
+        let is_counted = |&face: &u32| state[face as usize] == FaceState::Counted;
+        (context.all_counted || faces[..*count].iter().all(is_counted)).then_some(links)
+    }
+
+    /// The corners before edges of which the filter does not show that they are smooth.
+    #[inline(always)]
+    fn uncertain(&self, links: Links, context: &Context, filter: Option<AngleFilter>) -> u8 {
+        let Some(filter) = filter else { return 0 };
+        let unit = &context.creases.normals.unit;
         let turns = context.creases.counts.flatten();
-        if self.count == 0 {
+        let mut uncertain = 0;
+        for at in 0..self.count {
+            let [face, next] = [at, links.after(at)].map(|at| self.faces[at % LANES] as usize);
+            let turn = turns.map_or(0.0, |turns| turns[face] + turns[next]);
+            uncertain |= u8::from(!filter.is_surely_within(unit[face], unit[next], turn)) << at;
+        }
+        uncertain & links.linked
+    }
+}
+
+/// How the corners at a vertex follow each other, each across an edge of just two triangles.
+#[derive(Clone, Copy)]
+struct Links {
+    /// For each corner eight times the number of the next one, a byte each: the number by which to shift for that one's byte.
+    next: u64,
+    /// Which corners have a next one.
+    linked: u8,
+}
+
+impl Links {
+    #[inline(always)]
+    fn after(self, at: usize) -> usize {
+        (self.next >> (8 * at) & 0xff) as usize / 8
+    }
+
+    /// Whether they are one closed fan of so many. No two have the same next one.
+    #[inline(always)]
+    fn are_one_cycle(self, count: usize) -> bool {
+        if self.linked.count_ones() as usize != count {
             return false;
         }
-        let mut at = 0;
-        let mut face = self.faces[0] as usize;
-        for step in 1..=self.count {
-            // The triangle that arrives from where this one leaves to. Were there another that leaves the same way, both
-            // would lead to one triangle, and the walk would not come back after as many steps as there are triangles.
-            let met = arch.equal_bits(&self.from, self.to[at]);
-            at = met.trailing_zeros() as usize % LANES;
-            let before = std::mem::replace(&mut face, self.faces[at] as usize);
-            let is_smooth = filter.is_none_or(|filter| {
-                let turn = turns.map_or(0.0, |turns| turns[before] + turns[face]);
-                filter.is_surely_within(unit[before], unit[face], turn)
-            });
-            let is_counted = context.all_counted || state[face] == FaceState::Counted;
-            if !(met.is_power_of_two() && is_smooth && is_counted) {
-                return false;
-            }
-            if at == 0 {
-                return step == self.count;
-            }
+        let (mut at, mut steps) = (self.next & 0xff, 1);
+        while at != 0 {
+            at = self.next >> at & 0xff;
+            steps += 1;
         }
-        false
+        steps == count
+    }
+
+    /// The corners of each group, one bit each, by their lowest one.
+    fn groups(self, count: usize) -> impl Iterator<Item = u8> {
+        let all = u8::MAX >> (8 - count);
+        let mut starts = all;
+        for at in (0..count).filter(|at| self.linked >> at & 1 == 1) {
+            starts &= !(1 << self.after(at));
+        }
+        let (mut found, mut rest) = ([0_u8; LANES], all);
+        while rest != 0 {
+            // Behind the open ones only closed ones are left, which may start anywhere.
+            let start = if starts != 0 { starts } else { rest }.trailing_zeros() as usize;
+            let (mut group, mut at) = (1 << start, start);
+            while self.linked >> at & 1 == 1 && self.after(at) != start {
+                at = self.after(at);
+                group |= 1 << at;
+            }
+            (starts, rest) = (starts & !group, rest & !group);
+            found[group.trailing_zeros() as usize] = group;
+        }
+        found.into_iter().filter(|&group| group != 0)
     }
 }
 
@@ -238,6 +310,31 @@ impl<'a> Walk<'a> {
         let TriangleCreases { normals, crease, slivers, .. } = context.creases;
         let walker = FanWalker { fans: RingFans::default(), normals, crease, slivers };
         Self { context, walker, scratch: FanScratch::default(), found: RingCounts::default() }
+    }
+
+    /// As [`count_groups`](Self::count_groups), of corners whose links are known, and which edges need a closer look.
+    #[inline(never)]
+    fn count_linked_groups(&mut self, vertex: usize, spokes: &Spokes, links: Links, uncertain: u8) -> u32 {
+        let Context { rings, labels, creases, .. } = self.context;
+        let (unit, count) = (&creases.normals.unit, spokes.count);
+        let mut smooth = links;
+        for at in 0..count {
+            if links.linked >> at & 1 == 0 {
+                self.found.edges.open.push([vertex as u32, spokes.to[at]]);
+            }
+            let normal = |at: usize| unit[spokes.faces[at] as usize];
+            if uncertain >> at & 1 == 1 && creases.crease.is_over(normal(at), normal(links.after(at))) {
+                smooth.linked &= !(1 << at);
+            }
+        }
+        let ring = rings.at(vertex);
+        let mut groups = 0;
+        for group in smooth.groups(count) {
+            let members = ring.iter().enumerate().filter(|(at, _)| group >> at & 1 == 1);
+            members.for_each(|(_, &corner)| labels.set(corner, groups));
+            groups += 1;
+        }
+        if groups > 1 { groups | SPLIT } else { groups }
     }
 
     /// How many groups there are at a vertex, with [`SPLIT`] if they are several; then its corners are labelled.
