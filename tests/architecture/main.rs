@@ -46,7 +46,6 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     ("clap_mangen", &["cli"]),
     ("dashu_base", &["trade"]),
     ("dashu_float", &["trade"]),
-    ("dashu_int", &["trade"]),
     ("draco_core", &["io"]),
     ("fast_float2", &["io"]),
     ("flate2", &["io"]),

@@ -1,44 +1,27 @@
-//! Faces and vertices: areas and normals of faces in exact integers; dihedral angles, rotations and vertex normals in 256 bits.
+//! Faces and vertices: exact areas of faces; normals of faces, dihedral angles, rotations and vertex normals in 256 bits.
 
 use super::vector::{Vector, add, angle, cross, difference, dot, length, unit};
-use super::{BITS, Big, big};
+use super::{BITS, Big, big, exact};
 use crate::normals::Weight;
 use crate::num::parallel;
-use dashu_int::IBig;
 use glam::DVec3;
 
-/// Twice the area vector, in units of 2⁻²¹⁴⁸: Σ Pi × Pi+1, which is exact here wherever the origin is. The formulas of the
-/// kernels are others, so that a comparison tests them.
-fn area_vector(points: &[DVec3]) -> [IBig; 3] {
-    let points: Vec<[IBig; 3]> = points.iter().map(|point| point.to_array().map(whole)).collect();
-    let mut sum = [IBig::ZERO, IBig::ZERO, IBig::ZERO];
-    for (i, p) in points.iter().enumerate() {
-        let q = &points[(i + 1) % points.len()];
-        for (axis, sum) in sum.iter_mut().enumerate() {
-            let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
-            *sum += &p[j] * &q[k] - &p[k] * &q[j];
-        }
-    }
-    sum
+/// Twice the area vector: Σ Pi × Pi+1, which is exact here wherever the origin is. The formulas of the kernels are others, so that a
+/// comparison tests them.
+fn area_vector(points: &[DVec3]) -> Vector {
+    let points: Vec<Vector> = points.iter().map(|point| point.to_array().map(exact)).collect();
+    let next = points.iter().cycle().skip(1);
+    points.iter().zip(next).map(|(p, q)| cross(p, q)).reduce(add).expect("a face has corners")
 }
 
 /// The unit normal to 256 bits; `None` for zero area.
 pub(crate) fn face_normal(points: &[DVec3]) -> Option<Vector> {
-    unit(&area_vector(points).map(|x| Big::from_parts(x, 0).with_precision(BITS).value()))
+    unit(&area_vector(points).map(|x| x.with_precision(BITS).value()))
 }
 
 /// Whether the area is exactly zero.
 pub(crate) fn degenerate(points: &[DVec3]) -> bool {
-    area_vector(points).iter().all(|component| *component == IBig::ZERO)
-}
-
-/// A double as a multiple of 2⁻¹⁰⁷⁴.
-fn whole(x: f64) -> IBig {
-    let bits = x.to_bits();
-    let (exponent, fraction) = ((bits >> 52 & 0x7ff) as usize, bits & ((1 << 52) - 1));
-    let magnitude =
-        if exponent == 0 { IBig::from(fraction) } else { IBig::from(fraction | 1 << 52) << (exponent - 1) };
-    if x < 0.0 { -magnitude } else { magnitude }
+    area_vector(points).iter().all(|component| *component == Big::ZERO)
 }
 
 /// The angle between the normals of two faces, in radians; `None` if one has no area.
