@@ -106,11 +106,9 @@ impl Parameters {
 
     /// The value of a parameter as the command line has it; `None` for [`ParameterName::Mesh`].
     pub fn value(&self, name: ParameterName) -> Option<String> {
-        let choice = match (name, self.interpolation) {
-            (ParameterName::Weight, _) => self.weight.name(),
-            (ParameterName::Interpolation, Interpolation::Scanline) => "scanline",
-            (ParameterName::Interpolation, Interpolation::Affine) => "affine",
-            (ParameterName::Interpolation, Interpolation::Perspective) => "perspective",
+        let choice = match name {
+            ParameterName::Weight => self.weight.name(),
+            ParameterName::Interpolation => self.interpolation.name(),
             _ => return self.number(name).map(given),
         };
         Some(choice.to_owned())

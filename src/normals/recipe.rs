@@ -124,6 +124,8 @@ pub enum Precision {
     Fast,
 }
 
+names! { Precision: Faithful = "faithful", Fast = "fast" }
+
 /// How the normals of faces become one, for callers with slices of their own.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Averaging {

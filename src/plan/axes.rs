@@ -109,70 +109,48 @@ impl ObjectModel {
     /// The model with the value of another on an axis.
     #[must_use]
     pub fn with(&self, axis: Axis, other: &Self) -> Self {
-        let both = self.normals.zip(other.normals);
-        let normals = |change: &dyn Fn(Normals, Normals) -> Normals| {
-            both.map_or(self.normals, |(own, other)| Some(change(own, other)))
-        };
-        match axis {
-            // Flat shading has no normals of vertices.
-            Axis::Shading => {
-                let normals =
-                    if other.shading == Shading::Flat { None } else { self.normals.or(other.normals) };
-                Self { shading: other.shading, normals, ..*self }
+        let mut new = *self;
+        if let (Some(own), Some(other)) = (&mut new.normals, &other.normals) {
+            match axis {
+                Axis::Weight => own.source = other.source,
+                Axis::Creases => own.creases = other.creases,
+                Axis::Precision => own.precision = other.precision,
+                Axis::Storage => own.format = other.format,
+                _ => {}
             }
-            Axis::Weight => {
-                Self { normals: normals(&|own, other| Normals { source: other.source, ..own }), ..*self }
-            }
-            Axis::Creases => {
-                Self { normals: normals(&|own, other| Normals { creases: other.creases, ..own }), ..*self }
-            }
-            Axis::Precision => Self {
-                normals: normals(&|own, other| Normals { precision: other.precision, ..own }),
-                ..*self
-            },
-            Axis::Storage => {
-                Self { normals: normals(&|own, other| Normals { format: other.format, ..own }), ..*self }
-            }
-            Axis::Merging => Self { merged: other.merged, ..*self },
-            Axis::Interpolation => Self { interpolation: other.interpolation, ..*self },
-            Axis::Reflection => Self { terms: other.terms, ..*self },
-            Axis::Tessellation => Self { segments: other.segments, ..*self },
-            Axis::TwoSided => Self { two_sided: other.two_sided, ..*self },
-            Axis::Lights | Axis::Antialiasing => *self,
         }
+        match axis {
+            Axis::Shading => {
+                new.shading = other.shading;
+                // Flat shading has no normals of vertices.
+                let has_normals = other.shading != Shading::Flat;
+                new.normals = self.normals.or(other.normals).filter(|_| has_normals);
+            }
+            Axis::Merging => new.merged = other.merged,
+            Axis::Interpolation => new.interpolation = other.interpolation,
+            Axis::Reflection => new.terms = other.terms,
+            Axis::Tessellation => new.segments = other.segments,
+            Axis::TwoSided => new.two_sided = other.two_sided,
+            _ => {}
+        }
+        new
     }
 
-    /// The axes on which two models differ.
+    /// The axes on which two models differ. Normals that only one of them has are part of its shading.
     pub fn differs(&self, other: &Self) -> Vec<Axis> {
-        let of = |get: fn(&Normals) -> u64| (self.normals.as_ref().map(get), other.normals.as_ref().map(get));
-        let both = self.normals.is_some() && other.normals.is_some();
-        let normals = |pair: (Option<u64>, Option<u64>)| both && pair.0 != pair.1;
-        let source = |normals: &Normals| match normals.source {
-            Source::Given => 0,
-            Source::Computed(weight) => 1 + weight as u64,
+        let is_other = |axis: &Axis| match axis {
+            Axis::Shading => self.shading != other.shading,
+            _ => self.with(*axis, other) != *self,
         };
-        let is_other = [
-            (Axis::Shading, self.shading != other.shading),
-            (Axis::Weight, normals(of(source))),
-            (Axis::Creases, normals(of(|normals| normals.creases.into()))),
-            (Axis::Precision, normals(of(|normals| normals.precision as u64))),
-            (Axis::Storage, normals(of(|normals| normals.format.map_or(0, |format| 1 + format as u64)))),
-            (Axis::Merging, self.merged != other.merged),
-            (Axis::Interpolation, self.interpolation != other.interpolation),
-            (Axis::Reflection, self.terms != other.terms),
-            (Axis::Tessellation, self.segments != other.segments),
-            (Axis::TwoSided, self.two_sided != other.two_sided),
-        ];
-        is_other.into_iter().filter(|(_, is_other)| *is_other).map(|(axis, _)| axis).collect()
+        Axis::ALL.into_iter().filter(is_other).collect()
     }
 }
 
 impl ObjectModel {
     /// The value on an axis, as reports call it.
     pub fn value(&self, axis: Axis) -> String {
-        let of_normals =
-            |get: &dyn Fn(&Normals) -> String| self.normals.as_ref().map_or("none".to_owned(), get);
-        match axis {
+        let of_normals = |get: &dyn Fn(&Normals) -> &'static str| self.normals.as_ref().map_or("none", get);
+        let name = match axis {
             Axis::Shading => match self.shading {
                 Shading::Flat => "flat",
                 Shading::Gouraud => "Gouraud",
@@ -180,38 +158,41 @@ impl ObjectModel {
                 Shading::Wireframe => "wireframe",
                 Shading::Exact => "exact",
                 Shading::Traced => "traced",
-            }
-            .to_owned(),
+            },
             Axis::Weight => of_normals(&|normals| match normals.source {
-                Source::Given => "given".to_owned(),
-                Source::Computed(weight) => weight.name().to_owned(),
+                Source::Given => "given",
+                Source::Computed(weight) => weight.name(),
             }),
-            Axis::Creases => of_normals(&|normals| if normals.creases { "kept" } else { "none" }.to_owned()),
-            Axis::Precision => of_normals(&|normals| match normals.precision {
-                Precision::Faithful => "faithful".to_owned(),
-                Precision::Fast => "fast".to_owned(),
-            }),
-            Axis::Storage => {
-                of_normals(&|normals| normals.format.map_or("as declared", StoredFormat::name).to_owned())
+            Axis::Creases => of_normals(&|normals| if normals.creases { "kept" } else { "none" }),
+            Axis::Precision => of_normals(&|normals| normals.precision.name()),
+            Axis::Storage => of_normals(&|normals| normals.format.map_or("as declared", StoredFormat::name)),
+            Axis::Merging => {
+                if self.merged {
+                    "exact"
+                } else {
+                    "off"
+                }
             }
-            Axis::Merging => if self.merged { "exact" } else { "off" }.to_owned(),
-            Axis::Interpolation => match self.interpolation {
-                Interpolation::Scanline => "scanline",
-                Interpolation::Affine => "affine",
-                Interpolation::Perspective => "perspective",
-            }
-            .to_owned(),
+            Axis::Interpolation => self.interpolation.name(),
             Axis::Reflection => match self.terms {
                 Terms::Declared => "as declared",
                 Terms::Blinn => "Blinn",
                 Terms::Diffuse => "diffuse",
                 Terms::Ambient => "ambient",
+            },
+            Axis::Tessellation => {
+                return self.segments.map_or("as declared".to_owned(), |[u, v]| format!("{u}×{v}"));
             }
-            .to_owned(),
-            Axis::Tessellation => self.segments.map_or("as declared".to_owned(), |[u, v]| format!("{u}×{v}")),
-            Axis::TwoSided => if self.two_sided { "on" } else { "off" }.to_owned(),
-            Axis::Lights | Axis::Antialiasing => String::new(),
-        }
+            Axis::TwoSided => {
+                if self.two_sided {
+                    "on"
+                } else {
+                    "off"
+                }
+            }
+            Axis::Lights | Axis::Antialiasing => "",
+        };
+        name.to_owned()
     }
 }
 

@@ -273,11 +273,8 @@ impl Described<'_> {
             )
         };
         for (unit, model) in found.models.iter().enumerate() {
-            let reason = |key: &str| {
-                let axis = axis_of(key);
-                let decision = decisions
-                    .iter()
-                    .find(|it| it.axis != Axis::Lights && it.number == unit && Some(it.axis) == axis);
+            let reason = |axis: Axis| {
+                let decision = decisions.iter().find(|it| it.number == unit && it.axis == axis);
                 decision.map(&comment).unwrap_or_default()
             };
             let Some(unit_of) = self.stage.units.get(unit) else { continue };
@@ -314,23 +311,6 @@ impl Described<'_> {
 /// A limit as it was given, but with an exponent where it would be long.
 pub fn limit(value: f64) -> String {
     if value == 0.0 || (1e-4..1e7).contains(&value) { value.to_string() } else { format!("{value:e}") }
-}
-
-/// The axis that a key of an object belongs to.
-fn axis_of(key: &str) -> Option<Axis> {
-    Some(match key {
-        "shading" => Axis::Shading,
-        "weight" => Axis::Weight,
-        "crease" => Axis::Creases,
-        "precision" => Axis::Precision,
-        "normal-format" => Axis::Storage,
-        "merge" => Axis::Merging,
-        "interpolation" => Axis::Interpolation,
-        "material" => Axis::Reflection,
-        "tessellation" => Axis::Tessellation,
-        "two-sided" => Axis::TwoSided,
-        _ => return None,
-    })
 }
 
 fn difference_of(before: &Cost, after: &Cost, minimise: Minimise) -> i64 {

@@ -1,9 +1,8 @@
 //! The text of a scene file, and the changes of a plan to it. Everything else of the text stays as it is.
 
-use super::axes::{LightModel, ObjectModel, Source, Terms};
-use crate::normals::Precision;
+use super::axes::{Axis, LightModel, ObjectModel, Source, Terms};
 use crate::num::{Degrees, LinearRgb};
-use crate::raster::{Camera, Interpolation, Projection, Shading};
+use crate::raster::{Camera, Projection, Shading};
 use crate::shade::{AreaShape, Attenuation, Light, Material, Reflection, blinn_exponent};
 use crate::surface::Tessellation;
 use glam::DVec3;
@@ -110,58 +109,54 @@ impl Document {
         self.0["settings"][key] = Item::Value(commented(new, comment));
     }
 
-    /// Writes an object's model, where it differs from that of the reference. `comment` gives the reason for a key.
+    /// Writes an object's model, where it differs from that of the reference. `comment` gives the reason for a change.
     pub fn apply(
         &mut self,
         object: usize,
         model: &ObjectModel,
         reference: &ObjectModel,
         material: Option<&Material>,
-        comment: &dyn Fn(&str) -> String,
+        comment: &dyn Fn(Axis) -> String,
     ) {
-        let mut set = |key: &str, new: Value| self.set(object, key, new, &comment(key));
+        let mut set = |axis: Axis, key: &str, new: Value| self.set(object, key, new, &comment(axis));
         if model.shading != reference.shading {
             let name = match model.shading {
                 Shading::Flat => "flat",
                 Shading::Gouraud => "gouraud",
                 _ => "phong",
             };
-            set("shading", name.into());
+            set(Axis::Shading, "shading", name.into());
         }
         if model.interpolation != reference.interpolation {
-            let is_affine = model.interpolation == Interpolation::Affine;
-            set("interpolation", if is_affine { "affine" } else { "perspective" }.into());
+            set(Axis::Interpolation, "interpolation", model.interpolation.name().into());
         }
         if model.two_sided != reference.two_sided {
-            set("two-sided", model.two_sided.into());
+            set(Axis::TwoSided, "two-sided", model.two_sided.into());
         }
         if let (Some(normals), Some(old)) = (&model.normals, &reference.normals) {
             if let (Source::Computed(weight), true) = (normals.source, normals.source != old.source) {
-                set("weight", weight.name().into());
+                set(Axis::Weight, "weight", weight.name().into());
             }
             if normals.creases != old.creases {
-                set("crease", "none".into());
+                set(Axis::Creases, "crease", "none".into());
             }
             if normals.precision != old.precision {
-                set(
-                    "precision",
-                    if normals.precision == Precision::Fast { "fast" } else { "faithful" }.into(),
-                );
+                set(Axis::Precision, "precision", normals.precision.name().into());
             }
             if let (Some(format), true) = (normals.format, normals.format != old.format) {
-                set("normal-format", format.name().into());
+                set(Axis::Storage, "normal-format", format.name().into());
             }
         }
         if model.merged != reference.merged {
-            set("merge", if model.merged { "exact" } else { "off" }.into());
+            set(Axis::Merging, "merge", if model.merged { "exact" } else { "off" }.into());
         }
         if model.terms != reference.terms
             && let Some(material) = material
         {
-            set("material", material_table(&with_terms(material, model.terms)).into());
+            set(Axis::Reflection, "material", material_table(&with_terms(material, model.terms)).into());
         }
         if let (Some(segments), true) = (model.segments, model.segments != reference.segments) {
-            self.set_segments(object, segments, &comment("tessellation"));
+            self.set_segments(object, segments, &comment(Axis::Tessellation));
         }
     }
 

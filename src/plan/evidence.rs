@@ -1,6 +1,6 @@
 //! Evidence for a plan: its pictures, those of the cheaper steps that are refused, and everything that was tried.
 
-use super::axes::{Axis, LightModel, ObjectModel};
+use super::axes::{Axis, ObjectModel};
 use super::compare::Difference;
 use super::decisions::{Described, Plan};
 use super::search::{Found, Search};
@@ -88,39 +88,42 @@ impl Described<'_> {
             Ok(search.cost(models, lights)?.of(search.minimise))
         };
         let planned = cost(&found.models, &found.lights)?;
+        // The most expensive of those that are cheaper than the plan.
+        let cheaper = |candidates: &mut dyn Iterator<Item = (Vec<ObjectModel>, Vec<usize>)>| {
+            let mut next: Option<(u64, Vec<ObjectModel>, Vec<usize>)> = None;
+            for (models, lights) in candidates {
+                let cost = cost(&models, &lights)?;
+                if cost < planned && next.as_ref().is_none_or(|(most, ..)| cost > *most) {
+                    next = Some((cost, models, lights));
+                }
+            }
+            Ok::<_, PlanError>(next)
+        };
         let mut steps = Vec::new();
         for (unit, model) in found.models.iter().enumerate() {
             for axis in Axis::ALL {
-                let mut next: Option<(u64, Vec<ObjectModel>)> = None;
-                for other in search.models[unit].iter().filter(|other| other.differs(model) == [axis]) {
+                let others = search.models[unit].iter().filter(|other| other.differs(model) == [axis]);
+                let candidate = |other: &ObjectModel| {
                     let mut models = found.models.clone();
                     models[unit] = *other;
-                    let cost = cost(&models, &found.lights)?;
-                    if cost < planned && next.as_ref().is_none_or(|(most, _)| cost > *most) {
-                        next = Some((cost, models));
-                    }
-                }
-                if let Some((cost, models)) = next {
+                    (models, found.lights.clone())
+                };
+                if let Some((cost, models, lights)) = cheaper(&mut others.map(candidate))? {
                     let (from, to) = (model.value(axis), models[unit].value(axis));
-                    steps.push((unit, axis, from, to, planned - cost, models, found.lights.clone()));
+                    steps.push((unit, axis, from, to, planned - cost, models, lights));
                 }
             }
         }
         for (light, &number) in found.lights.iter().enumerate() {
-            let name = |model: &LightModel| model.to_string();
-            let mut next: Option<(u64, Vec<usize>)> = None;
-            for other in 0..search.trials.lights[light].len() {
+            let models = &search.trials.lights[light];
+            let candidate = |other: usize| {
                 let mut lights = found.lights.clone();
                 lights[light] = other;
-                let cost = cost(&found.models, &lights)?;
-                if cost < planned && next.as_ref().is_none_or(|(most, _)| cost > *most) {
-                    next = Some((cost, lights));
-                }
-            }
-            if let Some((cost, lights)) = next {
-                let models = &search.trials.lights[light];
-                let (from, to) = (name(&models[number]), name(&models[lights[light]]));
-                steps.push((light, Axis::Lights, from, to, planned - cost, found.models.clone(), lights));
+                (found.models.clone(), lights)
+            };
+            if let Some((cost, of_objects, lights)) = cheaper(&mut (0..models.len()).map(candidate))? {
+                let (from, to) = (models[number].to_string(), models[lights[light]].to_string());
+                steps.push((light, Axis::Lights, from, to, planned - cost, of_objects, lights));
             }
         }
         let mut refused = Vec::new();

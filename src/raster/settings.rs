@@ -1,6 +1,6 @@
 //! The settings that change the picture.
 
-use crate::num::{Degrees, LinearRgb, Transfer};
+use crate::num::{Degrees, LinearRgb, Transfer, names};
 use crate::raster::view::fixed_point::{GUARD, HALF, ONE};
 use crate::shade::{DepthCue, Guards, Terminator, ToneRule};
 use serde::Deserialize;
@@ -42,6 +42,8 @@ pub enum Interpolation {
     #[default]
     Perspective,
 }
+
+names! { Interpolation: Scanline = "scanline", Affine = "affine", Perspective = "perspective" }
 
 /// Where a flat face is lit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Deserialize)]
