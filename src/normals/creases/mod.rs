@@ -10,13 +10,15 @@ pub(super) mod hard_edges;
 pub(super) mod fans;
 // Smooth groups: corners that share a normal.
 pub(super) mod smooth_groups;
-// Smooth groups of triangles, vertex by vertex.
-pub(super) mod triangle_groups;
 // The cone rule.
 pub(super) mod cone;
 // Chains of crease edges: scans have short ones.
 pub(super) mod chains;
 // Counts of edges by kind, for reports.
 pub(super) mod edge_counts;
+// Up to eight corners at a vertex of a triangle mesh, matched by vector instructions.
+pub(super) mod spokes;
+// Smooth groups of triangles, vertex by vertex.
+pub(super) mod triangle_groups;
 // The smooth groups that a recipe gives a mesh.
 pub(super) mod grouping;
