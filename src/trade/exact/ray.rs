@@ -24,16 +24,17 @@ impl Target {
 
     /// On which side of each edge a ray passes: 1, −1, or 0 for a ray through the edge.
     pub(crate) fn sides(&self, direction: DVec3) -> [i8; 3] {
-        self.distances(direction).map(|it| i8::from(it > Big::ZERO) - i8::from(it < Big::ZERO))
+        self.distances(direction).each_ref().map(side)
     }
 
     /// Whether the ray along a direction meets the interior, edges excluded, at least the nearest distance away.
     pub(crate) fn is_hit(&self, direction: DVec3) -> bool {
-        let sides = self.sides(direction);
+        let distances = self.distances(direction);
+        let sides = distances.each_ref().map(side);
+        let [a, b, c] = distances;
         // Met at t·direction with t = volume/Σ distances; both have the sign of the side that is seen.
-        let sum = self.distances(direction).into_iter().reduce(|a, b| a + b).expect("three edges");
-        let nearest = &self.nearest * sum;
-        sides == [1; 3] && self.volume > nearest || sides == [-1; 3] && self.volume < nearest
+        let excess = || side(&(&self.volume - &self.nearest * (a + b + c)));
+        sides[0] != 0 && sides == [sides[0]; 3] && excess() == sides[0]
     }
 
     /// The products of a direction with the normals of the planes.
@@ -41,6 +42,11 @@ impl Target {
         let direction = direction.to_array().map(exact);
         self.planes.each_ref().map(|plane| dot(&direction, plane))
     }
+}
+
+/// The sign: 1, −1, or 0 for zero.
+fn side(distance: &Big) -> i8 {
+    i8::from(*distance > Big::ZERO) - i8::from(*distance < Big::ZERO)
 }
 
 #[cfg(test)]
