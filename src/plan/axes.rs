@@ -166,13 +166,7 @@ impl ObjectModel {
             Axis::Creases => of_normals(&|normals| if normals.creases { "kept" } else { "none" }),
             Axis::Precision => of_normals(&|normals| normals.precision.name()),
             Axis::Storage => of_normals(&|normals| normals.format.map_or("as declared", StoredFormat::name)),
-            Axis::Merging => {
-                if self.merged {
-                    "exact"
-                } else {
-                    "off"
-                }
-            }
+            Axis::Merging => ["off", "exact"][usize::from(self.merged)],
             Axis::Interpolation => self.interpolation.name(),
             Axis::Reflection => match self.terms {
                 Terms::Declared => "as declared",
@@ -183,13 +177,7 @@ impl ObjectModel {
             Axis::Tessellation => {
                 return self.segments.map_or("as declared".to_owned(), |[u, v]| format!("{u}×{v}"));
             }
-            Axis::TwoSided => {
-                if self.two_sided {
-                    "on"
-                } else {
-                    "off"
-                }
-            }
+            Axis::TwoSided => ["off", "on"][usize::from(self.two_sided)],
             Axis::Lights | Axis::Antialiasing => "",
         };
         name.to_owned()

@@ -20,7 +20,7 @@ impl Spokes {
     pub(crate) const NONE: Self =
         Self { to: [NONE; LANES], from: [NONE; LANES], faces: [0; LANES], count: 0 };
 
-    /// Lays out the corners of a ring; none if they are more than lanes.
+    /// Lays out the corners of a ring; none if there are more corners than lanes.
     #[inline(always)]
     pub(crate) fn lay_out(&mut self, triangles: &[[u32; 3]], vertex: u32, ring: &[u32]) {
         *self = Self::NONE;
@@ -44,16 +44,16 @@ impl Spokes {
         self.to[..self.count].iter().filter(|&&to| to > vertex).count()
     }
 
-    /// How the corners follow each other. `None` if they are none or too many, if an edge has triangles that are wound against
-    /// each other or more than two, or if a triangle does not add to sums. (A triangle that has two corners here does not.) Without
-    /// states, all do.
+    /// How the corners follow each other. `None` for no corners or too many, for an edge of more than two triangles or of two that
+    /// are wound against each other, and for a triangle that does not add to sums, as one with two corners here. Without states,
+    /// all triangles add to sums.
     #[inline(always)]
     pub(crate) fn links<A: Lanes>(&self, arch: A, state: &[FaceState]) -> Option<Links> {
         let Self { to, from, faces, count } = self;
         let mut links = Links { next: 0, linked: 0 };
         let (mut reached, mut irregular) = (0, 0);
         for (at, &to) in to[..*count].iter().enumerate() {
-            // The corners whose triangles arrive from where this one leaves to.
+            // The corners whose triangles come after this one's.
             let met = arch.equal_bits(from, to);
             irregular |= met & met.wrapping_sub(1) | met & reached;
             reached |= met;
@@ -100,6 +100,7 @@ pub(crate) struct Links {
 }
 
 impl Links {
+    /// The next corner of a corner that has one.
     #[inline(always)]
     pub(crate) fn after(self, at: usize) -> usize {
         (self.next >> (8 * at) & 0xff) as usize / 8
@@ -119,7 +120,7 @@ impl Links {
         steps == count
     }
 
-    /// The corners of each group, one bit each, by their lowest one.
+    /// The groups, by their lowest corner; each corner of a group is one bit.
     pub(crate) fn groups(self, count: usize) -> impl Iterator<Item = u8> {
         let all = u8::MAX >> (8 - count);
         let mut starts = all;
@@ -128,7 +129,7 @@ impl Links {
         }
         let (mut found, mut rest) = ([0_u8; LANES], all);
         while rest != 0 {
-            // Behind the open ones only closed ones are left, which may start anywhere.
+            // Open fans come first. A closed fan may start at any corner.
             let start = if starts != 0 { starts } else { rest }.trailing_zeros() as usize;
             let (mut group, mut at) = (1 << start, start);
             while self.linked >> at & 1 == 1 && self.after(at) != start {

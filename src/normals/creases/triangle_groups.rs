@@ -190,7 +190,7 @@ impl<'a> Walk<'a> {
         Self { context, walker, scratch: FanScratch::default(), found: RingCounts::default() }
     }
 
-    /// As [`count_groups`](Self::count_groups), of corners whose links are known, and which edges need a closer look.
+    /// As [`count_groups`](Self::count_groups), where the links are known. The edges after `uncertain` corners are tested exactly.
     #[inline(never)]
     fn count_linked_groups(&mut self, vertex: usize, spokes: &Spokes, links: Links, uncertain: u8) -> u32 {
         let Context { rings, labels, creases, .. } = self.context;

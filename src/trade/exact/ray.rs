@@ -65,7 +65,7 @@ mod tests {
         assert!(!Target::new(&triangle.map(|corner| -corner), 0.1).is_hit(DVec3::NEG_Z));
         let [a, b, c] = triangle;
         assert!(Target::new(&[c, b, a], 0.1).is_hit(DVec3::NEG_Z));
-        // An edge is no inside, from either side.
+        // An edge does not belong to the interior, whichever side is seen.
         assert!(!at(0.0, -0.5, 0.1));
         assert!(!Target::new(&[c, b, a], 0.1).is_hit(DVec3::new(0.0, -0.5, -1.0)));
         let sides = |y: f64| Target::new(&triangle, 0.1).sides(DVec3::new(0.0, y, -1.0));
@@ -79,5 +79,10 @@ mod tests {
         let far = Target::new(&far, 0.1);
         assert!(far.is_hit(DVec3::new(0.0, 0.5e-300, -1.0)));
         assert!(!far.is_hit(DVec3::new(0.0, 1.5e-300, -1.0)));
+        // The normal of the first plane is (2³⁰⁰, 2⁻³⁰⁰, −2³⁰⁰): 601 bits decide about these sides.
+        let (large, small) = (libm::exp2(300.0), libm::exp2(-300.0));
+        let target =
+            Target::new(&[DVec3::new(1.0, 0.0, 1.0), DVec3::new(small, -large, 0.0), DVec3::NEG_Z], 0.1);
+        assert_eq!([1.0, 0.0, -1.0].map(|y| target.sides(DVec3::new(1.0, y, 1.0))[0]), [1, 0, -1]);
     }
 }
