@@ -203,3 +203,48 @@ impl fmt::Display for LightModel {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_model_takes_one_value_from_another_on_each_axis() {
+        let normals =
+            Normals { source: Source::Given, creases: true, precision: Precision::Faithful, format: None };
+        let own = ObjectModel {
+            shading: Shading::Phong,
+            normals: Some(normals),
+            interpolation: Interpolation::Perspective,
+            terms: Terms::Declared,
+            segments: Some([64, 32]),
+            merged: false,
+            two_sided: true,
+        };
+        let normals = Normals {
+            source: Source::Computed(Weight::Area),
+            creases: false,
+            precision: Precision::Fast,
+            format: Some(StoredFormat::I8),
+        };
+        let other = ObjectModel {
+            shading: Shading::Gouraud,
+            normals: Some(normals),
+            interpolation: Interpolation::Affine,
+            terms: Terms::Diffuse,
+            segments: Some([8, 4]),
+            merged: true,
+            two_sided: false,
+        };
+        let axes = &Axis::ALL[..10];
+        assert_eq!(own.differs(&other), axes);
+        for &axis in axes {
+            let new = own.with(axis, &other);
+            assert_eq!(new.differs(&own), [axis]);
+            assert_eq!(new.value(axis), other.value(axis));
+        }
+        // Flat shading has no vertex normals, so nothing else about them differs.
+        let flat = ObjectModel { shading: Shading::Flat, normals: None, ..own };
+        assert_eq!((own.differs(&flat), own.with(Axis::Shading, &flat)), (vec![Axis::Shading], flat));
+    }
+}
