@@ -14,8 +14,13 @@ function decoded(text) {
 
 /** Starts the program, which is compressed. @param {string} text */
 async function start(text) {
-  const stream = new Blob([decoded(text)]).stream().pipeThrough(new DecompressionStream('gzip'));
-  await wasm_bindgen({ module_or_path: await new Response(stream).arrayBuffer() });
+  // Not from a Blob: WebKit does not let a worker of a page from disk read one.
+  const { writable, readable } = new DecompressionStream('gzip');
+  const writer = writable.getWriter();
+  const written = writer.write(decoded(text)).then(() => writer.close());
+  const program = await new Response(readable).arrayBuffer();
+  await written;
+  await wasm_bindgen({ module_or_path: program });
   door = new wasm_bindgen.Door();
 }
 

@@ -3,24 +3,26 @@
 //     node bindings/web/tests/lab.mjs NODE_MODULES [NATIVE_ANSWERS [PART_OF_A_NAME]]
 //
 // NODE_MODULES has playwright-core and axe-core. NATIVE_ANSWERS is the folder that the program `answers` wrote; without it, bits are
-// not compared. Set CHROMIUM to
-// the path of another browser than /usr/bin/chromium.
+// not compared. LAB_BROWSER is the path of another browser than /usr/bin/chromium: a Chromium, or a Firefox if its name says so.
 import assert from 'node:assert/strict';
 import { existsSync, mkdirSync, readFileSync, readdirSync, statSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { join, resolve } from 'node:path';
+import { basename, join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const [modules, native, only] = process.argv.slice(2);
 const require = createRequire(join(resolve(modules), 'x.js'));
-const { chromium } = require('playwright-core');
+const { chromium, firefox } = require('playwright-core');
 const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
 const page_file = pathToFileURL(resolve('target/lab/lab.html')).href;
 const here = 'bindings/web';
 const SAME_BITS = 'the same bits as the native program';
 const ROOMS = ['normals', 'artefacts', 'probe', 'inspect', 'exercises'];
 
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
+const executablePath = process.env.LAB_BROWSER ?? '/usr/bin/chromium';
+const browser = basename(executablePath).includes('firefox')
+  ? await firefox.launch({ executablePath, channel: 'moz-firefox' })
+  : await chromium.launch({ executablePath, args: ['--no-sandbox'] });
 let failed = 0;
 
 /** Runs a test. */

@@ -12,7 +12,7 @@ import { pathToFileURL } from 'node:url';
 
 const require = createRequire(join(resolve(process.argv[2]), 'x.js'));
 const { chromium } = require('playwright-core');
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
+const browser = await chromium.launch({ executablePath: process.env.LAB_BROWSER ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
 const page = await (await browser.newContext({ viewport: { width: 1280, height: 900 } })).newPage();
 const start = Date.now();
 await page.goto(`${pathToFileURL(resolve('target/lab/lab.html')).href}#room=normals`);
