@@ -2,6 +2,7 @@
 
 import json
 import os
+import random
 import signal
 import subprocess
 import sys
@@ -17,12 +18,19 @@ TRIANGLE = "v 0 0 0\nv {} 0 0\nv 0 1 0\nf 1 2 3\n"
 @pytest.fixture()
 def work(tmp_path, monkeypatch):
     """A folder with forty meshes and a manifest, in which the test runs."""
-    (tmp_path / "in").mkdir()
-    for number in range(40):
-        (tmp_path / f"in/{number:02}.obj").write_text(TRIANGLE.format(number + 1))
-    (tmp_path / "list").write_text("".join(f"in/{number:02}.obj\n" for number in range(40)))
     monkeypatch.chdir(tmp_path)
+    os.mkdir("in")
+    make_meshes(40)
     return tmp_path
+
+
+def make_meshes(count):
+    names = [f"in/{number:02}.obj" for number in range(count)]
+    for number, name in enumerate(names):
+        with open(name, "w") as file:
+            file.write(TRIANGLE.format(number + 1))
+    with open("list", "w") as file:
+        file.writelines(f"{name}\n" for name in names)
 
 
 def alone(*options):
@@ -115,30 +123,38 @@ def test_a_cluster_that_is_not_there_is_a_usage_error(work, monkeypatch, capsys)
     assert end.value.code == 2 and "`ray start --head`" in capsys.readouterr().err
 
 
-def test_a_killed_worker_of_a_cluster_loses_nothing(work):
+def test_killed_workers_of_a_cluster_lose_nothing(work):
+    """One worker is killed in a batch of 40 files; with CREASE_LONG, twenty in one of 2000, at random moments."""
     ray = pytest.importorskip("ray")
+    count, kills = (2000, 20) if "CREASE_LONG" in os.environ else (40, 1)
+    make_meshes(count)
     expected = alone("--crease", "30")
     ray.init(num_cpus=2, log_to_driver=False, include_dashboard=False)
-    killed = []
+    numbers, killed, ended = random.Random(1), [], threading.Event()
 
-    def kill_one():
-        for _ in range(2000):
+    def kill():
+        while len(killed) < kills and not ended.is_set():
             found = subprocess.run(["pgrep", "-f", "ray::run_chunk"], capture_output=True, text=True).stdout.split()
             if found:
-                os.kill(int(found[0]), signal.SIGKILL)
-                killed.append(found[0])
-                return
+                time.sleep(numbers.uniform(0, 0.5))
+                try:
+                    os.kill(int(numbers.choice(found)), signal.SIGKILL)
+                except ProcessLookupError:
+                    continue
+                killed.append(found)
             time.sleep(0.005)
 
-    killer = threading.Thread(target=kill_one)
+    killer = threading.Thread(target=kill)
     killer.start()
     try:
-        counts = batch.run("list", "out", ["--crease", "30"], ray="auto", chunk=4, journal="journal")
+        options = {"ray": "auto", "chunk": count // 100 or 4, "retries": 2 * kills}
+        counts = batch.run("list", "out", ["--crease", "30"], journal="journal", **options)
     finally:
+        ended.set()
         killer.join()
         ray.shutdown()
-    assert killed, "no worker was found"
-    assert counts == {"done": 40, "skipped": 0}
+    assert len(killed) == kills
+    assert counts == {"done": count, "skipped": 0}
     entries = [json.loads(line)["input"] for line in open("journal")]
-    assert len(entries) == len(set(entries)) == 40, "each file is in the journal once"
+    assert len(entries) == len(set(entries)) == count, "each file is in the journal once"
     assert files("out/in") == expected
