@@ -301,7 +301,8 @@ fn commands_in_running_text_work() {
 
 /// The commands of README and docs in other programs, in the form that `.ci/commands` has.
 fn of_other_programs(page: &str) -> Vec<String> {
-    let programs = ["cargo", "bash", "sh", "pip", "python", "npm", "perf", "rustup", "node", "time"];
+    let programs =
+        ["cargo", "bash", "sh", "pip", "python", "npm", "perf", "rustup", "node", "time", "xvfb-run"];
     let is_code = |line: &str| {
         let mut words = line.split(' ').skip_while(|word| word.contains('='));
         words.next().is_some_and(|word| programs.contains(&word))
