@@ -40,6 +40,7 @@ fn run(setup: &Setup) -> Result<Outcome> {
     let edges = Edges::measure(&tube, &fine, light, &lines, &mut out)?;
     measure_counter_example(segments, &mut out)?;
     predicted_overshoot::measure(&tube, &fine, light, &mut out)?;
+    measure_halfway(light, segments, &mut out)?;
     // Jumps are of first order in the width of a facet, and of more where tangents grow.
     let bad = edges.worse.found.measured.abs();
     let effect = out.effect("finer", "1/R", [bad, edges.of_fine.abs()], threshold(&tube, &out), 3.5);
@@ -153,15 +154,34 @@ fn measure_counter_example(segments: u32, out: &mut Recorder) -> Result<()> {
     Ok(())
 }
 
+/// How much larger Phong's jump is than Gouraud's under this light, at an edge half-way between viewer and light, where the facets next
+/// to it are lit as a whole. The difference is 0 at 70.53°.
+fn measure_halfway(light: Degrees, segments: u32, out: &mut Recorder) -> Result<()> {
+    let (theta, delta) = (half(light), 2.0 * PI / f64::from(segments));
+    if theta.abs() + delta <= PI / 2.0 {
+        let [(phong, by_phong), (gouraud, by_gouraud)] = jumps(light, segments)?;
+        let law = phong_jump(theta, light, delta).abs() - gouraud_jump(theta, light, delta).abs();
+        let value = phong.abs() - gouraud.abs();
+        out.measure("halfway-difference", "1/R", value, Check::Near(law, by_phong + by_gouraud));
+    }
+    Ok(())
+}
+
 fn half(Degrees(angle): Degrees) -> f64 {
     Radians::from(Degrees(angle / 2.0)).0
 }
 
-/// Phong's slope jump over Gouraud's half-way between the viewer and the light, where it is worst, and its rounding.
-fn ratio(light: Degrees, segments: u32) -> Result<(f64, f64)> {
+/// The slope jumps of Phong's and Gouraud's shading half-way between the viewer and the light, where Phong's is worst, with their
+/// rounding.
+fn jumps(light: Degrees, segments: u32) -> Result<[(f64, f64); 2]> {
     let tube = Tube::new(segments, half(light))?;
     let jump = |shading| tube.profile(light, shading).map(|line| line.slope_jump(&tube, half(light)));
-    let ((phong, by_phong), (gouraud, by_gouraud)) = (jump(Shading::Phong)?, jump(Shading::Gouraud)?);
+    Ok([jump(Shading::Phong)?, jump(Shading::Gouraud)?])
+}
+
+/// Their ratio, and its rounding.
+fn ratio(light: Degrees, segments: u32) -> Result<(f64, f64)> {
+    let [(phong, by_phong), (gouraud, by_gouraud)] = jumps(light, segments)?;
     let ratio = phong / gouraud;
     Ok((ratio, ratio.abs() * (by_phong / phong.abs() + by_gouraud / gouraud.abs())))
 }
@@ -247,6 +267,20 @@ mod tests {
         // Jumps of first order: a quarter, and less where tangents grow.
         assert!(outcome.effect.bad > 0.3 && outcome.effect.reduction() > 3.5, "{:?}", outcome.effect);
         assert!(matches!(outcome.verdict, Verdict::HoldsOnlyIf(_)));
+    }
+
+    /// Duff's angle is found by moving the light, with any number of segments.
+    #[test]
+    fn phong_is_the_worse_one_half_way_from_duffs_angle_on() {
+        for (segments, light, is_phong_worse) in
+            [(10, 70.0, false), (10, 71.0, true), (32, 70.0, false), (32, 71.0, true), (32, -71.0, true)]
+        {
+            let outcome = run(light, segments);
+            let last = outcome.measures.last().unwrap();
+            assert_eq!(last.unit, "1/R");
+            assert_eq!(last.agrees, Some(true), "{last:?}");
+            assert_eq!(last.value > 0.0, is_phong_worse, "{segments} {light}: {last:?}");
+        }
     }
 
     /// From 70.53° on there may be edges where Phong is the worse one; at 80° there are. The pictures are labelled by that.

@@ -37,6 +37,10 @@ why-slope = a jump at which the luminance on a facet is half an 8-bit step from 
 grazing-ratio-measure =
     light at 80°: slope jump of Phong over that of Gouraud, at an edge rotated to θ = 40° (cylinder not shown)
 border-angle-measure = angle of the light above which Phong has the larger slope jump
+halfway-difference-measure = edge half-way between viewer and light: slope jump of Phong minus that of Gouraud (cylinder not shown)
+halfway-difference-by =
+    (sin²(θ_L/2) − |cos θ_L|) [tan(θ + Δ/2) − tan(θ − Δ/2)] with θ = θ_L/2, zero at 70.53°; tolerance: rounding of both
+    jumps
 facets-lit-in-part = not compared with sin(θ − θ_L) sin θ / cos θ_L: facets this wide are only partly lit
 grazing-ratio-by = sin(θ − θ_L) sin θ / cos θ_L; tolerance: rounding of both jumps
 border-angle-by = arccos(1/3), found by bisection in pictures; the ratio grows by 7.4 % per degree there

@@ -40,6 +40,11 @@ grazing-ratio-measure =
     luz a 80°: razão entre os saltos de inclinação de Phong e de Gouraud numa aresta girada a θ = 40° (cilindro não
     mostrado)
 border-angle-measure = ângulo da luz acima do qual Phong tem o maior salto de inclinação
+halfway-difference-measure =
+    aresta a meio caminho entre o observador e a luz: salto de inclinação de Phong menos o de Gouraud (cilindro não mostrado)
+halfway-difference-by =
+    (sin²(θ_L/2) − |cos θ_L|) [tan(θ + Δ/2) − tan(θ − Δ/2)] com θ = θ_L/2, zero em 70,53°; tolerância: arredondamento dos
+    dois saltos
 facets-lit-in-part = não comparado com sin(θ − θ_L) sin θ / cos θ_L: facetas tão largas só são iluminadas em parte
 grazing-ratio-by = sin(θ − θ_L) sin θ / cos θ_L; tolerância: arredondamento dos dois saltos
 border-angle-by = arccos(1/3), encontrado por bissecção em imagens; ali a razão cresce 7,4 % por grau
