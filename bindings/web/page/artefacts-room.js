@@ -2,16 +2,17 @@
 
 import { button, choice, commandBlock, element, group, slider, table } from './dom.js';
 import { currentLanguage, text } from './texts.js';
-import { readParameters, writeParameters } from './link.js';
+import { WEIGHTS, readParameters, writeParameters } from './link.js';
 import { figure, put } from './canvas.js';
 import { magnifier } from './magnifier.js';
 import { plot } from './plot.js';
-import { WEIGHTS } from './normals-room.js';
 
 /** The size of pictures while a slider moves, and of the runs of a trace. */
 const COARSE = 128;
 /** Runs of a trace. */
 const STEPS = 24;
+/** An experiment that takes less, in milliseconds, is traced without being asked. */
+const FAST = 250;
 /** @type {Record<string, { step: number, unit?: string, logarithmic?: boolean }>} */
 const SLIDERS = {
   size: { step: 1, unit: ' px' },
@@ -25,12 +26,14 @@ const SLIDERS = {
 export function artefactsRoom(lab) {
   const controls = element('div', { class: 'controls' });
   const head = element('div');
-  const verdict = element('p', { class: 'verdict', 'aria-live': 'polite' });
+  const verdict = element('p', { class: 'verdict', 'aria-live': 'polite' }, text('working'));
   const pictures = element('div');
   const panel = element('section', { class: 'panel', hidden: true });
-  const live = element('section', { class: 'live' });
+  const liveControls = element('div');
+  const livePlot = element('div');
+  const live = element('section', { class: 'live' }, liveControls, livePlot);
   const rest = element('div');
-  const room = element('div', { class: 'room with-controls controls-first' },
+  const room = element('div', { class: 'room with-controls' },
     element('div', { class: 'main' }, head, verdict, pictures, panel, live, rest), controls);
   /** @type {any[]} */
   let experiments = [];
@@ -39,16 +42,22 @@ export function artefactsRoom(lab) {
   let figures = [];
   /** @type {ReturnType<typeof magnifier> | null} */
   let glass = null;
-  // The trace: the parameter that it is along, and a value with the measures of each run.
+  // The trace: the parameter that it is along, and the measures of each value; the latest run of a value counts.
   let along = '';
-  let [tracing, traceOf] = [0, ''];
-  /** @type {[number, any[]][]} */
-  let trace = [];
+  let [tracing, traceOf, runs] = [0, '', 0];
+  /** @type {Map<number, any[]>} */
+  let trace = new Map();
+  const traceButton = button('', () => {
+    if (runs) stopTrace();
+    else startTrace(true);
+  }, { 'data-name': 'trace' });
 
   const current = () => experiments.find(({ id }) => id === lab.state.experiment) ?? experiments[0];
   const parameter = (/** @type {string} */ name) => current().parameters.find((/** @type {any} */ it) => it.name === name);
   const own = () => readParameters(lab.state.parameters);
   const valueOf = (/** @type {string} */ name) => own()[name] ?? parameter(name)?.default;
+  /** Parameters that a trace can be along. @returns {string[]} */
+  const movable = () => current().parameters.filter((/** @type {any} */ it) => it.range && it.name !== 'size').map((/** @type {any} */ it) => it.name);
 
   /** A request for a run. @param {Record<string, any>} more */
   function run(more) {
@@ -66,7 +75,7 @@ export function artefactsRoom(lab) {
     const changed = { ...own(), [name]: String(value) };
     if (String(value) === parameter(name).default) delete changed[name];
     if (parameter(name).range && name !== 'size') along = name;
-    lab.update({ parameters: writeParameters(changed) }, dragging);
+    lab.update({ parameters: writeParameters(changed), along }, dragging);
   }
 
   async function fill() {
@@ -93,13 +102,11 @@ export function artefactsRoom(lab) {
         moved: (value, dragging) => change(name, value, dragging),
       });
     });
-    const movable = experiment.parameters.filter((/** @type {any} */ it) => it.range && it.name !== 'size').map((/** @type {any} */ it) => it.name);
-    if (!movable.includes(along)) along = movable[0] ?? '';
     controls.replaceChildren(
       group(text('experiment'), choice({
         label: text('experiment-choice'), name: 'experiment', value: experiment.id,
         options: experiments.map(({ id, title }) => [id, title]),
-        chosen: (id) => lab.update({ experiment: id, parameters: '', measure: 0 }),
+        chosen: (id) => lab.update({ experiment: id, parameters: '', measure: 0, along: '', magnified: '' }),
       })),
       group(text('parameters'), ...sliders,
         button(text('defaults'), () => { lab.update({ parameters: '' }); fillControls(); }, { class: 'small' })),
@@ -119,20 +126,34 @@ export function artefactsRoom(lab) {
       figures = [];
       glass = null;
       panel.hidden = true;
-      pictures.replaceChildren(...value.series.map((/** @type {any[]} */ shots) => element('div', { class: 'pictures' },
+      const [magnified, line] = lab.state.magnified.split(':');
+      /** @type {() => void} */
+      let openMagnified = () => {};
+      pictures.replaceChildren(...value.series.map((/** @type {any[]} */ shots) => element('div', { class: 'pictures large' },
         ...shots.map((shot) => {
           const made = figure(shot.caption, '');
           figures.push(made);
-          const own = magnifier(made.stage, made.canvas, panel);
-          made.element.append(button(text('magnify'), () => {
+          const own = magnifier(made.stage, made.canvas, panel, (ends) => {
+            const shares = ends?.map((share) => Math.round(10_000 * share) / 10_000);
+            if (!ends) glass = null;
+            lab.remember({ magnified: shares ? `${shot.name}:${shares}` : '' });
+          });
+          const open = (/** @type {number[]} */ ends) => {
             glass?.close();
             glass = own;
-            panel.hidden = false;
-            own.open();
+            // Below the pictures of its row, so that the line and its profile are seen together.
+            made.element.parentElement?.after(panel);
+            own.open(ends);
+          };
+          if (shot.name === magnified) openMagnified = () => open(line.split(',').map(Number));
+          made.element.append(button(text('magnify'), () => {
+            open([0, 0.5, 0.9999, 0.5]);
+            lab.remember({ magnified: `${shot.name}:0,0.5,0.9999,0.5` });
             panel.scrollIntoView({ block: 'nearest' });
           }, { class: 'small', 'aria-label': `${text('magnify')}: ${shot.name}` }));
           return made.element;
         }))));
+      openMagnified();
     }
     value.series.flat().forEach((/** @type {any} */ shot, /** @type {number} */ k) => {
       put(figures[k].canvas, shot.size, buffers[k]);
@@ -148,51 +169,67 @@ export function artefactsRoom(lab) {
   function showLive(measures) {
     const known = measures.map((measure, index) => ({ ...measure, index })).filter(({ expected }) => expected);
     const picked = known.find(({ index }) => index === lab.state.measure) ?? known[0];
-    if (!picked || !along) {
-      live.replaceChildren();
-      return;
+    live.hidden = !picked || !along;
+    if (live.hidden) return;
+    traceButton.textContent = runs ? text('trace-stop', { done: runs, total: STEPS + 1 }) : text('trace', { name: text(`parameter-${along}`) });
+    const names = known.map(({ name, index }) => /** @type {[string, string]} */ ([String(index), name]));
+    const key = JSON.stringify([names, picked.index, along, lab.state.experiment]);
+    if (liveControls.dataset.key !== key) {
+      liveControls.dataset.key = key;
+      liveControls.replaceChildren(
+        element('h2', {}, text('live')),
+        element('div', { class: 'row' },
+          choice({
+            label: text('measure'), name: 'measure', value: String(picked.index), options: names,
+            chosen: (value) => lab.update({ measure: Number(value) }),
+          }),
+          choice({
+            label: text('along'), name: 'along', value: along, options: movable().map((name) => [name, text(`parameter-${name}`)]),
+            chosen: (name) => lab.update({ along: name }),
+          }),
+          traceButton));
     }
-    const here = Number(valueOf(along));
     const sorted = [...trace].sort((a, b) => a[0] - b[0]);
     const values = (/** @type {(measure: any) => number} */ of) => /** @type {[number, number][]} */ (
       sorted.filter(([, list]) => list[picked.index]).map(([at, list]) => [at, of(list[picked.index])]));
     const unit = picked.unit ? ` (${picked.unit})` : '';
-    live.replaceChildren(
-      element('h2', {}, text('live')),
-      element('div', { class: 'row' },
-        choice({
-          label: text('measure'), name: 'measure', value: String(picked.index),
-          options: known.map(({ name, index }) => [String(index), name]),
-          chosen: (value) => lab.update({ measure: Number(value) }),
-        }),
-        button(text('trace', { name: text(`parameter-${along}`) }), startTrace, { 'data-name': 'trace' })),
-      plot({
-        title: picked.name, x: text(`parameter-${along}`), y: `${text('value')}${unit}`, here,
-        curves: [
-          { name: text('closed-form'), points: values((measure) => measure.expected?.[1] ?? NaN), mark: 'dashed' },
-          { name: text('measured'), points: values((measure) => measure.value), mark: 'dots' },
-        ],
-      }),
-    );
+    livePlot.replaceChildren(plot({
+      title: picked.name, x: text(`parameter-${along}`), y: `${text('value')}${unit}`, here: Number(valueOf(along)),
+      curves: [
+        { name: text('closed-form'), points: values((measure) => measure.expected?.[1] ?? NaN), mark: 'dashed' },
+        { name: text('measured'), points: values((measure) => measure.value), mark: 'dots' },
+      ],
+    }));
   }
 
-  async function startTrace() {
+  function stopTrace() {
+    tracing++;
+    runs = 0;
+    const latest = trace.get(Number(valueOf(along)));
+    if (latest) showLive(latest);
+  }
+
+  /** Runs the experiment over the range of a parameter. @param {boolean} asked whether its button says so */
+  async function startTrace(asked) {
     const mine = ++tracing;
     const { range } = parameter(along);
     const [low, high] = along === 'segments' ? [Math.max(range[0], 3), Math.min(range[1], 64)]
       : along === 'exponent' ? [1, 256] : along === 'light' ? [-90, 90] : range;
-    for (let k = 0; k <= STEPS && mine === tracing; k++) {
+    for (let k = 0; k <= STEPS; k++) {
       const value = along === 'light' || along === 'crease' ? low + (high - low) * k / STEPS : Math.round(low * (high / low) ** (k / STEPS));
       const sized = parameter('size') ? { size: COARSE } : {};
+      if (asked) runs = k + 1;
       try {
         const answer = await lab.program.ask(run({ ...sized, [along]: value, brief: true }));
         if (mine !== tracing) return;
-        trace.push([value, answer.value.measures]);
+        if (!trace.has(value)) trace.set(value, answer.value.measures);
         showLive(answer.value.measures);
       } catch {
         // A value of the range that this experiment refuses has no point.
+        if (mine !== tracing) return;
       }
     }
+    stopTrace();
     room.dataset.traced = String(Number(room.dataset.traced ?? 0) + 1);
   }
 
@@ -219,9 +256,10 @@ export function artefactsRoom(lab) {
   async function draw(dragging) {
     if (!experiments.length) return;
     if (shown !== current().id) fillControls();
+    along = movable().includes(lab.state.along) ? lab.state.along : movable()[0] ?? '';
     const key = writeParameters(Object.fromEntries(Object.entries(own()).filter(([name]) => name !== along))) + current().id + along;
     if (key !== traceOf) {
-      [trace, traceOf] = [[], key];
+      [trace, traceOf, runs] = [new Map(), key, 0];
       tracing++;
     }
     const size = Number(valueOf('size') ?? COARSE);
@@ -233,10 +271,11 @@ export function artefactsRoom(lab) {
       verdict.className = `verdict ${value.verdict}`;
       verdict.innerHTML = `<strong>${value.verdict_name}</strong>: ${value.condition}`;
       showPictures(value, buffers);
-      if (along) trace.push([Number(valueOf(along)), value.measures]);
+      if (along) trace.set(Number(valueOf(along)), value.measures);
       showLive(value.measures);
       if (!dragging) showRest(value);
       room.dataset.drawn = String(Number(room.dataset.drawn ?? 0) + 1);
+      if (!dragging && along && trace.size === 1 && answer.milliseconds < FAST) startTrace(false);
     } catch (error) {
       lab.say(String(/** @type {Error} */ (error).message), true);
     }

@@ -31,27 +31,28 @@ export function put(canvas, [width, height], pixels) {
 
 /**
  * Calls `moved(x, y, isDragging)` with the place of the pointer in the stage, from 0 to 1, while it is pressed, and once when it
- * is released. `x` and `y` may lie outside.
+ * is released. `x` and `y` may lie outside. Of several fingers, the last one counts.
  * @param {HTMLElement} stage
  * @param {(x: number, y: number, dragging: boolean, event: PointerEvent) => void} moved
  */
 export function draggable(stage, moved) {
-  let pressed = false;
+  /** @type {number | null} */
+  let pressed = null;
   stage.classList.add('drag');
   const place = (/** @type {PointerEvent} */ event, /** @type {boolean} */ dragging) => {
     const box = stage.getBoundingClientRect();
     moved((event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height, dragging, event);
   };
   stage.addEventListener('pointerdown', (event) => {
-    pressed = true;
+    pressed = event.pointerId;
     stage.setPointerCapture(event.pointerId);
     place(event, true);
     event.preventDefault();
   });
-  stage.addEventListener('pointermove', (event) => { if (pressed) place(event, true); });
+  stage.addEventListener('pointermove', (event) => { if (event.pointerId === pressed) place(event, true); });
   const release = (/** @type {PointerEvent} */ event) => {
-    if (!pressed) return;
-    pressed = false;
+    if (event.pointerId !== pressed) return;
+    pressed = null;
     place(event, false);
   };
   stage.addEventListener('pointerup', release);

@@ -1,6 +1,6 @@
 // Elements: making them, sliders, choices, switches.
 
-import { text } from './texts.js';
+import { number, text } from './texts.js';
 
 /**
  * An element with attributes, listeners (`onclick`) and children.
@@ -49,47 +49,55 @@ export function withCode(words) {
 let ids = 0;
 const nextId = () => `c${++ids}`;
 
+/** A slider with more steps than this has a field for its value. */
+const MOST_STEPS = 2000;
+
 /**
- * A slider with its name and value. `moved(value, isDragging)` is called while it moves and once when it rests.
+ * A slider with its name and value. `moved(value, isDragging)` is called while it moves and once when it rests. Each step changes
+ * the value, on a logarithmic scale too.
  * @param {{ label: string, min: number, max: number, step: number, value: number, unit?: string, logarithmic?: boolean,
  *   name?: string, moved: (value: number, dragging: boolean) => void }} it
  */
 export function slider({ label, min, max, step, value, unit = '', logarithmic = false, name = '', moved }) {
   const id = nextId();
-  const low = Math.max(min, 1e-9);
-  const toPosition = (/** @type {number} */ x) => (logarithmic ? Math.log(Math.max(x, low) / low) / Math.log(max / low) * 1000 : x);
-  const toValue = (/** @type {number} */ p) => {
-    const x = logarithmic ? low * (max / low) ** (p / 1000) : p;
-    return Number((Math.round(x / step) * step).toFixed(6));
-  };
-  const shown = element('output', { for: id });
+  const within = (/** @type {number} */ x) => Math.min(max, Math.max(min, Number((Math.round(x / step) * step).toFixed(6))));
+  // The different values of a logarithmic scale; the slider holds the place in this list.
+  const scale = logarithmic ? [...new Set(Array.from({ length: 1001 }, (_, k) => within(min * (max / min) ** (k / 1000))))] : [];
+  const toPosition = (/** @type {number} */ x) => (logarithmic ? Math.max(0, scale.findLastIndex((other) => other <= x)) : x);
+  const hasField = !logarithmic && (max - min) / step > MOST_STEPS;
+  const shown = hasField
+    ? element('input', { type: 'number', min, max, step, 'aria-label': label, onchange: () => moveTo(Number(shown.value), false) })
+    : element('output', { for: id });
   const input = element('input', {
     type: 'range',
     id,
     'data-name': name || null,
     min: logarithmic ? 0 : min,
-    max: logarithmic ? 1000 : max,
+    max: logarithmic ? scale.length - 1 : max,
     step: logarithmic ? 1 : step,
   });
   const show = (/** @type {number} */ x) => {
-    shown.textContent = `${x}${unit}`;
-    input.setAttribute('aria-valuetext', `${x}${unit}`);
+    const words = `${number(x, 7)}${unit}`;
+    if (hasField) shown.value = String(x);
+    else shown.textContent = words;
+    input.setAttribute('aria-valuetext', words);
   };
-  input.value = String(toPosition(value));
-  show(value);
-  const take = (/** @type {boolean} */ dragging) => {
-    const x = Math.min(max, Math.max(min, toValue(Number(input.value))));
-    show(x);
-    moved(x, dragging);
-  };
-  input.addEventListener('input', () => take(true));
-  input.addEventListener('change', () => take(false));
   const row = element('div', { class: 'slider' }, element('label', { for: id }, subscripted(label)), shown, input);
   /** Shows another value without a call. */
   row.set = (/** @type {number} */ x) => {
     input.value = String(toPosition(x));
     show(x);
   };
+  row.set(value);
+  function moveTo(/** @type {number} */ value, /** @type {boolean} */ dragging) {
+    const x = within(value);
+    show(x);
+    if (!dragging) input.value = String(toPosition(x));
+    moved(x, dragging);
+  }
+  const take = (/** @type {boolean} */ dragging) => moveTo(logarithmic ? scale[Number(input.value)] : Number(input.value), dragging);
+  input.addEventListener('input', () => take(true));
+  input.addEventListener('change', () => take(false));
   return row;
 }
 

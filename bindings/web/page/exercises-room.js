@@ -1,9 +1,9 @@
 // The room Exercises: those of the lectures and the same with random numbers, checked to the printed digits.
 
 import { button, choice, commandBlock, drawing, element, group, subscripted, table } from './dom.js';
-import { number, text } from './texts.js';
+import { number, numbersIn, text } from './texts.js';
 import { figure, put } from './canvas.js';
-import { drawArrows } from './probe-room.js';
+import { drawArrows, termRows } from './probe-room.js';
 
 /** @param {import('./mesh-controls.js').Lab} lab */
 export function exercisesRoom(lab) {
@@ -23,7 +23,7 @@ export function exercisesRoom(lab) {
     element('button', { type: 'submit' }, text('check')), ' ',
     button(text('show-way'), () => showWay(), { 'data-name': 'way' }));
   const statement = element('p', { class: 'lead' });
-  const room = element('div', { class: 'room with-controls controls-first' },
+  const room = element('div', { class: 'room with-controls' },
     element('div', { class: 'main' }, element('p', { class: 'lead' }, text('exercises-lead')), statement,
       element('div', { class: 'split' }, view.element, element('div', {}, givens, form, result, way))),
     controls);
@@ -37,6 +37,7 @@ export function exercisesRoom(lab) {
 
   async function fill() {
     exercises = (await lab.program.ask({ verb: 'exercises' })).value;
+    if (!exercises.some(({ id }) => id === lab.state.exercise)) lab.state.exercise = exercises[0].id;
     fillControls();
   }
 
@@ -45,6 +46,7 @@ export function exercisesRoom(lab) {
       type: 'number', min: 0, max: 4294967295, id: 'seed', value: lab.state.seed, 'data-name': 'seed',
       onchange: () => lab.update({ seed: Math.max(0, Math.min(4294967295, Math.round(Number(seed.value) || 0))) }),
     });
+    lab.followers.push(({ seed: own }) => { seed.value = String(own); });
     controls.replaceChildren(
       group(text('exercise'), choice({
         label: text('exercise-choice'), name: 'exercise', value: lab.state.exercise,
@@ -85,10 +87,15 @@ export function exercisesRoom(lab) {
   async function showWay() {
     const { value } = await lab.program.ask({ verb: 'check', ...request(), answer: [0, 0, 0] });
     drawArrows(arrows, about.size, value.arrows);
+    const rows = termRows(value.report);
+    const formula = rows.length
+      ? [element('p', {}, subscripted(text('way-formula', { cosine: value.cosine_of }))), element('div', { class: 'terms' }, table(text('way-terms'), [], rows))]
+      : [];
     way.replaceChildren(
-      element('h3', {}, text('way')),
+      element('h2', {}, text('way')),
       element('p', {}, text('way-answer', { colour: value.colour.map((/** @type {number} */ x) => number(x, 9)).join('; ') })),
-      element('pre', { tabindex: 0, lang: 'en' }, value.way),
+      ...formula,
+      element('details', { open: !rows.length }, element('summary', {}, text('probe-text')), element('pre', { tabindex: 0, lang: 'en' }, value.way)),
       ...(lab.state.seed > 0 ? [] : [commandBlock([about.command])]));
   }
 
@@ -107,7 +114,7 @@ export function exercisesRoom(lab) {
       statement.textContent = text(about.given_colours ? 'statement-given' : 'statement-lit', { decimals: about.decimals });
       const rows = about.givens.map((/** @type {any} */ row) => {
         const more = [row.colour ? text('given-colour', { colour: row.colour }) : '', row.offset !== null && row.offset !== undefined ? text('given-offset', { k: row.offset }) : ''];
-        return [subscripted(text(`given-${row.key}`, { number: row.number ?? '' })), [row.value, ...more].filter(Boolean).join(', ')];
+        return [subscripted(text(`given-${row.key}`, { number: row.number ?? '' })), numbersIn([row.value, ...more].filter(Boolean).join(', '))];
       });
       givens.replaceChildren(table(text('givens'), [], rows));
       inputs.forEach((input) => { input.value = ''; input.className = ''; input.removeAttribute('aria-invalid'); });

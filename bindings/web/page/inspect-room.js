@@ -1,9 +1,9 @@
 // The room Inspect: the findings of a mesh, each turning the view to its place.
 
-import { button, commandBlock, drawing, element, group, slider, withCode } from './dom.js';
+import { button, commandBlock, drawing, element, group, withCode } from './dom.js';
 import { currentLanguage, number, text } from './texts.js';
 import { draggable, figure, put, stageWidth } from './canvas.js';
-import { meshGroup, viewOf } from './mesh-controls.js';
+import { dragged, meshGroup, viewOf, viewSliders } from './mesh-controls.js';
 
 /** Places of one finding that are listed. */
 const MOST_PLACES = 8;
@@ -27,19 +27,13 @@ export function inspectRoom(lab) {
   let [fromX, fromY] = [0, 0];
   draggable(view.stage, (x, y, dragging, event) => {
     if (event.type === 'pointerdown') [fromX, fromY] = [x, y];
-    const turn = ((lab.state.turn - (x - fromX) * 180 + 540) % 360) - 180;
-    const tilt = Math.max(-89, Math.min(89, lab.state.tilt + (y - fromY) * 180));
+    const turned = dragged(lab.state, x - fromX, y - fromY);
     [fromX, fromY] = [x, y];
-    lab.update({ turn, tilt }, dragging);
+    lab.update(turned, dragging);
   });
 
   function fill() {
-    const one = (/** @type {'turn' | 'tilt' | 'zoom'} */ name, /** @type {any} */ range) => slider({
-      label: text(name), name, value: lab.state[name], ...range, moved: (/** @type {number} */ value, /** @type {boolean} */ dragging) => lab.update({ [name]: value }, dragging),
-    });
-    controls.replaceChildren(meshGroup(lab), group(text('view'),
-      one('turn', { min: -180, max: 180, step: 1, unit: '°' }), one('tilt', { min: -89, max: 89, step: 1, unit: '°' }),
-      one('zoom', { min: 0.5, max: 20, step: 0.1, logarithmic: true })));
+    controls.replaceChildren(meshGroup(lab), group(text('view'), ...viewSliders(lab)));
   }
 
   /** @param {any} place */
@@ -56,9 +50,11 @@ export function inspectRoom(lab) {
       return;
     }
     list.replaceChildren(...value.findings.map((/** @type {any} */ finding) => {
-      const places = finding.places.slice(0, MOST_PLACES).map((/** @type {any} */ place, /** @type {number} */ k) => button(
-        place.line ? text('place-line', { line: place.line }) : place.face !== null ? text('place-face', { face: place.face }) : text('place', { number: k + 1 }),
-        () => go(place), { class: 'small' }));
+      const nameOf = (/** @type {any} */ place, /** @type {number} */ k) => (place.line ? text('place-line', { line: place.line })
+        : place.face !== null ? text('place-face', { face: place.face }) : text('place', { number: k + 1 }));
+      // Several corners of a face are one place.
+      const named = new Map(finding.places.map((/** @type {any} */ place, /** @type {number} */ k) => [nameOf(place, k), place]));
+      const places = [...named].slice(0, MOST_PLACES).map(([name, place]) => button(name, () => go(place), { class: 'small' }));
       const details = finding.cause[currentLanguage()].slice(finding.title[currentLanguage()].length + 2);
       const amount = `${number(finding.count, 8)} / ${number(finding.of, 8)}`;
       return element('details', { class: `finding ${finding.severity}` },
@@ -67,6 +63,7 @@ export function inspectRoom(lab) {
         details ? withCode(`${details[0].toUpperCase()}${details.slice(1)}.`) : null,
         withCode(finding.meaning[currentLanguage()]), withCode(finding.advice[currentLanguage()]),
         places.length ? element('div', { class: 'buttons' }, ...places) : null,
+        finding.count > places.length && places.length ? element('p', { class: 'hint' }, text('more-places')) : null,
         finding.command ? commandBlock([finding.command]) : null);
     }));
   }

@@ -35,7 +35,10 @@ export const DEFAULTS = {
   // Artefacts: an experiment, and its parameters where they are not the defaults.
   experiment: 'silhouette',
   parameters: '',
+  // The parameter and the measure of the plot; the picture that is magnified, and the ends of the line on it.
+  along: '',
   measure: 0,
+  magnified: '',
   // Exercises.
   exercise: 'example-1',
   seed: 0,
@@ -43,8 +46,42 @@ export const DEFAULTS = {
 
 /** @typedef {typeof DEFAULTS} State */
 
+export const WEIGHTS = ['uniform', 'area', 'angle', 'angle-area', 'max', 'edge', 'quadric', 'jet', 'best'];
+export const PICTURES = ['flat', 'gouraud', 'phong', 'exact'];
+
+/** The values of some choices. @type {Record<string, string[]>} */
+const CHOICES = {
+  room: ['normals', 'artefacts', 'probe', 'inspect', 'exercises'],
+  lang: ['en', 'pt'],
+  theme: ['light', 'dark'],
+  weight: WEIGHTS,
+  picture: PICTURES,
+  against: ['exact', 'stored', ...WEIGHTS],
+};
+
+/** Limits of numbers; those with `whole` are rounded. @type {Record<string, { min: number, max: number, whole?: boolean }>} */
+const LIMITS = {
+  segments: { min: 0, max: 4096, whole: true },
+  crease: { min: 0, max: 180 },
+  turn: { min: -180, max: 180 },
+  tilt: { min: -89, max: 89 },
+  zoom: { min: 0.5, max: 20 },
+  lampx: { min: -1, max: 1 },
+  lampy: { min: -1, max: 1 },
+  ambient: { min: 0, max: 1 },
+  diffuse: { min: 0, max: 1 },
+  specular: { min: 0, max: 1 },
+  exponent: { min: 1, max: 2000 },
+  most: { min: 0.1, max: 90 },
+  px: { min: 0, max: 0.9999 },
+  py: { min: 0, max: 0.9999 },
+  measure: { min: 0, max: 99, whole: true },
+  seed: { min: 0, max: 2 ** 32 - 1, whole: true },
+};
+
 /**
- * The state of a link. Unknown names and values of another type are ignored.
+ * The state of a link. Unknown names, unknown values and values of another type are ignored; numbers beyond their limits are moved
+ * to them.
  * @param {string} fragment
  * @returns {State}
  */
@@ -52,11 +89,16 @@ export function readLink(fragment) {
   /** @type {any} */
   const state = { ...DEFAULTS };
   for (const [name, value] of new URLSearchParams(fragment.replace(/^#/, ''))) {
+    if (!Object.hasOwn(DEFAULTS, name)) continue;
     const usual = /** @type {any} */ (DEFAULTS)[name];
-    if (usual === undefined) continue;
     if (typeof usual === 'boolean') state[name] = value === '1';
-    else if (typeof usual === 'string') state[name] = value;
-    else if (value.trim() !== '' && Number.isFinite(Number(value))) state[name] = Number(value);
+    else if (typeof usual === 'string') {
+      if (!Object.hasOwn(CHOICES, name) || CHOICES[name].includes(value)) state[name] = value;
+    } else if (value.trim() !== '' && Number.isFinite(Number(value))) {
+      const { min, max, whole } = LIMITS[name];
+      const within = Math.min(max, Math.max(min, Number(value)));
+      state[name] = whole ? Math.round(within) : within;
+    }
   }
   return state;
 }

@@ -1,12 +1,14 @@
 // The magnifier: the 8-bit codes of the pixels around a point, and the luminance along a line that is drawn on a picture.
 
-import { drawing, element } from './dom.js';
+import { button, drawing, element } from './dom.js';
 import { number, text } from './texts.js';
 import { plot } from './plot.js';
 import { draggable } from './canvas.js';
 
 /** Pixels on each side of the magnified one. */
 const REACH = 4;
+/** The coordinates of the ends of a line. */
+const NAMES = ['x₁', 'y₁', 'x₂', 'y₂'];
 
 /** The linear luminance of 8-bit sRGB codes (Rec. 709 primaries). @param {ArrayLike<number>} codes */
 function luminanceOf(codes) {
@@ -19,31 +21,34 @@ function luminanceOf(codes) {
 
 /**
  * Lets a line be drawn on a picture. `open` shows codes and profile in `panel`, `show` brings them up to date, `close` removes
- * the line.
+ * both. `changed` is called with the ends of the line, in shares of the picture, or with `null` when it is closed.
  * @param {HTMLElement} stage
  * @param {HTMLCanvasElement} canvas
  * @param {HTMLElement} panel
+ * @param {(ends: number[] | null) => void} changed
  */
-export function magnifier(stage, canvas, panel) {
+export function magnifier(stage, canvas, panel, changed) {
   const line = drawing('svg', { class: 'arrows', viewBox: '0 0 1 1', preserveAspectRatio: 'none', 'aria-hidden': 'true' });
   const stroke = drawing('line', { class: 'profile-line' });
   line.append(stroke);
   /** @type {[number, number, number, number]} */
   let ends = [0, 0.5, 1, 0.5];
-  const inputs = ['x₁', 'y₁', 'x₂', 'y₂'].map((name, k) => element('input', {
+  const inputs = NAMES.map((name, k) => element('input', {
     type: 'number', min: 0, step: 1, 'aria-label': `${text('line')} ${name}`,
     onchange: () => {
       const side = k % 2 ? canvas.height : canvas.width;
       ends[k] = Math.max(0, Math.min(1, (Number(inputs[k].value) + 0.5) / side));
       show();
+      changed(ends);
     },
   }));
   const codes = element('div', { class: 'wide codes', tabindex: 0, role: 'region', 'aria-label': text('codes') });
   const profile = element('div');
   const content = [
+    button('×', () => { close(); changed(null); }, { class: 'small close', 'aria-label': text('close-magnifier') }),
     element('h3', {}, text('magnifier')),
     element('p', { class: 'hint' }, text('magnifier-hint')),
-    element('div', { class: 'line-inputs' }, `${text('line')}: `, ...inputs),
+    element('div', { class: 'line-inputs' }, `${text('line')}: `, ...inputs.flatMap((input, k) => [NAMES[k], input])),
     element('div', { class: 'magnifier' }, codes, profile),
   ];
 
@@ -93,21 +98,30 @@ export function magnifier(stage, canvas, panel) {
   let listens = false;
   function listen() {
     listens = true;
-    draggable(stage, (x, y, _dragging, event) => {
+    draggable(stage, (x, y, dragging, event) => {
       if (!line.isConnected) return;
       const [a, b] = [x, y].map((share) => Math.max(0, Math.min(0.9999, share)));
       if (event.type === 'pointerdown') ends = [a, b, a, b];
       else ends = [ends[0], ends[1], a, b];
       show();
+      if (!dragging) changed(ends);
     });
   }
 
-  function open() {
+  /** @param {number[]} [at] ends of a line */
+  function open(at) {
+    if (at?.length === 4 && at.every((share) => share >= 0 && share <= 1)) ends = /** @type {[number, number, number, number]} */ (at);
     panel.replaceChildren(...content);
+    panel.hidden = false;
     stage.append(line);
     if (!listens) listen();
     show();
   }
 
-  return { open, show, close: () => line.remove() };
+  function close() {
+    line.remove();
+    panel.hidden = true;
+  }
+
+  return { open, show, close };
 }

@@ -32,6 +32,8 @@ const lab = {
   program: new Program(),
   file: null,
   shapes: [],
+  /** Called after each change of the state: controls that show it. @type {((state: any) => void)[]} */
+  followers: [],
 
   /** Changes the state, the link and the picture; while `dragging`, the picture is coarse. */
   update(/** @type {any} */ patch, dragging = false) {
@@ -39,11 +41,21 @@ const lab = {
     Object.assign(lab.state, patch);
     clearTimeout(resting);
     if (!dragging) writeState();
-    if (structural) show();
-    else if (dragging) {
+    if (structural) {
+      show();
+      return;
+    }
+    lab.followers.forEach((/** @type {(state: any) => void} */ follow) => follow(lab.state));
+    if (dragging) {
       room.draw(true);
       resting = window.setTimeout(() => { writeState(); room.draw(false); }, REST);
     } else room.draw(false);
+  },
+
+  /** Changes the state and the link, and no picture. */
+  remember(/** @type {any} */ patch) {
+    Object.assign(lab.state, patch);
+    writeState();
   },
 
   /** A message to the user, until the next one. */
@@ -83,6 +95,7 @@ function writeState() {
 
 window.addEventListener('hashchange', () => {
   if (location.hash === written) return;
+  written = location.hash;
   Object.assign(lab.state, readLink(location.hash));
   show();
 });
@@ -95,7 +108,10 @@ async function show() {
     lab.say(text('file-missing'));
     Object.assign(state, { subject: 'sphere', segments: 16 });
   }
-  if (!(state.room in ROOMS)) state.room = 'normals';
+  const shape = lab.shapes.find((/** @type {any} */ { id }) => id === state.subject);
+  if (shape) state.segments = shape.most ? Math.min(shape.most, Math.max(3, state.segments)) : 0;
+  else if (state.subject !== 'file') Object.assign(state, { subject: 'sphere', segments: 16 });
+  lab.followers = [];
   setLanguage(state.lang);
   document.documentElement.dataset.theme = state.theme;
   document.documentElement.classList.toggle('present', state.present);
@@ -147,6 +163,9 @@ function present() {
 
 window.addEventListener('keydown', (event) => {
   if (event.key === 'Escape' && lab.state.present) present();
+});
+document.addEventListener('fullscreenchange', () => {
+  if (!document.fullscreenElement && lab.state.present) present();
 });
 window.addEventListener('resize', () => {
   clearTimeout(resting);

@@ -6,7 +6,49 @@ import { draggable } from './canvas.js';
 
 /** @typedef {import('./link.js').State} State */
 /** @typedef {{ state: State, program: import('./program.js').Program, update: (patch: Partial<State>, dragging?: boolean) => void,
- *   file: { name: string } | null, shapes: any[], open: (file: File) => Promise<void>, say: (message: string, isError?: boolean) => void }} Lab */
+ *   remember: (patch: Partial<State>) => void, followers: ((state: State) => void)[], file: { name: string } | null, shapes: any[],
+ *   open: (file: File) => Promise<void>, say: (message: string, isError?: boolean) => void }} Lab */
+
+/** Degrees that a drag over the whole picture rotates by. */
+const DRAG = 180;
+
+/**
+ * A slider of a number of the state, which follows the state when something else changes it.
+ * @param {Lab} lab
+ * @param {any} name a name of the state
+ * @param {{ min: number, max: number, step: number, unit?: string, logarithmic?: boolean }} range
+ */
+export function stateSlider(lab, name, range) {
+  const state = /** @type {any} */ (lab.state);
+  let shown = state[name];
+  const row = slider({
+    label: text(name), name, value: shown, ...range,
+    moved: (value, dragging) => {
+      shown = value;
+      lab.update({ [name]: value }, dragging);
+    },
+  });
+  lab.followers.push(() => {
+    if (shown !== state[name]) row.set(shown = state[name]);
+  });
+  return row;
+}
+
+/** Sliders of the viewer. @param {Lab} lab */
+export const viewSliders = (lab) => [
+  stateSlider(lab, 'turn', { min: -180, max: 180, step: 1, unit: '°' }),
+  stateSlider(lab, 'tilt', { min: -89, max: 89, step: 1, unit: '°' }),
+  stateSlider(lab, 'zoom', { min: 0.5, max: 20, step: 0.1, logarithmic: true }),
+];
+
+/** The view after a drag by these shares of the picture. @param {State} state @param {number} dx @param {number} dy */
+export function dragged(state, dx, dy) {
+  const tenth = (/** @type {number} */ x) => Math.round(10 * x) / 10;
+  return {
+    turn: tenth(((state.turn - dx * DRAG + 540) % 360) - 180),
+    tilt: tenth(Math.max(-89, Math.min(89, state.tilt + dy * DRAG))),
+  };
+}
 
 /**
  * The view of a request.
@@ -41,10 +83,7 @@ export function meshGroup(lab) {
     text('mesh'),
     choice({ label: text('mesh-choice'), options, value: state.subject, name: 'subject', chosen }),
     shape?.most
-      ? slider({
-        label: text('segments'), min: 3, max: shape.most, step: 1, value: state.segments, name: 'segments',
-        moved: (segments, dragging) => lab.update({ segments }, dragging),
-      })
+      ? stateSlider(lab, 'segments', { min: 3, max: shape.most, step: 1 })
       : null,
     button(text('open-file'), () => input.click(), { class: 'open' }),
     input,
@@ -55,16 +94,11 @@ export function meshGroup(lab) {
 /** Sliders of the lamp, the viewer and the material. @param {Lab} lab */
 export function lightGroups(lab) {
   const { state } = lab;
-  const one = (/** @type {keyof State} */ name, /** @type {any} */ range) => slider({
-    label: text(name), name, value: /** @type {number} */ (state[name]), ...range,
-    moved: (/** @type {number} */ value, /** @type {boolean} */ dragging) => lab.update({ [name]: value }, dragging),
-  });
+  const one = (/** @type {string} */ name, /** @type {any} */ range) => stateSlider(lab, name, range);
   const unit = { min: -1, max: 1, step: 0.01 };
   const share = { min: 0, max: 1, step: 0.01 };
   return {
-    light: group(text('lamp-and-view'), one('lampx', unit), one('lampy', unit),
-      one('turn', { min: -180, max: 180, step: 1, unit: '°' }), one('tilt', { min: -89, max: 89, step: 1, unit: '°' }),
-      one('zoom', { min: 0.5, max: 20, step: 0.1, logarithmic: true })),
+    light: group(text('lamp-and-view'), one('lampx', unit), one('lampy', unit), ...viewSliders(lab)),
     material: group(text('material'), one('ambient', share), one('diffuse', share), one('specular', share),
       one('exponent', { min: 1, max: 2000, step: 1, logarithmic: true }),
       choice({
@@ -75,7 +109,7 @@ export function lightGroups(lab) {
 }
 
 /**
- * Lets the pointer move the lamp on a stage, or with Shift or the right button the view. Returns the lamp's mark.
+ * Lets the pointer move the lamp on a stage, or with Shift, the right button or a second finger the view. Returns the lamp's mark.
  * @param {Lab} lab
  * @param {HTMLElement} stage
  */
@@ -87,14 +121,13 @@ export function lampOn(lab, stage) {
   let [fromX, fromY] = [0, 0];
   draggable(stage, (x, y, dragging, event) => {
     if (event.type === 'pointerdown') {
-      turns = event.shiftKey || event.button === 2;
+      turns = event.shiftKey || event.button === 2 || !event.isPrimary;
       [fromX, fromY] = [x, y];
     }
     if (turns) {
-      const turn = ((lab.state.turn - (x - fromX) * 180 + 540) % 360) - 180;
-      const tilt = Math.max(-89, Math.min(89, lab.state.tilt + (y - fromY) * 180));
+      const view = dragged(lab.state, x - fromX, y - fromY);
       [fromX, fromY] = [x, y];
-      lab.update({ turn, tilt }, dragging);
+      lab.update(view, dragging);
       return;
     }
     const [lampx, lampy] = [2 * x - 1, 1 - 2 * y].map((z) => Math.round(100 * Math.max(-1, Math.min(1, z))) / 100);

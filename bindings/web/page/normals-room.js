@@ -1,12 +1,12 @@
 // The room Normals: one mesh, flat, Gouraud, Phong and exact under one lamp, with its normals computed as chosen.
 
-import { button, choice, commandBlock, download, element, group, slider, table, toggle } from './dom.js';
+import { button, choice, commandBlock, download, element, group, table, toggle } from './dom.js';
 import { number, text } from './texts.js';
 import { figure, put, stageWidth } from './canvas.js';
-import { lampOn, lightGroups, meshGroup, placeLamp, viewOf } from './mesh-controls.js';
+import { PICTURES, WEIGHTS } from './link.js';
+import { lampOn, lightGroups, meshGroup, placeLamp, stateSlider, viewOf } from './mesh-controls.js';
 
-export const WEIGHTS = ['uniform', 'area', 'angle', 'angle-area', 'max', 'edge', 'quadric', 'jet', 'best'];
-const KINDS = ['flat', 'gouraud', 'phong', 'exact', 'deviation'];
+const KINDS = [...PICTURES, 'deviation'];
 const FORMATS = ['obj', 'glb', 'ply'];
 
 /** @param {import('./mesh-controls.js').Lab} lab */
@@ -39,10 +39,7 @@ export function normalsRoom(lab) {
           options: WEIGHTS.map((weight) => [weight, text(`weight-${weight}`)]),
           chosen: (weight) => lab.update({ weight }),
         }),
-        slider({
-          label: text('crease'), name: 'crease', min: 0, max: 180, step: 1, value: state.crease, unit: '°',
-          moved: (crease, dragging) => lab.update({ crease }, dragging),
-        }),
+        stateSlider(lab, 'crease', { min: 0, max: 180, step: 1, unit: '°' }),
         choice({
           label: text('rule'), name: 'cone', value: state.cone ? 'cone' : 'fan',
           options: [['fan', text('rule-fan')], ['cone', text('rule-cone')]],
@@ -60,13 +57,10 @@ export function normalsRoom(lab) {
       choice({
         label: text('against'), name: 'against', value: state.against,
         options: [['exact', text('against-exact')], ['stored', text('against-stored')],
-          ...WEIGHTS.slice(0, 6).map((weight) => /** @type {[string, string]} */ ([weight, text(`weight-${weight}`)]))],
+          ...WEIGHTS.map((weight) => /** @type {[string, string]} */ ([weight, text(`weight-${weight}`)]))],
         chosen: (value) => lab.update({ against: value }),
       }),
-      slider({
-        label: text('most'), name: 'most', min: 0.1, max: 90, step: 0.1, value: state.most, unit: '°', logarithmic: true,
-        moved: (most, dragging) => lab.update({ most }, dragging),
-      }),
+      stateSlider(lab, 'most', { min: 0.1, max: 90, step: 0.1, unit: '°', logarithmic: true }),
     );
     saving.replaceChildren(
       element('h2', {}, text('save')),
@@ -79,8 +73,13 @@ export function normalsRoom(lab) {
     );
   }
 
+  /** The format that was saved last, which the command writes. */
+  let saved = 'obj';
+
   /** @param {string} format */
   async function saveMesh(format) {
+    saved = format;
+    showCommands(viewOf(lab.state, [1, 1]));
     try {
       const { value, buffers } = await lab.program.ask({ verb: 'save', view: viewOf(lab.state, [1, 1]), format });
       download(value.name, new Blob([/** @type {any} */ (buffers[0])]));
@@ -91,9 +90,16 @@ export function normalsRoom(lab) {
     }
   }
 
+  /** @param {any} view */
+  async function showCommands(view) {
+    const commands = await lab.program.latest('command', { verb: 'command', view, format: saved });
+    if (commands) saving.querySelector('.commands')?.replaceChildren(commandBlock(commands.value));
+  }
+
   /** @param {any} value */
   function showCounts(value, /** @type {any} */ deviation) {
-    const degrees = (/** @type {number} */ x) => `${number(x, 3)}°`;
+    // Below this, angles are rounding.
+    const degrees = (/** @type {number} */ x) => `${number(x < 1e-9 ? 0 : x, 3)}°`;
     const rows = [
       [text('count-faces'), number(value.facts.faces, 8)],
       [text('count-vertices'), number(value.referenced, 8)],
@@ -126,13 +132,12 @@ export function normalsRoom(lab) {
         else put(canvas, picture.size, answer.buffers[picture.buffer]);
       });
       room.dataset.drawn = String(Number(room.dataset.drawn ?? 0) + 1);
-      const [normals, deviation, commands] = await Promise.all([
+      const [normals, deviation] = await Promise.all([
         lab.program.latest('counts', { verb: 'normals', view }),
         lab.program.latest('deviation', { verb: 'deviation', view }),
-        dragging ? null : lab.program.latest('command', { verb: 'command', view, format: 'obj' }),
+        dragging ? null : showCommands(view),
       ]);
       if (normals && deviation) showCounts(normals.value, deviation.value);
-      if (commands) saving.querySelector('.commands')?.replaceChildren(commandBlock(commands.value));
     } catch (error) {
       lab.say(String(/** @type {Error} */ (error).message), true);
     }

@@ -13,8 +13,16 @@ export function plot({ title, x, y, curves, here }) {
   const points = curves.flatMap((curve) => curve.points).filter((point) => point.every(Number.isFinite));
   const range = (/** @type {number[]} */ values) => {
     const [low, high] = [Math.min(...values), Math.max(...values)];
-    const room = high > low ? 0.05 * (high - low) : Math.abs(high) * 0.1 || 1;
-    return [low - room, high + room];
+    const isOne = high - low <= 1e-3 * Math.max(Math.abs(low), Math.abs(high));
+    const room = isOne ? Math.abs(high) * 0.1 || 1 : 0.05 * (high - low);
+    return [low >= 0 ? Math.max(0, low - room) : low - room, high + room];
+  };
+  // Multiples of 1, 2 or 5 and a power of ten, about five of them.
+  const ticks = (/** @type {number} */ from, /** @type {number} */ to) => {
+    const power = 10 ** Math.floor(Math.log10((to - from) / 5));
+    const step = [1, 2, 5, 10].map((factor) => factor * power).find((size) => (to - from) / size <= 6) ?? power;
+    const first = Math.ceil(from / step - 1e-9);
+    return Array.from({ length: Math.floor(to / step + 1e-9) - first + 1 }, (_, k) => Number(((first + k) * step).toPrecision(12)));
   };
   if (!points.length) return element('p', { class: 'hint' }, '–');
   const xs = points.map((point) => point[0]);
@@ -23,14 +31,11 @@ export function plot({ title, x, y, curves, here }) {
   const px = (/** @type {number} */ v) => LEFT + (v - left) / (right - left) * (WIDTH - LEFT - 16);
   const py = (/** @type {number} */ v) => TOP + (high - v) / (high - low) * (HEIGHT - TOP - BOTTOM);
   const svg = drawing('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'plot', role: 'img', 'aria-label': title });
-  for (let k = 0; k <= 4; k++) {
-    const [vx, vy] = [left + (right - left) * k / 4, low + (high - low) * k / 4];
-    svg.append(
-      drawing('line', { class: 'grid', x1: LEFT, x2: WIDTH - 16, y1: py(vy), y2: py(vy) }),
-      drawing('text', { x: LEFT - 6, y: py(vy) + 4, 'text-anchor': 'end' }, number(vy, 3)),
-      drawing('text', { x: px(vx), y: HEIGHT - BOTTOM + 16, 'text-anchor': 'middle' }, number(vx, 3)),
-    );
-  }
+  ticks(low, high).forEach((value) => svg.append(
+    drawing('line', { class: 'grid', x1: LEFT, x2: WIDTH - 16, y1: py(value), y2: py(value) }),
+    drawing('text', { x: LEFT - 6, y: py(value) + 4, 'text-anchor': 'end' }, number(value, 6))));
+  ticks(left, right).forEach((value) => svg.append(
+    drawing('text', { x: px(value), y: HEIGHT - BOTTOM + 16, 'text-anchor': 'middle' }, number(value, 6))));
   if (here !== undefined && here >= left && here <= right) {
     svg.append(drawing('line', { class: 'here', x1: px(here), x2: px(here), y1: TOP, y2: HEIGHT - BOTTOM }));
   }

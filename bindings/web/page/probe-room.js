@@ -1,9 +1,10 @@
 // The room Probe: a pixel of a picture, the vectors at its point drawn in the scene, and every term of its colour.
 
-import { choice, drawing, element, group, slider, table } from './dom.js';
+import { choice, drawing, element, group, table } from './dom.js';
 import { number, text } from './texts.js';
 import { draggable, figure, put, stageWidth } from './canvas.js';
-import { lightGroups, meshGroup, viewOf } from './mesh-controls.js';
+import { PICTURES } from './link.js';
+import { lightGroups, meshGroup, stateSlider, viewOf } from './mesh-controls.js';
 
 /** The names of vectors, with the classes of their colours. */
 const ARROWS = ['N', 'L', 'V', 'R', 'H'];
@@ -35,6 +36,40 @@ export function drawArrows(svg, [width, height], arrows) {
   }));
 }
 
+/**
+ * The terms of a pixel, each with its name; none if nothing is lit there. Under Gouraud shading those of each vertex.
+ * @param {any} report
+ */
+export function termRows(report) {
+  /** @type {(string | Node)[][]} */
+  const rows = [];
+  const point = report.samples[0];
+  const lit = point?.lit?.filter((/** @type {any} */ it) => it.light?.lights.length) ?? [];
+  const vector = (/** @type {number[] | null} */ v) => (v ? `(${v.map((x) => number(x, 5)).join('; ')})` : '–');
+  const name = (/** @type {string} */ letter) => element('span', { class: `letter ${letter}` }, letter);
+  lit.forEach((/** @type {any} */ { light, share }, /** @type {number} */ k) => {
+    if (lit.length > 1) rows.push([text('share-of-vertex', { vertex: point.vertices[k] ?? k }), number(share, 6)]);
+    rows.push([name('N'), vector(light.normal)], [name('V'), vector(light.view)], [text('term-ambient'), vector(light.ambient)]);
+    light.lights.forEach((/** @type {any} */ lamp) => {
+      if (light.lights.length > 1) rows.push([text('lamp-number', { number: lamp.light }), '']);
+      rows.push([name('L'), vector(lamp.towards)]);
+      if (lamp.attenuation !== 1) rows.push([text('attenuation'), number(lamp.attenuation, 7)]);
+      rows.push([name('R'), vector(lamp.reflected)], [name('H'), vector(lamp.half)],
+        ['N·L', number(lamp.n_dot_l, 7)], ['V·R', number(lamp.v_dot_r, 7)], ['N·H', lamp.n_dot_h === null ? '–' : number(lamp.n_dot_h, 7)]);
+      if (lamp.highlight) {
+        rows.push([`(${lamp.highlight.cosine_of})ⁿ, n = ${number(lamp.highlight.exponent)}`, number(lamp.highlight.power, 7)]);
+      }
+      for (const [key, term] of [[text('term-diffuse'), lamp.diffuse], [text('term-specular'), lamp.specular]]) {
+        if (String(term.literal) !== String(term.guarded)) rows.push([`${key}, ${text('without-guards')}`, vector(term.literal)]);
+        rows.push([key, vector(term.guarded)]);
+      }
+    });
+    rows.push([lit.length > 1 ? text('light-there') : text('term-sum'), vector(light.sum)]);
+  });
+  if (lit.length > 1) rows.push([text('term-sum'), vector(report.linear)]);
+  return rows;
+}
+
 /** @param {import('./mesh-controls.js').Lab} lab */
 export function probeRoom(lab) {
   const controls = element('div', { class: 'controls' });
@@ -56,15 +91,12 @@ export function probeRoom(lab) {
 
   function fill() {
     const { light, material } = lightGroups(lab);
-    const place = (/** @type {'px' | 'py'} */ name) => slider({
-      label: text(name), name, min: 0, max: 0.999, step: 0.001, value: lab.state[name],
-      moved: (value, dragging) => lab.update({ [name]: value }, dragging),
-    });
+    const place = (/** @type {string} */ name) => stateSlider(lab, name, { min: 0, max: 0.999, step: 0.001 });
     controls.replaceChildren(
       group(text('pixel'), place('px'), place('py'),
         choice({
           label: text('shading'), name: 'picture', value: lab.state.picture,
-          options: ['flat', 'gouraud', 'phong', 'exact'].map((kind) => [kind, text(`picture-${kind}`)]),
+          options: PICTURES.map((kind) => [kind, text(`picture-${kind}`)]),
           chosen: (picture) => lab.update({ picture }),
         })),
       material, light, meshGroup(lab));
@@ -72,37 +104,14 @@ export function probeRoom(lab) {
 
   /** @param {any} value */
   function showTerms(value) {
-    const point = value.report.samples[0];
-    if (!point?.lit?.length) {
+    const { report } = value;
+    const rows = termRows(report);
+    if (!rows.length) {
       terms.replaceChildren(element('p', {}, text('background-only')));
       return;
     }
-    const vector = (/** @type {number[] | null} */ v) => (v ? `(${v.map((x) => number(x, 5)).join('; ')})` : '–');
-    const name = (/** @type {string} */ letter) => element('span', { class: `letter ${letter}` }, letter);
-    /** @type {(string | Node)[][]} */
-    const rows = [];
-    point.lit.forEach((/** @type {any} */ lit, /** @type {number} */ k) => {
-      if (point.lit.length > 1) {
-        rows.push([text('share-of-vertex', { vertex: point.vertices[k] ?? k }), number(lit.share, 6)]);
-      }
-      const light = lit.light;
-      const lamp = light?.lights[0];
-      if (!lamp) return;
-      if (point.lit.length === 1) {
-        rows.push([name('N'), vector(light.normal)], [name('L'), vector(lamp.towards)], [name('V'), vector(light.view)],
-          [name('R'), vector(lamp.reflected)], [name('H'), vector(lamp.half)],
-          ['N·L', number(lamp.n_dot_l, 7)], ['V·R', number(lamp.v_dot_r, 7)], ['N·H', lamp.n_dot_h === null ? '–' : number(lamp.n_dot_h, 7)]);
-        if (lamp.highlight) {
-          rows.push([`(${lamp.highlight.cosine_of})ⁿ, n = ${number(lamp.highlight.exponent)}`, number(lamp.highlight.power, 7)]);
-        }
-        rows.push([text('term-ambient'), vector(light.ambient)], [text('term-diffuse'), vector(lamp.diffuse.guarded)],
-          [text('term-specular'), vector(lamp.specular.guarded)]);
-      }
-      rows.push([point.lit.length > 1 ? text('light-there') : text('term-sum'), vector(light.sum)]);
-    });
-    if (point.lit.length > 1) rows.push([text('term-sum'), vector(value.report.linear)]);
-    rows.push([text('codes-8'), `(${value.report.picture.join(', ')})`]);
-    terms.replaceChildren(table(text('terms', { x: value.report.pixel[0], y: value.report.pixel[1] }), [], rows));
+    rows.push([text('codes-8'), `(${report.picture.join(', ')})`]);
+    terms.replaceChildren(table(text('terms', { x: report.pixel[0], y: report.pixel[1] }), [], rows));
   }
 
   /** @param {boolean} dragging */
@@ -116,11 +125,15 @@ export function probeRoom(lab) {
     try {
       const answer = await lab.program.latest('draw', { verb: 'draw', view: request, pictures: [picture], marks: [] });
       const drawn = answer?.value.pictures[0];
+      view.stage.hidden = Boolean(drawn?.missing);
       view.note.hidden = !drawn?.missing;
       if (drawn?.missing) {
         view.note.textContent = text(drawn.missing);
+        terms.replaceChildren();
+        full.hidden = true;
         return;
       }
+      full.hidden = false;
       if (answer) put(view.canvas, size, answer.buffers[0]);
       const probed = await lab.program.latest('probe', { verb: 'probe', view: request, picture, pixel });
       if (!probed) return;

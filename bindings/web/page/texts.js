@@ -11,7 +11,7 @@ export const currentLanguage = () => language;
 
 /** @param {string} tag an unknown one is the browser's */
 export function setLanguage(tag) {
-  language = tag in TEXTS ? tag : usual;
+  language = Object.hasOwn(TEXTS, tag) ? tag : usual;
   document.documentElement.lang = language === 'pt' ? 'pt-BR' : 'en';
 }
 
@@ -23,6 +23,11 @@ export function setLanguage(tag) {
 export function text(key, values = {}) {
   const found = TEXTS[language]?.[key] ?? `{${key}}`;
   return found.replace(/\{(\w+)\}/g, (all, name) => (name in values ? String(values[name]) : all));
+}
+
+/** A text of the program with the numbers of the language: in Portuguese, commas in numbers and semicolons between them. @param {string} words */
+export function numbersIn(words) {
+  return language === 'pt' ? words.replace(/(\d), /g, '$1; ').replace(/(\d)\.(\d)/g, '$1,$2') : words;
 }
 
 /**

@@ -147,9 +147,11 @@ pub(crate) fn probe_scene(
     let seen = report.samples.first().and_then(|sample| sample.seen.as_ref());
     let mut arrows = Vec::new();
     if let Some(point) = seen {
-        let lit = point.lit.iter().find_map(|lit| lit.light.as_ref());
-        let from =
-            DVec3::from(lit.filter(|_| point.lit.len() == 1).map_or(point.position, |lit| lit.position));
+        // Under Gouraud shading, of the vertex with the largest share, and drawn there.
+        let heaviest =
+            point.lit.iter().filter(|lit| lit.light.is_some()).max_by(|a, b| a.share.total_cmp(&b.share));
+        let lit = heaviest.and_then(|lit| lit.light.as_ref());
+        let from = DVec3::from(lit.map_or(point.position, |lit| lit.position));
         let mut arrow = |name: &str, towards: [f64; 3]| {
             let ends = [from, from + DVec3::from(towards) * length];
             let [from, to] = ends.map(|end| on_picture(&scene.camera, settings.size, end));

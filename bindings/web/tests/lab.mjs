@@ -171,6 +171,7 @@ await test('the lamp is dragged', async () => {
   await after(page, () => page.mouse.move(box.x + box.width * 0.8, box.y + box.height * 0.7, { steps: 4 }));
   await after(page, () => page.mouse.up());
   assert.match(page.url(), /lampx=0\.6&lampy=-0\.4/);
+  assert.deepEqual(await Promise.all(['lampx', 'lampy'].map((name) => page.inputValue(`input[data-name="${name}"]`))), ['0.6', '-0.4']);
   assert.notEqual(await checksum(page, 2), picture);
   await close();
 });
@@ -192,6 +193,45 @@ await test('a link restores the state', async () => {
   assert.equal(await run.page.inputValue('select[data-name="experiment"]'), 'shading-terminator');
   assert.match(await run.page.textContent('.command code'), /shading-terminator --segments 12/);
   await run.close();
+});
+
+await test('the page shows the state of its address, also after Back', async () => {
+  const { page, troubles, close } = await open('#room=normals&subject=torus&segments=24');
+  await page.focus('input[data-name="crease"]');
+  await after(page, () => page.keyboard.press('PageUp'));
+  await go(page, '#room=normals&subject=gear&segments=0');
+  await page.goBack();
+  await page.waitForFunction(() => document.querySelector('select[data-name="subject"]')?.value === 'torus');
+  await close();
+  assert.deepEqual(troubles, []);
+});
+
+await test('unknown names and values in a link are ignored', async () => {
+  const { page, troubles, close } = await open();
+  for (const link of ['room=__proto__', 'room=constructor', 'lang=toString', 'segments=1.5', 'weight=x', 'subject=x&segments=1e9', 'against=x',
+    'room=probe&px=1&py=-5', 'room=exercises&exercise=x&seed=1e12', 'room=artefacts&experiment=x&magnified=x:1,2', 'zoom=1e300&turn=NaN']) {
+    await go(page, `#${link}`);
+    assert.deepEqual(await page.locator('.message.error:visible').allTextContents(), [], link);
+    assert.equal(await page.textContent('h1'), 'crease: laboratory', link);
+    assert.deepEqual(troubles, [], link);
+  }
+  await close();
+});
+
+await test('the magnifier is in the link, and can be closed', async () => {
+  const { page, close } = await open('#room=artefacts&experiment=lost-highlight&magnified=plate-gouraud:0.1,0.5,0.9,0.5');
+  assert.equal(await page.inputValue('input[aria-label$="y₂"]'), '160');
+  await page.click('.panel .close');
+  assert.ok(!(await page.isVisible('.panel')) && !page.url().includes('magnified'));
+  await close();
+});
+
+await test('a print of a dark page is dark on white', async () => {
+  const { page, close } = await open('#room=normals', { colorScheme: 'dark' });
+  await page.emulateMedia({ media: 'print', colorScheme: 'dark' });
+  const colours = await page.evaluate(() => [getComputedStyle(document.body).backgroundColor, getComputedStyle(document.body).color]);
+  assert.deepEqual(colours, ['rgb(255, 255, 255)', 'rgb(0, 0, 0)']);
+  await close();
 });
 
 /** Drops a file on the page as a user does. */
@@ -271,6 +311,7 @@ await test('exercises accept the answers of the lectures and refuse others', asy
     return (await window.laboratory.ask({ verb: 'check', id: exercise, seed, answer: [0, 0, 0] })).value.colour;
   });
   assert.match(await answer(colour.map(String)), /right/);
+  assert.ok(page.url().includes(`seed=${await page.inputValue('input[data-name="seed"]')}`));
   assert.deepEqual(troubles, []);
   await close();
 });

@@ -85,8 +85,12 @@ pub(crate) fn check(id: &str, seed: Option<u32>, answer: [f64; 3]) -> Result<Val
     let (colour, probe) = solution(exercise, &file)?;
     let tolerance = libm::pow(10.0, -f64::from(exercise.decimals)) * (1.0 + 1e-9);
     let right = [0, 1, 2].map(|k| (answer[k] - colour[k]).abs() <= tolerance);
-    let way = &probe["text"];
-    Ok(
-        json!({ "right": right, "colour": colour, "tolerance": tolerance, "way": way, "arrows": probe["arrows"] }),
-    )
+    let cosine = match file.objects.first().map(|object| object.material.reflection) {
+        Some(Reflection::Phong) => "V·R",
+        _ => "N·H",
+    };
+    Ok(json!({
+        "right": right, "colour": colour, "tolerance": tolerance, "way": probe["text"], "report": probe["report"],
+        "cosine_of": cosine, "arrows": probe["arrows"],
+    }))
 }
