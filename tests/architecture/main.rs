@@ -109,6 +109,9 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     ("toml", &["raster"]),
     ("toml_edit", &["plan"]),
     ("zmij", &["io"]),
+    // In the manifest for their features only.
+    ("num_complex", &[]),
+    ("once_cell", &[]),
 ];
 
 /// Words that no file, type, function, constant or test is named with, from the list in CONTRIBUTING.md.
