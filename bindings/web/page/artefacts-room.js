@@ -126,7 +126,7 @@ export function artefactsRoom(lab) {
       figures = [];
       glass = null;
       panel.hidden = true;
-      const [magnified, line] = lab.state.magnified.split(':');
+      const [magnified, line = ''] = lab.state.magnified.split(':');
       /** @type {() => void} */
       let openMagnified = () => {};
       pictures.replaceChildren(...value.series.map((/** @type {any[]} */ shots) => element('div', { class: 'pictures large' },
