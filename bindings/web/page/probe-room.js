@@ -60,7 +60,7 @@ export function termRows(report) {
         rows.push([`(${lamp.highlight.cosine_of})ⁿ, n = ${number(lamp.highlight.exponent)}`, number(lamp.highlight.power, 7)]);
       }
       for (const [key, term] of [[text('term-diffuse'), lamp.diffuse], [text('term-specular'), lamp.specular]]) {
-        if (String(term.literal) !== String(term.guarded)) rows.push([`${key}, ${text('without-guards')}`, vector(term.literal)]);
+        if (vector(term.literal) !== vector(term.guarded)) rows.push([`${key}, ${text('without-guards')}`, vector(term.literal)]);
         rows.push([key, vector(term.guarded)]);
       }
     });

@@ -39,5 +39,6 @@ export function number(x, digits = 4) {
   const size = Math.abs(x);
   const options = { maximumSignificantDigits: digits };
   if (size !== 0 && (size < 1e-4 || size >= 1e7)) return x.toExponential(digits - 1).replace('.', text('decimal-mark'));
-  return x.toLocaleString(language === 'pt' ? 'pt-BR' : 'en-GB', options);
+  // Adding 0 removes the sign of −0.
+  return (x + 0).toLocaleString(language === 'pt' ? 'pt-BR' : 'en-GB', options);
 }
