@@ -44,7 +44,7 @@ export function termRows(report) {
   /** @type {(string | Node)[][]} */
   const rows = [];
   const point = report.samples[0];
-  const lit = point?.lit?.filter((/** @type {any} */ it) => it.light?.lights.length) ?? [];
+  const lit = point?.lit?.every((/** @type {any} */ it) => it.light?.lights.length) ? point.lit : [];
   const vector = (/** @type {number[] | null} */ v) => (v ? `(${v.map((x) => number(x, 5)).join('; ')})` : '–');
   const name = (/** @type {string} */ letter) => element('span', { class: `letter ${letter}` }, letter);
   lit.forEach((/** @type {any} */ { light, share }, /** @type {number} */ k) => {

@@ -269,7 +269,7 @@ mod tests {
         assert!(matches!(outcome.verdict, Verdict::HoldsOnlyIf(_)));
     }
 
-    /// Duff's angle is found by moving the light, with any number of segments.
+    /// Duff's angle is found by moving the light, with few segments and with many.
     #[test]
     fn phong_is_the_worse_one_half_way_from_duffs_angle_on() {
         for (segments, light, is_phong_worse) in
