@@ -1,6 +1,6 @@
 //! The number that a cure changes: whether the artefact is present and whether it is cured, and the pictures that show it.
 
-use super::drawing::linear;
+use super::drawing::{linear, map};
 use crate::raster::Image;
 use crate::text::{Catalogue, Text, Value, catalogue};
 use serde::{Serialize, Serializer};
@@ -157,6 +157,37 @@ pub struct Shot {
     /// The picture, with its linear samples.
     #[serde(rename = "size", serialize_with = "size")]
     pub image: Image,
+}
+
+impl Shot {
+    /// The largest difference of components, pixel by pixel, between the first picture of the artefact in a series
+    /// ([`Outcome::series`](super::Outcome::series)) and the first without it that has the same size. `None` if there are no such
+    /// pictures, or if the series has a difference already.
+    pub fn difference(series: &[Shot]) -> Option<Shot> {
+        let first =
+            |roles: &[Role]| series.iter().find(|shot| roles.contains(&shot.role)).map(|shot| &shot.image);
+        let [bad, cured] = [first(&[Role::Bad])?, first(&[Role::Cured, Role::Attempt])?];
+        if bad.size != cured.size || first(&[Role::Difference]).is_some() {
+            return None;
+        }
+        let off = |(a, b): (f32, f32)| (f64::from(a) - f64::from(b)).abs();
+        let pairs = linear(bad).iter().zip(linear(cured));
+        let largest = pairs.map(|(a, b)| a.iter().copied().zip(*b).map(off).fold(0.0, f64::max));
+        let covered = bad.coverage.iter().zip(&cured.coverage);
+        let values: Vec<Option<f64>> =
+            largest.zip(covered).map(|(value, (a, b))| (a | b > 0).then_some(value)).collect();
+        // A difference of less than half a step of 8 bits is none.
+        let full = values.iter().flatten().copied().fold(Threshold::HALF_STEP, f64::max);
+        Some(Shot {
+            name: "difference",
+            role: Role::Difference,
+            label: SHARED.get("difference-title"),
+            caption: SHARED.with("difference-caption", &[("full", full.into())]),
+            measured: None,
+            map: Some(MapScale { full, unit: "" }),
+            image: map(bad.size, &values, full),
+        })
+    }
 }
 
 fn size<S: Serializer>(image: &Image, serializer: S) -> Result<S::Ok, S::Error> {

@@ -21,8 +21,8 @@ pub struct Experiment {
     pub(super) texts: &'static Catalogue,
     /// The parameters that it takes.
     pub takes: &'static [ParameterName],
-    /// The valid numbers of segments, if it takes [`ParameterName::Segments`].
-    pub segments: RangeInclusive<u32>,
+    /// The least and largest values of numbers that have a smaller range here than elsewhere.
+    pub(super) ranges: &'static [(ParameterName, [f64; 2])],
     /// The default parameters.
     pub defaults: Parameters,
     pub(super) run: RunFn,
@@ -44,8 +44,7 @@ pub struct Formula {
 impl Experiment {
     /// An experiment without parameters, with the usual defaults of them, and without an animation.
     pub(super) const fn new(id: &'static str, texts: &'static Catalogue, run: RunFn) -> Self {
-        let (segments, defaults) = (Parameters::SEGMENTS, Parameters::USUAL);
-        Self { id, texts, takes: &[], segments, defaults, run, frame: None }
+        Self { id, texts, takes: &[], ranges: &[], defaults: Parameters::USUAL, run, frame: None }
     }
 
     /// Its title.
@@ -143,23 +142,24 @@ impl Experiment {
                 return Err(ArtefactError::request(&key, &[("found", given(found).into())]));
             }
         }
-        if self.segments.contains(&parameters.segments) {
-            return Ok(());
+        for &(name, [least, most]) in self.ranges {
+            let Some(found) = parameters.number(name) else { continue };
+            if !(least..=most).contains(&found) {
+                let (id, name) = (("experiment", self.id.into()), ("name", name.name().into()));
+                let number = |number: f64| Value::from(given(number));
+                let [found, least, most] = [found, least, most].map(number);
+                let values = [id, name, ("found", found), ("least", least), ("most", most)];
+                return Err(ArtefactError::request("own-range", &values));
+            }
         }
-        let number = |number: u32| Value::from(number.to_string());
-        let (least, most) = (number(*self.segments.start()), number(*self.segments.end()));
-        let found = ("found", number(parameters.segments));
-        let values = [("experiment", self.id.into()), found, ("least", least), ("most", most)];
-        Err(ArtefactError::request("own-segments", &values))
+        Ok(())
     }
 
     /// The range of a number that it takes; `None` for parameters that are no numbers, and for those that it does not take.
     pub fn range(&self, name: ParameterName) -> Option<RangeInclusive<f64>> {
-        match name {
-            _ if !self.takes.contains(&name) => None,
-            ParameterName::Segments => Some((*self.segments.start()).into()..=(*self.segments.end()).into()),
-            _ => name.range(),
-        }
+        let own = self.ranges.iter().find(|(own, _)| *own == name);
+        let own = own.map(|&(_, [least, most])| least..=most);
+        own.or_else(|| name.range()).filter(|_| self.takes.contains(&name))
     }
 
     /// Refuses the first of some parameters that the experiment does not take.

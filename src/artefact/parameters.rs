@@ -18,6 +18,10 @@ pub enum ParameterName {
     Segments,
     /// [`Parameters::light`].
     Light,
+    /// [`Parameters::turn`].
+    Turn,
+    /// [`Parameters::intensity`].
+    Intensity,
     /// [`Parameters::exponent`].
     Exponent,
     /// [`Parameters::weight`].
@@ -31,10 +35,12 @@ pub enum ParameterName {
 }
 
 /// The name of each parameter, in the order of [`ParameterName`], and the range of a number.
-const TABLE: [(&str, Option<RangeInclusive<f64>>); 8] = [
+const TABLE: [(&str, Option<RangeInclusive<f64>>); 10] = [
     ("size", Some(32.0..=1024.0)),
     ("segments", Some(3.0..=1024.0)),
     ("light", Some(-180.0..=180.0)),
+    ("turn", Some(-180.0..=180.0)),
+    ("intensity", Some(0.0..=1e6)),
     ("exponent", Some(0.0..=1e6)),
     ("weight", None),
     ("crease", Some(0.0..=180.0)),
@@ -43,8 +49,8 @@ const TABLE: [(&str, Option<RangeInclusive<f64>>); 8] = [
 ];
 
 impl ParameterName {
-    pub(super) const NUMBERS: [Self; 5] =
-        [Self::Size, Self::Segments, Self::Light, Self::Exponent, Self::Crease];
+    pub(super) const NUMBERS: [Self; 7] =
+        [Self::Size, Self::Segments, Self::Light, Self::Turn, Self::Intensity, Self::Exponent, Self::Crease];
 
     /// The range of a number; `None` for parameters that are not numbers. An experiment may have a smaller range
     /// ([`Experiment::range`](super::Experiment::range)).
@@ -67,6 +73,10 @@ pub struct Parameters {
     pub segments: u32,
     /// The angle of the light, mostly off the axis of view, −180° to 180°.
     pub light: Degrees,
+    /// The rotation of the object or of the view, −180° to 180°.
+    pub turn: Degrees,
+    /// The intensity of the light, 0 to 10⁶; a white surface that faces light of intensity 1 without attenuation is white.
+    pub intensity: f64,
     /// The exponent n of the highlight, 0 to 10⁶.
     pub exponent: f64,
     /// The weighting of faces in vertex normals.
@@ -78,14 +88,14 @@ pub struct Parameters {
 }
 
 impl Parameters {
-    /// The range of segments; some experiments have a smaller one.
-    pub const SEGMENTS: RangeInclusive<u32> = 3..=1024;
-    /// The defaults of most experiments: 320 pixels, 16 segments, light 30° off the axis of view, n = 32, angle
-    /// weights, creases over 40°, perspective interpolation.
+    /// The defaults of most experiments: 320 pixels, 16 segments, light 30° off the axis of view, a rotation by 45°, intensity 1,
+    /// n = 32, angle weights, creases over 40°, perspective interpolation.
     pub const USUAL: Parameters = Parameters {
         size: 320,
         segments: 16,
         light: Degrees(30.0),
+        turn: Degrees(45.0),
+        intensity: 1.0,
         exponent: 32.0,
         weight: Weight::Angle,
         crease: Degrees(40.0),
@@ -98,6 +108,8 @@ impl Parameters {
             ParameterName::Size => Some(self.size.into()),
             ParameterName::Segments => Some(self.segments.into()),
             ParameterName::Light => Some(self.light.0),
+            ParameterName::Turn => Some(self.turn.0),
+            ParameterName::Intensity => Some(self.intensity),
             ParameterName::Exponent => Some(self.exponent),
             ParameterName::Crease => Some(self.crease.0),
             ParameterName::Weight | ParameterName::Interpolation | ParameterName::Mesh => None,
@@ -150,6 +162,8 @@ changes! {
     size: u32 = Size,
     segments: u32 = Segments,
     light: Degrees = Light,
+    turn: Degrees = Turn,
+    intensity: f64 = Intensity,
     exponent: f64 = Exponent,
     weight: Weight = Weight,
     crease: Degrees = Crease,

@@ -9,7 +9,7 @@ static TEXTS: Catalogue = catalogue!("triangulation");
 pub(super) static EXPERIMENT: Experiment = Experiment {
     takes: &[ParameterName::Size, ParameterName::Segments, ParameterName::Light],
     // More, and four times as many in the cured picture, would be hardly larger than pixels.
-    segments: 3..=256,
+    ranges: &[(ParameterName::Segments, [3.0, 256.0])],
     defaults: Parameters { segments: 12, light: Degrees(50.0), ..Parameters::USUAL },
     ..Experiment::new("triangulation", &TEXTS, run)
 };

@@ -17,7 +17,8 @@ const SIZE: u32 = 40;
 /// One parameter at a time is changed, also to the ends of its range.
 fn cases(experiment: &'static Experiment) -> Vec<Parameters> {
     let usual = Parameters { size: SIZE, ..experiment.defaults };
-    let (fewest, most) = (*experiment.segments.start(), (*experiment.segments.end()).min(256));
+    let range = |name| experiment.range(name).map_or([0.0; 2], |range| [*range.start(), *range.end()]);
+    let [fewest, most] = range(ParameterName::Segments).map(|count| (count as u32).min(256));
     let of = |&knob: &ParameterName| -> Vec<Parameters> {
         match knob {
             ParameterName::Size => [32, 33, 100].map(|size| Parameters { size, ..usual }).to_vec(),
@@ -25,8 +26,20 @@ fn cases(experiment: &'static Experiment) -> Vec<Parameters> {
                 .map(|segments| Parameters { segments, ..usual })
                 .to_vec(),
             ParameterName::Light => [-180.0, -60.0, 0.0, 80.0, 90.0, 120.0]
+                .into_iter()
+                .filter(|light| experiment.range(knob).is_some_and(|range| range.contains(light)))
                 .map(|light| Parameters { light: Degrees(light), ..usual })
-                .to_vec(),
+                .collect(),
+            ParameterName::Turn => range(knob)
+                .into_iter()
+                .chain([10.0, 45.0, 80.0])
+                .map(|turn| Parameters { turn: Degrees(turn), ..usual })
+                .collect(),
+            ParameterName::Intensity => range(knob)
+                .into_iter()
+                .chain([0.3, 0.5, 1.6, 8.0])
+                .map(|intensity| Parameters { intensity, ..usual })
+                .collect(),
             ParameterName::Exponent => [0.0, 0.5, 1.0, 1.3, 5.0, 1000.0, 1e6]
                 .map(|exponent| Parameters { exponent, ..usual })
                 .to_vec(),

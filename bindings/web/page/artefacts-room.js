@@ -18,6 +18,8 @@ const SLIDERS = {
   size: { step: 1, unit: ' px' },
   segments: { step: 1, logarithmic: true },
   light: { step: 0.01, unit: '°' },
+  turn: { step: 1, unit: '°' },
+  intensity: { step: 0.05, logarithmic: true },
   exponent: { step: 1, logarithmic: true },
   crease: { step: 1, unit: '°' },
 };
@@ -157,6 +159,7 @@ export function artefactsRoom(lab) {
     }
     value.series.flat().forEach((/** @type {any} */ shot, /** @type {number} */ k) => {
       put(figures[k].canvas, shot.size, buffers[k]);
+      figures[k].canvas.dataset.file = `${current().id}-${shot.name}`;
       figures[k].canvas.setAttribute('aria-label', shot.caption);
       const caption = figures[k].element.querySelector('figcaption');
       caption.innerHTML = `<span class="role ${shot.role}">${text(`role-${shot.role}`)}</span> ${shot.label}`;
@@ -214,9 +217,11 @@ export function artefactsRoom(lab) {
     const mine = ++tracing;
     const { range } = parameter(along);
     const [low, high] = along === 'segments' ? [Math.max(range[0], 3), Math.min(range[1], 64)]
-      : along === 'exponent' ? [1, 256] : along === 'light' ? [-90, 90] : range;
+      : along === 'exponent' ? [1, 256] : along === 'light' ? [Math.max(range[0], -90), Math.min(range[1], 90)] : range;
+    const { logarithmic, step } = SLIDERS[along];
     for (let k = 0; k <= STEPS; k++) {
-      const value = along === 'light' || along === 'crease' ? low + (high - low) * k / STEPS : Math.round(low * (high / low) ** (k / STEPS));
+      const share = k / STEPS;
+      const value = logarithmic ? Number((Math.round(low * (high / low) ** share / step) * step).toFixed(4)) : low + (high - low) * share;
       const sized = parameter('size') ? { size: COARSE } : {};
       if (asked) runs = k + 1;
       try {

@@ -1,9 +1,11 @@
 // Pictures: RGBA on a canvas, a lamp or a view that is dragged on them.
 
-import { element } from './dom.js';
+import { button, download, element } from './dom.js';
+import { text } from './texts.js';
 
 /**
- * A canvas in a figure, with an overlay for arrows and marks.
+ * A canvas in a figure, with an overlay for arrows and marks, and a button that saves the picture. The name of its file is
+ * `canvas.dataset.file`.
  * @param {string} label
  * @param {string} caption
  */
@@ -11,7 +13,10 @@ export function figure(label, caption) {
   const canvas = element('canvas', { width: 1, height: 1, role: 'img', 'aria-label': label });
   const stage = element('div', { class: 'stage' }, canvas);
   const note = element('p', { class: 'missing', hidden: true });
-  const made = element('figure', {}, stage, note, element('figcaption', {}, caption));
+  const keep = (/** @type {Blob | null} */ blob) => { if (blob) download(`${canvas.dataset.file ?? 'picture'}.png`, blob); };
+  const named = { title: text('save-picture'), 'aria-label': text('save-picture') };
+  const save = button('⤓', () => canvas.toBlob(keep), { class: 'save', ...named });
+  const made = element('figure', {}, stage, save, note, element('figcaption', {}, caption));
   return { element: made, stage, canvas, note };
 }
 

@@ -107,6 +107,7 @@ export function exercisesRoom(lab) {
       if (!answer) return;
       shown = key;
       about = answer.value;
+      view.canvas.dataset.file = lab.state.exercise;
       put(view.canvas, about.size, answer.buffers[0]);
       const [x, y] = about.pixel;
       arrows.setAttribute('viewBox', `0 0 ${about.size[0]} ${about.size[1]}`);

@@ -80,6 +80,7 @@ export function inspectRoom(lab) {
       if (key !== inspected) mark = null;
       const answer = await lab.program.latest('draw', { verb: 'draw', view: request, pictures: ['phong'], marks: mark ? [mark] : [] });
       if (answer) {
+        view.canvas.dataset.file = `${lab.state.subject}-findings`;
         put(view.canvas, size, answer.buffers[0]);
         marks.setAttribute('viewBox', `0 0 ${side} ${side}`);
         marks.replaceChildren(...answer.value.marks.filter(Boolean).flatMap((/** @type {[number, number]} */ [cx, cy]) => ['spot halo', 'spot'].map((name) => drawing('circle', { class: name, cx, cy, r: side / 30 }))));

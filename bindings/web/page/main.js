@@ -79,7 +79,7 @@ const lab = {
       writeState();
       show();
     } catch (error) {
-      lab.say(String(/** @type {Error} */ (error).message), true);
+      lab.say(text('file-error', { error: String(/** @type {Error} */ (error).message) }), true);
     }
   },
 };

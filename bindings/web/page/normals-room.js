@@ -65,10 +65,7 @@ export function normalsRoom(lab) {
     saving.replaceChildren(
       element('h2', {}, text('save')),
       element('div', { class: 'buttons' },
-        ...FORMATS.map((format) => button(text('save-as', { format: format.toUpperCase() }), () => saveMesh(format))),
-        button(text('save-picture'), () => {
-          figures[2].canvas.toBlob((/** @type {Blob | null} */ blob) => { if (blob) download(`${lab.state.subject}-phong.png`, blob); });
-        })),
+        ...FORMATS.map((format) => button(text('save-as', { format: format.toUpperCase() }), () => saveMesh(format)))),
       element('div', { class: 'commands' }),
     );
   }
@@ -126,6 +123,7 @@ export function normalsRoom(lab) {
       if (!answer) return;
       answer.value.pictures.forEach((/** @type {any} */ picture, /** @type {number} */ k) => {
         const { stage, canvas, note } = figures[k];
+        canvas.dataset.file = `${lab.state.subject}-${KINDS[k]}`;
         stage.hidden = picture.missing !== undefined;
         note.hidden = picture.missing === undefined;
         if (picture.missing) note.textContent = picture.missing.startsWith('no-') ? text(picture.missing) : picture.missing;

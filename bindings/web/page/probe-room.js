@@ -134,6 +134,7 @@ export function probeRoom(lab) {
         return;
       }
       full.hidden = false;
+      view.canvas.dataset.file = `${lab.state.subject}-${lab.state.picture}`;
       if (answer) put(view.canvas, size, answer.buffers[0]);
       const probed = await lab.program.latest('probe', { verb: 'probe', view: request, picture, pixel });
       if (!probed) return;

@@ -3,7 +3,8 @@
 use crate::laboratory::{Result, value};
 use crate::pictures::rgba;
 use crease::artefact::{
-    EXPERIMENTS, Experiment, Language, Outcome, ParameterName, Parameters, Range, Setup, Verdict, experiment,
+    EXPERIMENTS, Experiment, Language, Outcome, ParameterName, Parameters, Range, Setup, Shot, Verdict,
+    experiment,
 };
 use crease::normals::Weight;
 use crease::num::Degrees;
@@ -21,6 +22,8 @@ pub(crate) struct Run {
     size: Option<u32>,
     segments: Option<u32>,
     light: Option<f64>,
+    turn: Option<f64>,
+    intensity: Option<f64>,
     exponent: Option<f64>,
     crease: Option<f64>,
     weight: Option<Weight>,
@@ -67,6 +70,8 @@ impl Run {
             size: self.size.unwrap_or(defaults.size),
             segments: self.segments.unwrap_or(defaults.segments),
             light: self.light.map_or(defaults.light, Degrees),
+            turn: self.turn.map_or(defaults.turn, Degrees),
+            intensity: self.intensity.unwrap_or(defaults.intensity),
             exponent: self.exponent.unwrap_or(defaults.exponent),
             crease: self.crease.map_or(defaults.crease, Degrees),
             weight: self.weight.unwrap_or(defaults.weight),
@@ -91,8 +96,11 @@ impl Run {
         let [name, condition] = verdict_text(&outcome, language);
         let table = measure_table(&outcome, language);
         let cells = table.rows.iter().map(|row| row.iter().map(|cell| running(cell)).collect::<Vec<_>>());
+        let mut buffers = Vec::new();
         let series = outcome.series().map(|shots| {
-            let shot = |shot: &crease::artefact::Shot| {
+            let difference = Shot::difference(shots);
+            let shot = |shot: &Shot| {
+                buffers.push(rgba(&shot.image));
                 json!({
                     "name": shot.name,
                     "role": shot.role,
@@ -101,8 +109,9 @@ impl Run {
                     "size": shot.image.size,
                 })
             };
-            shots.iter().map(shot).collect::<Vec<_>>()
+            shots.iter().chain(&difference).map(shot).collect::<Vec<_>>()
         });
+        let series: Vec<_> = series.collect();
         let charts = outcome.charts.iter().map(|chart| {
             let caption = running(chart.caption.get(language));
             json!({ "svg": chart_plot(chart, language).svg(chart.name), "caption": caption })
@@ -111,7 +120,7 @@ impl Run {
             "verdict_name": name,
             "condition": running(&condition),
             "table": { "headings": table.columns, "rows": cells.collect::<Vec<_>>() },
-            "series": series.collect::<Vec<_>>(),
+            "series": series,
             "charts": charts.collect::<Vec<_>>(),
             "notes": outcome.notes.iter().map(|note| running(note.get(language))).collect::<Vec<_>>(),
             "command": experiment.command(&setup, language),
@@ -119,7 +128,7 @@ impl Run {
         if let (Some(all), Value::Object(more)) = (answer.as_object_mut(), more) {
             all.extend(more);
         }
-        Ok((answer, outcome.shots.iter().map(|shot| rgba(&shot.image)).collect()))
+        Ok((answer, buffers))
     }
 }
 

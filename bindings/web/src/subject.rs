@@ -3,8 +3,7 @@
 use crate::laboratory::Result;
 use crate::shapes::{self, Made};
 use crate::view::View;
-use crease::io::{Format, Limits};
-use crease::io::{Loaded, ReadOptions, Severity, read_bytes};
+use crease::io::{Format, Limits, Loaded, ReadError, ReadOptions, Severity, read_bytes};
 use crease::mesh::{Topology, Weld};
 use crease::normals::{NormalField, NormalRecipe, Weight, When, compute_on};
 use crease::surface::Primitive;
@@ -36,6 +35,14 @@ pub(crate) struct Subject {
 /// Largest file: the memory of a page ends at 4 GB.
 const LARGEST: u64 = 256 << 20;
 
+/// An error without advice that names an option of the program.
+fn complaint(name: &str, mut error: ReadError) -> String {
+    if error.advice.contains("--") {
+        error.advice.clear();
+    }
+    format!("{name}: {error}")
+}
+
 impl Subject {
     pub(crate) fn of_file(name: &str, bytes: Vec<u8>) -> Result<Self> {
         let limits = Limits { bytes: LARGEST, ..Limits::default() };
@@ -44,7 +51,7 @@ impl Subject {
         }
         let options = ReadOptions { limits, ..ReadOptions::default() };
         let format = crease::io::detect(&bytes, Some(Path::new(name)));
-        let loaded = read_bytes(bytes, format, None, &options).map_err(|error| format!("{name}: {error}"))?;
+        let loaded = read_bytes(bytes, format, None, &options).map_err(|error| complaint(name, error))?;
         Self::new(name.to_owned(), loaded)
     }
 

@@ -2,7 +2,7 @@
 //
 //     node bindings/web/tests/lab.mjs NODE_MODULES [NATIVE_ANSWERS [PART_OF_A_NAME]]
 //
-// NODE_MODULES has playwright-core and axe-core. NATIVE_ANSWERS is the folder that the program `answers` wrote; without it, bits are
+// NODE_MODULES has playwright-core and axe-core. NATIVE_ANSWERS is the folder that `cargo test laboratory` wrote; without it, bits are
 // not compared. LAB_BROWSER is the path of another browser than /usr/bin/chromium: a Chromium, or a Firefox if its name says so.
 import assert from 'node:assert/strict';
 import { existsSync, mkdirSync, readFileSync, readdirSync, statSync } from 'node:fs';
@@ -315,6 +315,37 @@ await test('exercises accept the answers of the lectures and refuse others', asy
   assert.match(await answer(colour.map(String)), /right/);
   assert.ok(page.url().includes(`seed=${await page.inputValue('input[data-name="seed"]')}`));
   assert.deepEqual(troubles, []);
+  await close();
+});
+
+await test('every experiment shows artefact, cure and difference, and a number along a slider of its own', async () => {
+  const { page, troubles, close } = await open('#room=artefacts');
+  const experiments = await page.evaluate(async () => (await window.laboratory.ask({ verb: 'experiments', language: 'en' })).value);
+  assert.ok(experiments.length >= 16);
+  for (const { id, parameters } of experiments) {
+    await go(page, `#room=artefacts&experiment=${id}&parameters=size:96`);
+    for (const role of ['bad', 'cured', 'difference']) assert.ok(await page.locator(`figure.${role}`).count() > 0, `${id}: no picture ${role}`);
+    const own = parameters.filter(({ name, range }) => range && name !== 'size');
+    assert.ok(own.length > 0, `${id}: no slider`);
+    assert.ok(await page.locator('.live').isVisible(), `${id}: no plot`);
+  }
+  await go(page, '#room=artefacts&experiment=attenuation-and-overflow&parameters=size:96');
+  assert.equal(await page.locator('.verdict.fails').count(), 0);
+  await go(page, '#room=artefacts&experiment=attenuation-and-overflow&parameters=size:96,intensity:4');
+  await page.waitForSelector('.verdict.fails');
+  assert.deepEqual(troubles, []);
+  await close();
+});
+
+await test('pictures are saved under their names', async () => {
+  const { page, close } = await open('#room=normals&subject=torus');
+  for (const [link, file] of [['#room=normals&subject=torus', 'torus-flat.png'], ['#room=probe&subject=torus', 'torus-phong.png'],
+    ['#room=artefacts&experiment=orientation&parameters=size:65', 'orientation-halves.png']]) {
+    await go(page, link);
+    await page.locator('figure').first().hover();
+    const [saved] = await Promise.all([page.waitForEvent('download'), page.locator('figure .save').first().click()]);
+    assert.equal(saved.suggestedFilename(), file);
+  }
   await close();
 });
 

@@ -7,48 +7,64 @@ use std::f64::consts::PI;
 
 static TEXTS: Catalogue = catalogue!("texts");
 
-pub(super) static EXPERIMENT: Experiment =
-    Experiment { takes: &[ParameterName::Size], ..Experiment::new("attenuation-and-overflow", &TEXTS, run) };
+pub(super) static EXPERIMENT: Experiment = Experiment {
+    takes: &[ParameterName::Size, ParameterName::Intensity],
+    // From h², where 1/d² is white below the lamp, to white discs of nearly the whole width of the window.
+    ranges: &[(ParameterName::Intensity, [HEIGHT * HEIGHT, 20.0])],
+    // The most that 1/(d + k) keeps within the range of the screen.
+    defaults: Parameters { intensity: HEIGHT + K, ..Parameters::USUAL },
+    ..Experiment::new("attenuation-and-overflow", &TEXTS, run)
+};
 
-/// The lamp's height over the floor, its strength, and the k that avoids overflow.
+/// The lamp's height over the floor, and the k that avoids overflow.
 const HEIGHT: f64 = 0.5;
-const STRENGTH: f64 = 1.5;
 const K: f64 = 1.0;
 /// The lamp's colour. Its components differ so much that clamping changes the hue.
 const WARM: LinearRgb = LinearRgb::new(1.0, 0.6, 0.2);
 const WINDOW: f64 = 6.0;
 
 fn run(setup: &Setup) -> Result<Outcome> {
-    let size = setup.parameters.size;
+    let Parameters { size, intensity, .. } = setup.parameters;
     let values = [
-        ("strength", STRENGTH.into()),
+        ("intensity", intensity.into()),
+        ("least", (intensity - HEIGHT).into()),
         ("height", HEIGHT.into()),
         ("k", K.into()),
         ("hue", (WARM.g / WARM.r).into()),
     ];
     let mut out = Recorder::new(&TEXTS, &values);
-    let (effect, peak) = attenuation(size, &mut out)?;
-    overflowing_colours(size, &mut out)?;
+    let (effect, peak) = attenuation(size, intensity, &mut out)?;
+    overflowing_colours(size, intensity, &mut out)?;
     depth_cueing(size, &mut out)?;
     out.measure("peak", "", peak, Check::None);
-    chart(&mut out);
-    Ok(out.finish(Verdict::HoldsOnlyIf(out.text("holds-only-if")), effect))
+    chart(intensity, &mut out);
+    let verdict = match intensity <= HEIGHT + K {
+        true => Verdict::HoldsOnlyIf(out.text("holds-only-if")),
+        false => Verdict::Fails(out.text("fails")),
+    };
+    Ok(out.finish(verdict, effect))
 }
 
 /// A floor under three rules of attenuation. Returns the reported effect, and the largest luminance under 1/d².
-fn attenuation(size: u32, out: &mut Recorder) -> Result<(Effect, f64)> {
-    let floor = |rule| floor(rule, LinearRgb::grey(STRENGTH), ToneRule::Clamp, size);
+fn attenuation(size: u32, intensity: f64, out: &mut Recorder) -> Result<(Effect, f64)> {
+    let floor = |rule| floor(rule, LinearRgb::grey(intensity), ToneRule::Clamp, size);
     let square = floor(Attenuation::InverseSquare)?;
     let quadratic = floor(Attenuation::Quadratic([1.0, 1.0, 1.0]))?;
     let offset = floor(Attenuation::Offset(K))?;
     let [of_square, of_quadratic, of_offset] = [&square, &quadratic, &offset].map(share);
-    let radius = libm::pow(STRENGTH * HEIGHT, 2.0 / 3.0) - HEIGHT * HEIGHT;
     let pixel = WINDOW / f64::from(size);
-    // Half of the pixels on the border may be counted wrong, all to one side.
-    let tolerance = PI * radius.sqrt() * pixel / (WINDOW * WINDOW);
-    let check = Check::Near(PI * radius / (WINDOW * WINDOW), tolerance);
-    out.measure("share-inverse-square", "", of_square, check);
-    out.measure("share-offset", "", of_offset, Check::Near(0.0, 0.0));
+    // A disc by the square of the distance from the lamp to its border.
+    let disc = |square: f64| {
+        let radius = (square - HEIGHT * HEIGHT).max(0.0).sqrt();
+        // Half of the pixels on the border may be counted wrong, all to one side; of a disc smaller than a pixel, four.
+        let tolerance = if radius > 0.0 { (PI * radius * pixel).max(4.0 * pixel * pixel) } else { 0.0 };
+        Check::Near(PI * radius * radius / (WINDOW * WINDOW), tolerance / (WINDOW * WINDOW))
+    };
+    let diffuse = intensity * HEIGHT;
+    out.measure("share-inverse-square", "", of_square, disc(libm::pow(diffuse, 2.0 / 3.0)));
+    // Where d (d + k) = I₀h.
+    let border = 0.5 * ((K * K + 4.0 * diffuse).sqrt() - K);
+    out.measure("share-offset", "", of_offset, disc(border * border));
     let by_square = expected_contrast(|d| 1.0 / (d * d), pixel);
     let by_offset = expected_contrast(|d| 1.0 / (d + K), pixel);
     out.measure("contrast-inverse-square", "", contrast(&square), Check::Near(by_square, 2e-4 * by_square));
@@ -63,8 +79,8 @@ fn attenuation(size: u32, out: &mut Recorder) -> Result<(Effect, f64)> {
 }
 
 /// A lamp too bright for the screen, its colour clamped and divided by its largest component.
-fn overflowing_colours(size: u32, out: &mut Recorder) -> Result<()> {
-    let floor = |tone| floor(Attenuation::InverseSquare, WARM * STRENGTH, tone, size);
+fn overflowing_colours(size: u32, intensity: f64, out: &mut Recorder) -> Result<()> {
+    let floor = |tone| floor(Attenuation::InverseSquare, WARM * intensity, tone, size);
     let (clamped, divided) = (floor(ToneRule::Clamp)?, floor(ToneRule::DivideByMax)?);
     let hue = |image: &Image| {
         let colour = LinearRgb::from(Srgb8(image.pixel(size / 2, size / 2).unwrap_or_default()));
@@ -72,7 +88,12 @@ fn overflowing_colours(size: u32, out: &mut Recorder) -> Result<()> {
     };
     let [of_clamped, of_divided] = [&clamped, &divided].map(hue);
     let own = WARM.g / WARM.r;
-    out.measure("clamped", "", of_clamped, Check::Near(1.0, 1e-12));
+    let [x, y] = [off_middle(size); 2];
+    let light = intensity * light_at_point(|d| 1.0 / (d * d), x, y);
+    let [red, green] = [WARM.r, WARM.g].map(|component| (component * light).min(1.0));
+    // Two colours that are white are the same code.
+    let tolerance = if green < 1.0 { 0.005 } else { 1e-12 };
+    out.measure("clamped", "", of_clamped, Check::Near(green / red, tolerance));
     out.measure("divided", "", of_divided, Check::Near(own, 0.005));
     let [c, d] = [ToneRule::Clamp, ToneRule::DivideByMax].map(|rule| rule.apply([0.9, 1.1, 0.3]));
     out.measure("exercise-clamped", "", c[0], Check::Near(0.9, 0.0));
@@ -133,17 +154,22 @@ fn contrast(image: &Image) -> f64 {
 }
 
 fn expected_contrast(rule: impl Fn(f64) -> f64, pixel: f64) -> f64 {
-    let light = |x: f64, y: f64| {
-        let d = (HEIGHT * HEIGHT + x * x + y * y).sqrt();
-        HEIGHT / d * rule(d)
-    };
-    let count = libm::round(WINDOW / pixel);
-    // The middle pixel's centre is half a pixel off the middle where their number is even.
-    let off = if count % 2.0 == 0.0 { 0.5 * pixel } else { 0.0 };
-    light(off, off) / light(0.5 * (WINDOW - pixel), off)
+    let off = off_middle(libm::round(WINDOW / pixel) as u32);
+    light_at_point(&rule, off, off) / light_at_point(&rule, 0.5 * (WINDOW - pixel), off)
 }
 
-fn chart(out: &mut Recorder) {
+/// The light of a lamp of intensity 1 at a point of the floor.
+fn light_at_point(rule: impl Fn(f64) -> f64, x: f64, y: f64) -> f64 {
+    let d = (HEIGHT * HEIGHT + x * x + y * y).sqrt();
+    HEIGHT / d * rule(d)
+}
+
+/// The middle pixel's centre is half a pixel off the middle where the number of pixels is even.
+fn off_middle(size: u32) -> f64 {
+    if size.is_multiple_of(2) { 0.5 * WINDOW / f64::from(size) } else { 0.0 }
+}
+
+fn chart(intensity: f64, out: &mut Recorder) {
     let names = ["inverse-square", "quadratic", "offset"];
     let rules: [fn(f64) -> f64; 3] = [|d| 1.0 / (d * d), |d| 1.0 / (1.0 + d + d * d), |d| 1.0 / (d + K)];
     let mut curves = Vec::new();
@@ -151,14 +177,14 @@ fn chart(out: &mut Recorder) {
         let point = |k| {
             let rho = f64::from(k) / 40.0;
             let d = libm::hypot(HEIGHT, rho);
-            [rho, STRENGTH * HEIGHT / d * rule(d)]
+            [rho, intensity * HEIGHT / d * rule(d)]
         };
         curves.push(out.curve(name, Drawn::Curve, (0..=160).map(point).collect()));
     }
     curves.push(out.curve("white", Drawn::Guide, vec![[0.0, 1.0], [4.0, 1.0]]));
     // Where d² = d + k.
     let crossing = 0.5 * (1.0 + (1.0 + 4.0 * K).sqrt());
-    out.set("overflow", STRENGTH / (HEIGHT * HEIGHT));
+    out.set("overflow", intensity / (HEIGHT * HEIGHT));
     out.set("crossing", (crossing * crossing - HEIGHT * HEIGHT).sqrt());
     out.chart("light-on-the-floor", [Axis::Linear, Axis::Log], curves);
 }

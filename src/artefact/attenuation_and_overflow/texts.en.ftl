@@ -9,18 +9,20 @@ formula-2 = {"ρ^2 < (I_0 h)^{2/3} − h^2"}
 formula-2-says = region where f = 1/d² makes I more than 1; with f = 1/(d + k), I is at most I₀/(h + k)
 formula-3 = {"\\frac{I_1}{I_2} = \\frac{d_2 + k}{d_1 + k}"}
 formula-3-says = depth cueing: luminance ratio of the same surface at two distances from the viewer
-shown-by = Use a larger picture to show it.
+shown-by = Use a larger picture (--size) or a brighter light (--intensity 1.5) to show it.
 inverse-square-title = inverse square: 1/d²
 quadratic-title = quadratic: 1/(1 + d + d²)
 offset-title = offset: 1/(d + k)
 share-inverse-square-measure = 1/d²: share of the floor brighter than 1
 share-inverse-square-by = π [(I₀h)^(2/3) − h²] over the area of the window; tolerance: half a pixel along the border
 share-offset-measure = 1/(d + k): share of the floor brighter than 1
-share-offset-by = none, because I₀/(h + k) ≤ 1; rounding in single precision is ignored
+share-offset-by =
+    π (ρ² − h²) over the area of the window, with ρ (ρ + k) = I₀h; none if I₀/(h + k) ≤ 1. Tolerance: half a pixel along
+    the border
 contrast-inverse-square-measure = 1/d²: luminance below the light over luminance at the edge of the floor
 contrast-offset-measure = 1/(d + k): luminance below the light over luminance at the edge of the floor
 clamped-measure = clamped: green over red below the light
-clamped-by = both are clamped to 1
+clamped-by = the light at this pixel centre, each component clamped to 1; tolerance: the 8-bit step at this colour
 divided-measure = divided by the largest component: green over red below the light
 exercise-clamped-measure = exercise 1.6.17: red after clamping
 exercise-clamped-by = the value in the lectures, [0.9, 1, 0.3]
@@ -42,10 +44,12 @@ holds-only-if =
     colours are displayed as computed. The law 1/d² follows from geometry for a small light source, not from the
     atmosphere as the lectures state; its values exceed the range of the screen. 1/(d + k) with k ≥ I₀ − h stays within
     that range, but it is not the law of any real light source.
-inverse-square-caption = A floor below a point light of intensity I₀ = { $strength } at the height h = { $height }.
+fails =
+    k = { $k } is less than I₀ − h = { $least }: below the light, 1/(d + k) exceeds the range of the screen too. Any law of
+    light that is not limited does, for a light that is bright enough.
+inverse-square-caption = A floor below a point light of intensity I₀ = { $intensity } at the height h = { $height }.
 inverse-square-seen =
-    Below the light there is a white disc with a hard edge, where luminance exceeds 1. The floor is dark a short
-    distance away.
+    Below the light there is a white disc with a hard edge, where luminance exceeds 1. The floor is dark farther away.
 quadratic-caption = Attenuation with a constant, a linear and a quadratic term.
 quadratic-seen = There is no disc, and the floor is still dark far away.
 offset-caption = The same light with 1/(d + k), k = { $k }.

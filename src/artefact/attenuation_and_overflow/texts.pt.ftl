@@ -9,18 +9,20 @@ formula-2 = {"ρ^2 < (I_0 h)^{2/3} − h^2"}
 formula-2-says = região em que f = 1/d² torna I maior que 1; com f = 1/(d + k), I é no máximo I₀/(h + k)
 formula-3 = {"\\frac{I_1}{I_2} = \\frac{d_2 + k}{d_1 + k}"}
 formula-3-says = depth cueing: razão entre as luminâncias da mesma superfície a duas distâncias do observador
-shown-by = Use uma imagem maior para mostrá-lo.
+shown-by = Use uma imagem maior (--size) ou uma luz mais intensa (--intensity 1.5) para mostrá-lo.
 inverse-square-title = inverso do quadrado: 1/d²
 quadratic-title = quadrática: 1/(1 + d + d²)
 offset-title = deslocada: 1/(d + k)
 share-inverse-square-measure = 1/d²: parcela do chão com luminância acima de 1
 share-inverse-square-by = π [(I₀h)^(2/3) − h²] dividido pela área da janela; tolerância: meio pixel ao longo da borda
 share-offset-measure = 1/(d + k): parcela do chão com luminância acima de 1
-share-offset-by = nenhuma, pois I₀/(h + k) ≤ 1; o arredondamento em precisão simples é ignorado
+share-offset-by =
+    π (ρ² − h²) sobre a área da janela, com ρ (ρ + k) = I₀h; nenhuma se I₀/(h + k) ≤ 1. Tolerância: meio pixel ao longo da
+    borda
 contrast-inverse-square-measure = 1/d²: razão entre a luminância abaixo da luz e a da borda do chão
 contrast-offset-measure = 1/(d + k): razão entre a luminância abaixo da luz e a da borda do chão
 clamped-measure = truncada: razão verde/vermelho abaixo da luz
-clamped-by = as duas componentes são truncadas em 1
+clamped-by = a luz no centro deste pixel, cada componente truncada em 1; tolerância: o passo de 8 bits nesta cor
 divided-measure = dividida pela maior componente: razão verde/vermelho abaixo da luz
 exercise-clamped-measure = exercício 1.6.17: vermelho depois do truncamento
 exercise-clamped-by = o valor das aulas, (0,9; 1; 0,3)
@@ -43,10 +45,12 @@ holds-only-if =
     as cores forem exibidas como calculadas. A lei 1/d² resulta da geometria de uma fonte de luz pequena, e não da
     atmosfera, como dizem as aulas; seus valores excedem a faixa de luminância da tela. 1/(d + k) com k ≥ I₀ − h fica
     nessa faixa, mas não é a lei de nenhuma fonte de luz real.
-inverse-square-caption = Um chão abaixo de uma luz pontual de intensidade I₀ = { $strength } à altura h = { $height }.
+fails =
+    k = { $k } é menor que I₀ − h = { $least }: abaixo da luz, 1/(d + k) também ultrapassa a faixa da tela. Isso vale para
+    qualquer lei sem limite, se a luz for bastante intensa.
+inverse-square-caption = Um chão abaixo de uma luz pontual de intensidade I₀ = { $intensity } à altura h = { $height }.
 inverse-square-seen =
-    Abaixo da luz há um disco branco de borda nítida, onde a luminância passa de 1. A uma pequena distância, o chão já é
-    escuro.
+    Abaixo da luz há um disco branco de borda nítida, onde a luminância passa de 1. Mais longe, o chão é escuro.
 quadratic-caption = Atenuação com um termo constante, um linear e um quadrático.
 quadratic-seen = Não há disco, mas o chão continua escuro ao longe.
 offset-caption = A mesma luz com 1/(d + k), k = { $k }.

@@ -9,7 +9,7 @@ static TEXTS: Catalogue = catalogue!("texts");
 pub(super) static EXPERIMENT: Experiment = Experiment {
     takes: &[ParameterName::Size, ParameterName::Segments, ParameterName::Light, ParameterName::Exponent],
     // More would be hardly larger than pixels.
-    segments: 3..=256,
+    ranges: &[(ParameterName::Segments, [3.0, 256.0])],
     defaults: Parameters { segments: 12, light: Degrees(45.0), exponent: 32.0, ..Parameters::USUAL },
     ..Experiment::new("flat-validity", &TEXTS, run)
 };

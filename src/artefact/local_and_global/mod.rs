@@ -8,8 +8,13 @@ use std::f64::consts::FRAC_PI_2;
 
 static TEXTS: Catalogue = catalogue!("texts");
 
-pub(super) static EXPERIMENT: Experiment =
-    Experiment { takes: &[ParameterName::Size], ..Experiment::new("local-and-global", &TEXTS, run) };
+pub(super) static EXPERIMENT: Experiment = Experiment {
+    takes: &[ParameterName::Size, ParameterName::Light],
+    // Higher lamps hide the shadow under the ball, and lower ones throw it out of the picture.
+    ranges: &[(ParameterName::Light, [10.0, 80.0])],
+    defaults: Parameters { light: Degrees(50.0), ..Parameters::USUAL },
+    ..Experiment::new("local-and-global", &TEXTS, run)
+};
 
 /// The largest difference that maps show.
 const FULL: f64 = 0.6;
@@ -17,15 +22,14 @@ const FULL: f64 = 0.6;
 const DEPTHS: [u32; 2] = [8, 24];
 
 fn run(setup: &Setup) -> Result<Outcome> {
-    let size = setup.parameters.size;
+    let Parameters { size, light, .. } = setup.parameters;
     let mut out = Recorder::new(&TEXTS, &[("full", FULL.into()), ("ambient", AMBIENT.into())]);
-    measure_points(&mut out)?;
-    let room = Room { ambient: AMBIENT };
+    let [room, dark] = [AMBIENT, 0.0].map(|ambient| Room { ambient, towards: towards(light) });
+    measure_points(&room, &dark, &mut out)?;
     let local = room.picture(size, Shading::Phong, DEPTHS[0])?;
     let [traced, truth] = DEPTHS.map(|depth| room.picture(size, Shading::Traced, depth));
     let (traced, truth) = (traced?, truth?);
-    let [dark, lit] =
-        [Room { ambient: 0.0 }, room].map(|room| room.picture(size, Shading::Traced, DEPTHS[0]));
+    let [dark, lit] = [dark, room].map(|room| room.picture(size, Shading::Traced, DEPTHS[0]));
     let (dark, lit) = (dark?, lit?);
     measure_regions(&local, &truth, &mut out);
     let rms = |image: &Image| errors(image, &truth).map(|[_, rms]| rms);
@@ -41,17 +45,15 @@ fn run(setup: &Setup) -> Result<Outcome> {
 }
 
 /// The light at points with a closed form: in the shadow, next to it, and in the mirror.
-fn measure_points(out: &mut Recorder) -> Result<()> {
+fn measure_points(room: &Room, dark: &Room, out: &mut Recorder) -> Result<()> {
     // Products of a few numbers in single precision.
     const ROUNDING: f64 = 1e-5;
-    let room = Room { ambient: AMBIENT };
     let [of_shadow, of_light] = [room.shadow(), room.light()];
     for (name, shading, law) in
         [("shadow-local", Shading::Phong, of_light), ("shadow-traced", Shading::Traced, of_shadow)]
     {
         out.measure(name, "", room.floor_in_shadow(shading)?, Check::Near(law, ROUNDING));
     }
-    let dark = Room { ambient: 0.0 };
     out.measure("shadow-dark", "", dark.floor_in_shadow(Shading::Traced)?, Check::AtMost(ROUNDING));
     out.measure("mirror-local", "", room.mirrored_floor(Shading::Phong)?, Check::AtMost(ROUNDING));
     let mirrored = room.mirrored_floor(Shading::Traced)?;
@@ -96,15 +98,21 @@ const GLASS: usize = 3;
 /// The lamp's light, and the colour of the floor, which reflects both kinds of light alike.
 const LAMP: f64 = 0.75;
 const COLOUR: f64 = 0.8;
-/// The direction to the lamp: from the left, above, in front.
-const TOWARDS: DVec3 = DVec3::new(-0.8, 0.8, 0.5);
 /// The centre of the ball.
 const CENTRE: DVec3 = DVec3::new(-0.9, 0.6, 0.0);
 const RADIUS: f64 = 0.6;
 
+/// The direction to the lamp, at an angle from the vertical: from the left, above, in front.
+fn towards(light: Degrees) -> DVec3 {
+    let (sine, cosine) = libm::sincos(Radians::from(light).0);
+    sine * DVec3::new(-0.8, 0.0, 0.5).normalize() + cosine * DVec3::Y
+}
+
 /// A floor, a ball, a mirror and a glass ball under a distant lamp and ambient light.
 struct Room {
     ambient: f64,
+    /// The direction to the lamp.
+    towards: DVec3,
 }
 
 impl Room {
@@ -115,14 +123,15 @@ impl Room {
 
     /// The light from the floor where the lamp reaches it: also in the shadow under a local model.
     fn light(&self) -> f64 {
-        self.shadow() + COLOUR * LAMP * TOWARDS.normalize().y
+        self.shadow() + COLOUR * LAMP * self.towards.y
     }
 
-    /// The floor in the middle of the ball's shadow, seen from straight above.
+    /// The floor in the middle of the ball's shadow. The view from the side of the shadow, 6° above the floor, passes under the ball
+    /// and under the mirror.
     fn floor_in_shadow(&self, shading: Shading) -> Result<f64> {
-        let at = CENTRE - TOWARDS * (CENTRE.y / TOWARDS.y);
-        let eye = at + DVec3::Y * 20.0;
-        self.seen(Camera { eye, target: at, up: DVec3::NEG_Z, ..front(1e-3) }, shading)
+        let at = CENTRE - self.towards * (CENTRE.y / self.towards.y);
+        let eye = at + DVec3::new(0.5, 0.0, 0.8).normalize() + 0.1 * DVec3::Y;
+        self.seen(Camera { eye, target: at, up: DVec3::Y, ..front(1e-3) }, shading)
     }
 
     /// A point of the mirror that shows a lit part of the floor.
@@ -180,7 +189,7 @@ impl Room {
         objects[GLASS].optics = Optics { transmit: LinearRgb::WHITE, ior: 1.5, ..Optics::NONE };
         let lights = vec![
             Light::Ambient { colour: LinearRgb::grey(self.ambient) },
-            Light::Directional { towards: TOWARDS, colour: LinearRgb::grey(LAMP) },
+            Light::Directional { towards: self.towards, colour: LinearRgb::grey(LAMP) },
         ];
         let scene = Scene { objects, lines: Vec::new(), lights, camera, background: BACKGROUND };
         Ok(render(&scene, &settings)?)

@@ -17,7 +17,7 @@ static TEXTS: Catalogue = catalogue!("texts");
 pub(super) static EXPERIMENT: Experiment = Experiment {
     takes: &[ParameterName::Size, ParameterName::Segments, ParameterName::Light],
     // With fewer facets no edge may be visible; with more, those of the finer cylinder would be a few pixels wide.
-    segments: 6..=128,
+    ranges: &[(ParameterName::Segments, [6.0, 128.0])],
     // So few that bands are visible; with an odd number of facets in the light no two neighbours are alike.
     defaults: Parameters { segments: 10, light: Degrees(30.0), ..Parameters::USUAL },
     ..Experiment::new("mach-bands", &TEXTS, run)

@@ -12,7 +12,7 @@ use polygon::Polygon;
 static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
-    takes: &[ParameterName::Size, ParameterName::Interpolation, ParameterName::Mesh],
+    takes: &[ParameterName::Size, ParameterName::Turn, ParameterName::Interpolation, ParameterName::Mesh],
     defaults: Parameters { size: 321, interpolation: Interpolation::Scanline, ..Parameters::USUAL },
     frame: Some(frame),
     ..Experiment::new("orientation", &TEXTS, run)
@@ -27,10 +27,15 @@ fn run(setup: &Setup) -> Result<Outcome> {
     let polygon = Polygon::of(setup.mesh.as_ref(), size)?;
     let is_diamond = setup.mesh.is_none();
     let shape = if is_diamond { "diamond" } else { "polygon" };
-    let mut out = Recorder::new(&TEXTS, &[("shape", shape.into()), ("full", pictures::FULL.into())]);
+    let turn = setup.parameters.turn;
+    let mut out = Recorder::new(
+        &TEXTS,
+        &[("shape", shape.into()), ("full", pictures::FULL.into()), ("turn", turn.0.into())],
+    );
+    let pictures = Pictures::draw(&polygon, size, turn)?;
+    measure_turned(&polygon, size, turn, &pictures, &mut out)?;
     let colours = CentreColours::measure(&polygon, size, &mut out)?;
     pictures::measure(&polygon, size, &mut out)?;
-    let pictures = Pictures::draw(&polygon, size)?;
     if is_diamond {
         let (tolerance, [one, other]) = (polygon.tolerance(size), &pictures.cuts);
         measure_diamond(&colours.scanline, [one, other], tolerance, &mut out);
@@ -93,6 +98,34 @@ impl CentreColours {
         ];
         out.chart("centre", [Axis::Linear; 2], curves);
     }
+}
+
+/// How far a rotation changes the colour at the centre, under scanlines and in triangles.
+fn measure_turned(
+    polygon: &Polygon,
+    size: u32,
+    turn: Degrees,
+    pictures: &Pictures,
+    out: &mut Recorder,
+) -> Result<()> {
+    let change = |[one, other]: [DVec3; 2]| (one - other).abs().max_element();
+    let tolerance = polygon.tolerance(size);
+    let turns = [Degrees(0.0), turn];
+    let jumps = turns.iter().any(|&turn| polygon.jumps(DVec2::ZERO, turn, size, tolerance));
+    let check = match jumps {
+        true => Check::None,
+        false => polygon.check(
+            size,
+            change(turns.map(|turn| polygon.scanline(DVec2::ZERO, turn))),
+            2.0 * tolerance,
+        ),
+    };
+    let found = change([&pictures.upright, &pictures.turned].map(centre));
+    out.measure("turned-scanline", "", found, check);
+    let [upright, turned] = turns.map(|turn| polygon.draw(size, turn, Interpolation::Affine));
+    let found = change([centre(&upright?), centre(&turned?)]);
+    out.measure("turned-triangles", "", found, polygon.check(size, 0.0, 2.0 * tolerance));
+    Ok(())
 }
 
 /// How far colours are from the first, in the component that changes most.

@@ -6,10 +6,10 @@ use super::polygon::{Polygon, sin_cos};
 pub(super) const FULL: f64 = 0.4;
 
 pub(super) struct Pictures {
-    /// Under scanlines: not turned, turned by 45° and by 90°, and the last turned back.
-    upright: Image,
-    half: Image,
-    turned: Image,
+    /// Under scanlines: not turned, turned by the given angle and by 90°, and the last turned back.
+    pub(super) upright: Image,
+    pub(super) turned: Image,
+    quarter: Image,
     back: Image,
     triangles_back: Image,
     /// In triangles cut one way and the other; the same where the polygon has one cut only.
@@ -18,18 +18,17 @@ pub(super) struct Pictures {
 }
 
 impl Pictures {
-    pub(super) fn draw(polygon: &Polygon, size: u32) -> Result<Self> {
-        let right_angle = Degrees(90.0);
+    pub(super) fn draw(polygon: &Polygon, size: u32, turn: Degrees) -> Result<Self> {
         let scanline = |angle| polygon.draw(size, angle, Interpolation::Scanline);
         let (first, second) = (polygon.cut(false)?, polygon.cut(true)?);
         let triangles = |cut: &Polygon, angle| cut.draw(size, angle, Interpolation::Affine);
-        let turned = scanline(right_angle)?;
+        let quarter = scanline(QUARTER)?;
         Ok(Self {
             upright: scanline(Degrees(0.0))?,
-            half: scanline(Degrees(45.0))?,
-            back: turned_back(&turned, right_angle),
-            turned,
-            triangles_back: turned_back(&triangles(&first, right_angle)?, right_angle),
+            turned: scanline(turn)?,
+            back: turned_back(&quarter, QUARTER),
+            quarter,
+            triangles_back: turned_back(&triangles(&first, QUARTER)?, QUARTER),
             cuts: [triangles(&first, Degrees(0.0))?, triangles(&second, Degrees(0.0))?],
             has_one_cut: first.is_cut_as(&second),
         })
@@ -37,7 +36,7 @@ impl Pictures {
 
     /// Shows the pictures, with the effect of a turn on the centre.
     pub(super) fn show(self, effect: &Effect, out: &mut Recorder) {
-        let Self { upright, half, turned, back, triangles_back, cuts: [one, other], has_one_cut } = self;
+        let Self { upright, turned, quarter, back, triangles_back, cuts: [one, other], has_one_cut } = self;
         let changes = [largest_difference(&upright, &back), largest_difference(&one, &triangles_back)];
         let seam = out.effect("seam", "", changes, effect.present.clone(), 10.0);
         out.set("cuts", if has_one_cut { "one" } else { "two" });
@@ -46,8 +45,8 @@ impl Pictures {
         out.bad("halves", &seam, halves(&upright, &back));
         out.cured("halves-triangles", &seam, halves(&one, &triangles_back));
         out.bad("position-1", effect, upright);
-        out.bad("turned-45", effect, half);
-        out.bad("position-2", effect, turned);
+        out.bad("turned", effect, turned);
+        out.bad("position-2", effect, quarter);
         out.difference("difference", difference, FULL, "");
         out.cured("diagonal-13", effect, one);
         out.cured("diagonal-24", effect, other);

@@ -58,8 +58,8 @@ halves-triangles-caption = The same comparison in triangles.
 halves-triangles-seen = There is no seam.
 position-1-title = scanline, 0°
 position-1-seen = After a rotation it has other colours.
-turned-45-title = scanline, 45°
-turned-45-seen = The colours change with the rotation.
+turned-title = scanline, { $turn }°
+turned-seen = The colours change with the rotation.
 position-2-title = scanline, 90°
 position-2-seen = The same polygon has other colours.
 difference-title = difference, 90° and back
@@ -85,6 +85,10 @@ centre-caption =
     formula. In triangles it changes by up to { $cured }.
 centre-x = rotation, degrees
 centre-y = linear component
+turned-scanline-measure = scanline: change of the colour at the centre by a rotation of { $turn }°
+turned-triangles-measure = triangles: change of the colour at the centre by a rotation of { $turn }°
+turned-scanline-by = { law-by }
+turned-triangles-by = { triangles-change-by }
 largest-change-by = { law-by }
 mean-change-by = { law-by }
 seam-cure = { centre-cure }
@@ -106,12 +110,10 @@ position-1-caption =
         [diamond] Position 1: the scanline through the centre runs from corner 3 to corner 1.
        *[polygon] No rotation: every pixel is interpolated between the two edges that its scanline meets first.
     }
-turned-45-caption =
+turned-caption =
     { $shape ->
-        [diamond]
-            Rotated by 45°: the scanline crosses two edges at their midpoints, and the centre has the mean of all
-            corners.
-       *[polygon] Rotated by 45°: scanlines cross the edges at other points.
+        [diamond] Rotated by { $turn }°: the scanline through the centre meets other edges, at other points.
+       *[polygon] Rotated by { $turn }°: scanlines cross the edges at other points.
     }
 position-2-caption =
     { $shape ->

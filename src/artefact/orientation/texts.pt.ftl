@@ -59,8 +59,8 @@ halves-triangles-caption = A mesma comparação com triângulos.
 halves-triangles-seen = Não há emenda.
 position-1-title = varredura, 0°
 position-1-seen = Depois de uma rotação, o polígono tem outras cores.
-turned-45-title = varredura, 45°
-turned-45-seen = As cores mudam com a rotação.
+turned-title = varredura, { $turn }°
+turned-seen = As cores mudam com a rotação.
 position-2-title = varredura, 90°
 position-2-seen = O mesmo polígono tem outras cores.
 difference-title = diferença, 90° e volta
@@ -86,6 +86,10 @@ centre-caption =
     triângulos, ela muda em até { $cured }.
 centre-x = rotação, graus
 centre-y = componente linear
+turned-scanline-measure = varredura: mudança da cor no centro com uma rotação de { $turn }°
+turned-triangles-measure = triângulos: mudança da cor no centro com uma rotação de { $turn }°
+turned-scanline-by = { law-by }
+turned-triangles-by = { triangles-change-by }
 largest-change-by = { law-by }
 mean-change-by = { law-by }
 seam-cure = { centre-cure }
@@ -108,11 +112,10 @@ position-1-caption =
         [diamond] Posição 1: a linha de varredura pelo centro vai do canto 3 ao canto 1.
        *[polygon] Sem rotação: cada pixel é interpolado entre as duas arestas que sua linha encontra primeiro.
     }
-turned-45-caption =
+turned-caption =
     { $shape ->
-        [diamond]
-            Girado de 45°: a linha cruza duas arestas nos seus pontos médios, e o centro tem a média de todos os cantos.
-       *[polygon] Girado de 45°: as linhas cruzam as arestas em outros pontos.
+        [diamond] Girado de { $turn }°: a linha pelo centro cruza outras arestas, em outros pontos.
+       *[polygon] Girado de { $turn }°: as linhas cruzam as arestas em outros pontos.
     }
 position-2-caption =
     { $shape ->

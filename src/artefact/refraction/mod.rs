@@ -13,30 +13,31 @@ use std::borrow::Cow;
 static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
-    takes: &[ParameterName::Size, ParameterName::Light],
+    takes: &[ParameterName::Size, ParameterName::Turn, ParameterName::Light],
+    // Farther from the vertical, the block of water does not fill the picture.
+    ranges: &[(ParameterName::Turn, [1.0, 80.0])],
+    defaults: Parameters { turn: Degrees(50.0), ..Parameters::USUAL },
     ..Experiment::new("refraction", &TEXTS, run)
 };
 
 /// The refractive indices of water and of glass.
 const WATER: f64 = 1.333;
 const GLASS: f64 = 1.5;
-/// The angles from the vertical at which the depth of water is measured.
-const ANGLES: [f64; 4] = [1.0, 20.0, 50.0, 75.0];
-/// The angle from the vertical of the pictures of water.
-const SEEN_FROM: Degrees = Degrees(50.0);
+/// The angles from the vertical at which the depth of water is measured, besides that of the pictures.
+const ANGLES: [f64; 3] = [1.0, 20.0, 75.0];
 /// The heights of rays above the axis of the ball, in radii.
 const HEIGHTS: [f64; 3] = [0.05, 0.3, 0.7];
 /// Rounding of positions on the screen, which are colours in single precision.
 const ROUNDING: f64 = 2e-4;
 
 fn run(setup: &Setup) -> Result<Outcome> {
-    let Parameters { size, light, .. } = setup.parameters;
-    let mut out = Recorder::new(
-        &TEXTS,
-        &[("water", WATER.into()), ("glass", GLASS.into()), ("angle", SEEN_FROM.0.into())],
-    );
+    let Parameters { size, turn: view, light, .. } = setup.parameters;
+    let share = apparent_depth(view).into();
+    let values =
+        [("water", WATER.into()), ("glass", GLASS.into()), ("angle", view.0.into()), ("share", share)];
+    let mut out = Recorder::new(&TEXTS, &values);
     let mut depths = Vec::new();
-    for angle in ANGLES {
+    for angle in [view.0].into_iter().chain(ANGLES) {
         out.set("view", angle);
         let depth = Water { ior: WATER }.apparent_depth(Degrees(angle))?;
         out.measure("depth", "", depth, Check::Near(apparent_depth(Degrees(angle)), ROUNDING));
@@ -58,12 +59,12 @@ fn run(setup: &Setup) -> Result<Outcome> {
         lengths[0][1],
         Check::Near(paraxial, HEIGHTS[0] * HEIGHTS[0] * paraxial + ROUNDING / HEIGHTS[0]),
     );
-    let effect = effect(size, &out)?;
+    let effect = effect(view, size, &out)?;
     let law = 1.0 / focal_length(HEIGHTS[1]);
     let off = [law, (1.0 / lengths[1][1] - law).abs()];
     let present = Threshold { value: 0.005, why: out.text("why-power") };
     let focus = out.effect("power", "1/R", off, present, 100.0);
-    let draw_water = |ior| Water { ior }.picture(SEEN_FROM, light, size);
+    let draw_water = |ior| Water { ior }.picture(view, light, size);
     let draw_ball = |ior| Ball { ior }.picture(light, size);
     out.bad("stick-straight", &effect, draw_water(1.0)?);
     out.cured("stick", &effect, draw_water(WATER)?);
@@ -74,10 +75,10 @@ fn run(setup: &Setup) -> Result<Outcome> {
 }
 
 /// The displacement of the stick's lower end in the picture without refraction, and what is left with it, in pixels.
-fn effect(size: u32, out: &Recorder) -> Result<Effect> {
-    let law = apparent_depth(SEEN_FROM);
-    let pixels = Water::pixels_of_depth(SEEN_FROM, size);
-    let [straight, bent] = [1.0, WATER].map(|ior| Water { ior }.apparent_depth(SEEN_FROM));
+fn effect(view: Degrees, size: u32, out: &Recorder) -> Result<Effect> {
+    let law = apparent_depth(view);
+    let pixels = Water::pixels_of_depth(view, size);
+    let [straight, bent] = [1.0, WATER].map(|ior| Water { ior }.apparent_depth(view));
     let off = [straight?, bent?].map(|depth| (depth - law).abs() * pixels);
     Ok(out.effect("stick", "px", off, Threshold::half_pixel(), 10.0))
 }
@@ -289,7 +290,7 @@ mod tests {
             let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
             outcome.prove();
             // Three quarters from above (1/1.333), and 1.5 radii (n/(2(n − 1))).
-            assert!((outcome.measures[0].value - 0.7502).abs() < 1e-3, "{:?}", outcome.measures[0]);
+            assert!((outcome.measures[1].value - 0.7502).abs() < 1e-3, "{:?}", outcome.measures[1]);
             assert!((outcome.measured("glass ball: focal length in the limit") - 1.5).abs() < 0.01);
             assert!(matches!(outcome.verdict, Verdict::HoldsOnlyIf(_)), "{:?}", outcome.verdict);
         }

@@ -21,7 +21,7 @@ power-effect = glass ball: difference of the reciprocal focal length from Snell'
 power-cure = refracted rays
 why-power = a change of the focal length by less than a hundredth
 holds-only-if =
-    rays are close to the vertical or to the axis. At { $angle }° from the vertical, the water seems to have 0.59 of its
+    rays are close to the vertical or to the axis. At { $angle }° from the vertical, the water seems to have { $share } of its
     depth. Rays at 0.7 R meet the axis nearer to the ball than those close to the axis: this is spherical aberration.
 stick-straight-title = stick, without refraction
 stick-straight-caption = A stick in coloured water with the index 1, seen { $angle }° from the vertical. Light goes straight on.

@@ -21,7 +21,7 @@ power-effect = bola de vidro: diferença do inverso da distância focal em rela�
 power-cure = raios refratados
 why-power = uma mudança da distância focal de menos de um centésimo
 holds-only-if =
-    os raios estiverem próximos da vertical ou do eixo. A { $angle }° da vertical, a água parece ter 0,59 da sua profundidade.
+    os raios estiverem próximos da vertical ou do eixo. A { $angle }° da vertical, a água parece ter { $share } da sua profundidade.
     Raios a 0,7 R cruzam o eixo mais perto da bola do que os próximos do eixo: é a aberração esférica.
 stick-straight-title = vara, sem refração
 stick-straight-caption = Uma vara em água colorida com o índice 1, vista a { $angle }° da vertical. A luz segue reta.

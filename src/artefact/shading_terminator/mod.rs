@@ -12,7 +12,7 @@ static TEXTS: Catalogue = catalogue!("texts");
 pub(super) static EXPERIMENT: Experiment = Experiment {
     takes: &[ParameterName::Size, ParameterName::Segments, ParameterName::Light],
     // More, and four times as many in the cured picture, would be hardly larger than pixels.
-    segments: 3..=256,
+    ranges: &[(ParameterName::Segments, [3.0, 256.0])],
     defaults: Parameters { segments: 16, light: Degrees(80.0), ..Parameters::USUAL },
     frame: Some(frame),
     ..Experiment::new("shading-terminator", &TEXTS, run)

@@ -25,7 +25,7 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
         ParameterName::Mesh,
     ],
     // More would be hardly larger than pixels.
-    segments: 3..=256,
+    ranges: &[(ParameterName::Segments, [3.0, 256.0])],
     defaults: Parameters { segments: 12, light: Degrees(40.0), ..Parameters::USUAL },
     ..Experiment::new("silhouette", &TEXTS, run)
 };

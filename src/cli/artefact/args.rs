@@ -58,6 +58,10 @@ pub struct ParameterArgs {
     pub segments: Option<u32>,
     #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub light: Option<f64>,
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
+    pub turn: Option<f64>,
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub intensity: Option<f64>,
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub exponent: Option<f64>,
     #[arg(long, value_name = "WEIGHT", value_parser = one_of::<Weight>())]
@@ -74,6 +78,8 @@ impl ParameterArgs {
             size: self.size,
             segments: self.segments,
             light: self.light.map(Degrees),
+            turn: self.turn.map(Degrees),
+            intensity: self.intensity,
             exponent: self.exponent,
             weight: self.weight,
             crease: self.crease.map(Degrees),
