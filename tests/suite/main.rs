@@ -22,6 +22,7 @@ mod gltf_synthetic;
 mod hostile;
 mod inspect;
 mod invariance;
+mod laboratory;
 mod lectures;
 mod merge;
 mod meshes;

@@ -1,7 +1,7 @@
 //! The laboratory in a browser: requests in JSON, answers in JSON and buffers of bytes.
 //!
-//! [`Laboratory::answer`] is the only door. A web worker calls it through [`Door`], which exists in WebAssembly only; the
-//! native program `answers` calls it with the same requests, so that tests can compare the bytes.
+//! [`Laboratory::answer`] is the only door. A web worker calls it through [`Door`], which exists in WebAssembly only. Natively
+//! [`write_answers`] calls it with the same requests, so that tests can compare the bytes.
 
 // One request, one answer.
 mod laboratory;
@@ -23,10 +23,15 @@ mod inspection;
 mod experiments;
 // The exercises of the lectures.
 mod exercises;
+// Answers as files, natively.
+#[cfg(not(target_arch = "wasm32"))]
+mod answers;
 // The exported object.
 #[cfg(target_arch = "wasm32")]
 mod door;
 
+#[cfg(not(target_arch = "wasm32"))]
+pub use answers::write_answers;
 #[cfg(target_arch = "wasm32")]
 pub use door::Door;
 pub use laboratory::{Answer, Laboratory};
