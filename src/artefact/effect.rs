@@ -160,7 +160,7 @@ pub struct Shot {
 }
 
 impl Shot {
-    /// The largest difference of components, pixel by pixel, between the first picture of the artefact in a series
+    /// The largest difference of the components' 8-bit codes, pixel by pixel, between the first picture of the artefact in a series
     /// ([`Outcome::series`](super::Outcome::series)) and the first without it that has the same size. `None` if there are no such
     /// pictures, or if the series has a difference already.
     pub fn difference(series: &[Shot]) -> Option<Shot> {
@@ -170,19 +170,24 @@ impl Shot {
         if bad.size != cured.size || first(&[Role::Difference]).is_some() {
             return None;
         }
-        let off = |(a, b): (f32, f32)| (f64::from(a) - f64::from(b)).abs();
-        let pairs = linear(bad).iter().zip(linear(cured));
-        let largest = pairs.map(|(a, b)| a.iter().copied().zip(*b).map(off).fold(0.0, f64::max));
-        let covered = bad.coverage.iter().zip(&cured.coverage);
-        let values: Vec<Option<f64>> =
-            largest.zip(covered).map(|(value, (a, b))| (a | b > 0).then_some(value)).collect();
-        // A difference of less than half a step of 8 bits is none.
-        let full = values.iter().flatten().copied().fold(Threshold::HALF_STEP, f64::max);
+        let [width, height] = bad.size;
+        let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+        let steps = pixels.map(|(x, y)| {
+            let (a, b) = (bad.pixel(x, y)?, cured.pixel(x, y)?);
+            a.into_iter().zip(b).map(|(a, b)| a.abs_diff(b)).max()
+        });
+        let covered = bad.coverage.iter().zip(&cured.coverage).map(|(a, b)| a | b > 0);
+        let values: Vec<Option<f64>> = steps
+            .zip(covered)
+            .map(|(steps, is_covered)| steps.filter(|_| is_covered).map(f64::from))
+            .collect();
+        let full = values.iter().flatten().copied().fold(1.0, f64::max);
+        let text = |key: &str| SHARED.with(key, &[("full", full.into())]);
         Some(Shot {
             name: "difference",
             role: Role::Difference,
-            label: SHARED.get("difference-title"),
-            caption: SHARED.with("difference-caption", &[("full", full.into())]),
+            label: text("difference-title"),
+            caption: text("difference-caption"),
             measured: None,
             map: Some(MapScale { full, unit: "" }),
             image: map(bad.size, &values, full),

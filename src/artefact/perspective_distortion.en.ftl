@@ -50,7 +50,7 @@ error-pieces-caption = The subdivided wall on the same scale: at most { $pieces-
 largest-error-title = Largest error against the depth ratio
 largest-error-caption =
     Measured errors lie on the curve (√ρ − 1)/(√ρ + 1): a third of the length at ρ = 4, half at ρ = 9.
-largest-error-x = depth ratio ρ
+largest-error-x = depth ratio
 largest-error-y = largest |t − s|
 measured-curve = measured
 law-curve = closed form
@@ -60,4 +60,4 @@ place-x = t in the picture
 place-y = s on the surface
 affine-measure = affine, ρ = { $ratio }
 scanline-by = { affine-by }
-place-curve = ρ = { $ratio }
+place-curve = depth ratio { $ratio }

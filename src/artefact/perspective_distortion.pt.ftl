@@ -48,7 +48,7 @@ error-pieces-caption = A parede subdividida na mesma escala: no máximo { $piece
 largest-error-title = Maior erro em função da razão de profundidades
 largest-error-caption =
     Os erros medidos estão na curva (√ρ − 1)/(√ρ + 1): um terço do comprimento em ρ = 4, metade em ρ = 9.
-largest-error-x = razão de profundidades ρ
+largest-error-x = razão de profundidades
 largest-error-y = maior |t − s|
 measured-curve = medido
 law-curve = fórmula
@@ -58,4 +58,4 @@ place-x = t na imagem
 place-y = s na superfície
 affine-measure = afim, ρ = { $ratio }
 scanline-by = { affine-by }
-place-curve = ρ = { $ratio }
+place-curve = razão { $ratio }

@@ -6,5 +6,5 @@ nothing-to-cure = There is no artefact to cure here: { $without } without the cu
 too-little = The cure does too little here: { $without } without it
 not-lit = Nothing is lit here
 no-artefact = No artefact is measured here
-difference-title = difference
-difference-caption = Difference between the pictures with and without the artefact: violet is 0, yellow is { $full } of full light in a component.
+difference-title = difference, up to { $full } of 255
+difference-caption = Difference between the pictures with and without the artefact, in steps of 8-bit codes: violet is 0, yellow is { $full }.

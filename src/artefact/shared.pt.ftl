@@ -6,5 +6,5 @@ nothing-to-cure = Não há artefato a curar aqui: { $without } sem a cura
 too-little = A cura não basta aqui: { $without } sem ela
 not-lit = Nada está iluminado aqui
 no-artefact = Nenhum artefato é medido aqui
-difference-title = diferença
-difference-caption = Diferença entre as imagens com e sem o artefato: violeta é 0, amarelo é { $full } da luz total em uma componente.
+difference-title = diferença, até { $full } de 255
+difference-caption = Diferença entre as imagens com e sem o artefato, em passos dos códigos de 8 bits: violeta é 0, amarelo é { $full }.

@@ -338,7 +338,7 @@ await test('every experiment shows artefact, cure and difference, and a number a
 });
 
 await test('pictures are saved under their names', async () => {
-  const { page, close } = await open('#room=normals&subject=torus');
+  const { page, close } = await open('#room=exercises');
   for (const [link, file] of [['#room=normals&subject=torus', 'torus-flat.png'], ['#room=probe&subject=torus', 'torus-phong.png'],
     ['#room=artefacts&experiment=orientation&parameters=size:65', 'orientation-halves.png']]) {
     await go(page, link);

@@ -82,7 +82,7 @@ light-on-the-floor-title = Light on the floor
 light-on-the-floor-caption =
     Luminance against the distance from the point below the light. There 1/d² is { $overflow } times the white of the
     screen. It falls below 1/(d + k) at ρ = { $crossing }.
-light-on-the-floor-x = distance ρ
+light-on-the-floor-x = distance from the point below the light
 light-on-the-floor-y = luminance
 contrast-offset-by = { contrast-inverse-square-by }
 divided-by = the ratio of the light's colour; tolerance: the 8-bit step at this colour

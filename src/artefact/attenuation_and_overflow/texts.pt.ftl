@@ -82,7 +82,7 @@ light-on-the-floor-title = Luz no chão
 light-on-the-floor-caption =
     Luminância em função da distância ao ponto abaixo da luz. Nesse ponto, 1/d² é { $overflow } vezes o branco da tela.
     A curva fica abaixo da de 1/(d + k) a partir de ρ = { $crossing }.
-light-on-the-floor-x = distância ρ
+light-on-the-floor-x = distância ao ponto abaixo da luz
 light-on-the-floor-y = luminância
 contrast-offset-by = { contrast-inverse-square-by }
 divided-by = a razão da cor da luz; tolerância: o passo de 8 bits nesta cor

@@ -55,7 +55,7 @@ fails =
     with an exponent this small, no other exponent makes both models equal. cos(φ)^n and cos(φ/2)^4n agree near φ = 0,
     and this highlight is as wide as the sphere.
 highlights-title = Highlight by angle
-highlights-x = φ in degrees
+highlights-x = angle from the reflected ray to the viewer, degrees
 highlights-y = highlight
 behind-effect = brightest pixel that faces away from the light
 behind-phong-by = (R·V)^n at these pixel centres, at most (−cos(β))^n; tolerance: single precision

@@ -55,7 +55,7 @@ fails =
     com um expoente tão pequeno, nenhum outro expoente iguala os dois modelos. cos(φ)^n e cos(φ/2)^4n concordam perto de
     φ = 0, e este brilho é tão largo quanto a esfera.
 highlights-title = Brilho em função do ângulo
-highlights-x = φ em graus
+highlights-x = ângulo do raio refletido ao observador, graus
 highlights-y = brilho
 behind-effect = pixel mais claro de costas para a luz
 behind-phong-by = (R·V)^n nos centros desses pixels, no máximo (−cos(β))^n; tolerância: precisão simples

@@ -229,3 +229,36 @@ fn every_experiment_shows_its_artefact_and_its_cure() {
         );
     }
 }
+
+/// The font of sheets is a part of a font.
+#[test]
+fn sheets_have_all_letters_of_their_labels() {
+    use crate::report::panel::has_letters;
+    for (experiment, outcome) in EXPERIMENTS.into_iter().zip(&*OUTCOMES) {
+        let labels = outcome.shots.iter().map(|shot| &shot.label);
+        let of_charts = outcome.charts.iter().flat_map(|chart| {
+            let curves = chart.curves.iter().map(|curve| &curve.name);
+            [&chart.title, &chart.x.label, &chart.y.label].into_iter().chain(curves)
+        });
+        for label in labels.chain(of_charts) {
+            for language in Language::ALL {
+                let text = label.get(language);
+                assert!(has_letters(text), "{}: {text}", experiment.id);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_experiment_has_a_map_of_the_difference_or_can_make_one() {
+    use crate::artefact::{Role, Shot};
+    for (experiment, outcome) in EXPERIMENTS.into_iter().zip(&*OUTCOMES) {
+        let given = outcome.shots.iter().any(|shot| shot.role == Role::Difference);
+        let made: Vec<Shot> = outcome.series().filter_map(Shot::difference).collect();
+        assert!(given || !made.is_empty(), "{}", experiment.id);
+        for shot in made {
+            let full = shot.map.unwrap().full;
+            assert!(full >= 2.0, "{}: {full}", experiment.id);
+        }
+    }
+}
