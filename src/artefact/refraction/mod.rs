@@ -14,7 +14,7 @@ static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
     takes: &[ParameterName::Size, ParameterName::Turn, ParameterName::Light],
-    // Farther from the vertical, the block of water does not fill the picture.
+    // From straight above no depth is seen, and rays that graze the water miss the screen at its bottom.
     ranges: &[(ParameterName::Turn, [1.0, 80.0])],
     defaults: Parameters { turn: Degrees(50.0), ..Parameters::USUAL },
     ..Experiment::new("refraction", &TEXTS, run)
