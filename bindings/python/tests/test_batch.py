@@ -91,6 +91,42 @@ def test_a_journal_has_one_writer(work):
     assert len([json.loads(line) for line in open("journal").readlines()[1:]]) == 40
 
 
+def test_other_files_are_no_journals(work):
+    before = (work / "list").read_bytes()
+    for name in ("list", "in/00.obj"):
+        with pytest.raises(OSError, match="is not a journal"):
+            batch.run("list", "out", workers=1, journal=name)
+    assert (work / "list").read_bytes() == before and not os.path.exists("out")
+
+
+def test_companions_of_two_outputs_do_not_replace_each_other_unnoticed(work, capsys):
+    for folder, colour in (("a", "1 0 0"), ("b", "0 1 0")):
+        os.mkdir(folder)
+        (work / f"{folder}/m.mtl").write_text(f"newmtl m\nKd {colour}\n")
+        (work / f"{folder}/{folder}.obj").write_text("mtllib m.mtl\nusemtl m\n" + TRIANGLE.format(1))
+    lines = [json.dumps({"input": f"{name}/{name}.obj", "output": f"both/{name}.obj"}) for name in "ab"]
+    (work / "list").write_text("\n".join(lines))
+    assert batch.main(["--manifest", "list", "--out", "out", "--workers", "1", "--chunk", "1"]) == 5
+    said = capsys.readouterr()
+    assert said.out == "1 done, 1 failed, 0 skipped\n" and "m.mtl belongs to" in said.err
+
+
+def test_one_file_at_two_addresses_is_one_file(work):
+    (work / "list").write_text('{"input": "memory://a/x.stl", "output": "memory:///a/x.stl"}\n')
+    with pytest.raises(ValueError, match="is an input and an output"):
+        batch.run("list", "out")
+    with pytest.raises(ValueError, match="--out is empty"):
+        batch.run("list", "")
+
+
+def test_a_table_is_replaced_as_a_whole(work):
+    os.mkdir("table.jsonl.part")
+    (work / "table.jsonl").write_text("old")
+    with pytest.raises(OSError, match="table.jsonl: the table was not written"):
+        batch.run("list", "out", table="table.jsonl")
+    assert (work / "table.jsonl").read_text() == "old"
+
+
 def test_a_table_is_written_as_parquet(work):
     parquet = pytest.importorskip("pyarrow.parquet")
     batch.run("list", "out", table="table.parquet")
@@ -114,6 +150,31 @@ def test_urls_are_read_and_written_with_their_companions(work):
     memory.rm("/out/bucket/in/00.bin")
     memory.pipe("/bucket/in/01.obj", TRIANGLE.format(7).encode())
     assert run() == {"done": 2, "skipped": 1}
+
+
+def test_companions_of_urls_are_found_and_compared(work):
+    fsspec = pytest.importorskip("fsspec")
+    memory = fsspec.filesystem("memory")
+    (work / "in/m.mtl").write_text("newmtl m\nKd 1 0 0\n")
+    (work / "in/00.obj").write_text("mtllib m.mtl\nusemtl m\n" + TRIANGLE.format(1))
+    for name in ("m.mtl", "00.obj"):
+        memory.pipe(f"/both/{name}", (work / f"in/{name}").read_bytes())
+    # A buffer in the folder of another input.
+    subprocess.run([sys.executable, "-m", "crease_normals", "normals", "in/01.obj", "-o", "x.gltf", "-q"], check=True)
+    text = (work / "x.gltf").read_text()
+    assert '"x.bin"' in text
+    memory.pipe("/both/x.gltf", text.replace('"x.bin"', '"bin/x.bin"').encode())
+    memory.pipe("/both/bin/x.bin", (work / "x.bin").read_bytes())
+    memory.pipe("/both/bin/02.obj", (work / "in/02.obj").read_bytes())
+    (work / "list").write_text("memory://both/00.obj\nmemory://both/x.gltf\nmemory://both/bin/02.obj\n")
+    run = lambda: batch.run("list", "memory://found", workers=1, journal="journal")  # noqa: E731
+    assert run() == {"done": 3, "skipped": 0}
+    read = {name for line in open("journal") for name in json.loads(line)["read"]}
+    assert read >= {"memory://both/m.mtl", "memory://both/bin/x.bin"}
+    assert all(name.startswith("memory://both/") for name in read)
+    assert run() == {"skipped": 3}
+    memory.pipe("/both/m.mtl", b"newmtl m\nKd 0 1 0\n")
+    assert run() == {"done": 1, "skipped": 2}
 
 
 def test_a_cluster_that_is_not_there_is_a_usage_error(work, monkeypatch, capsys):

@@ -1,4 +1,5 @@
 import os
+from pathlib import Path
 from typing import Any, Dict, List, Literal, Optional, Sequence, Tuple, Union, overload
 
 import numpy as np
@@ -18,7 +19,7 @@ _Indices = NDArray[np.uint32]
 _Faults = NDArray[np.void]
 
 class ReadError(ValueError):
-    path: str
+    path: Path
     line: Optional[int]
     offset: Optional[int]
     pointer: Optional[str]

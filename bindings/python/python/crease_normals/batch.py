@@ -19,7 +19,7 @@ import sys
 import tempfile
 from collections import Counter
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
-from contextlib import nullcontext
+from contextlib import nullcontext, suppress
 from pathlib import Path, PurePosixPath
 from typing import IO, Any, Callable, Iterable, Iterator, NamedTuple, Optional
 from urllib.parse import unquote
@@ -59,7 +59,10 @@ def read_manifest(path: str, out: str, options: list[str]) -> list[Job]:
     """The jobs of a manifest: a path or URL on each line, or an object with `input`, and perhaps `output` and `options`.
 
     Raises ValueError with the number of the line."""
-    source = sys.stdin if path == "-" else open(path, encoding="utf-8")
+    if not out:
+        raise ValueError("--out is empty; name a folder or a URL")
+    # Names of files may have carriage returns, and editors write byte order marks.
+    source = sys.stdin if path == "-" else open(path, encoding="utf-8-sig", newline="\n")
     jobs = []
     refused = {word.split("=")[0] for word in options} & FIXED
     if refused:
@@ -99,10 +102,14 @@ def read_manifest(path: str, out: str, options: list[str]) -> list[Job]:
 
 
 def absolute(name: str) -> str:
-    """A name that means the same in every working folder. `file://` is a path."""
+    """A name that means the same in every working folder, with one spelling. `file://` is a path."""
     if name.startswith("file://"):
         name = name[len("file://"):]
-    return name if is_url(name) else os.path.abspath(name)
+    if not is_url(name):
+        return os.path.abspath(name)
+    protocol, path = name.split("://", 1)
+    # The path of an address in memory may begin with a slash.
+    return f"{protocol}://{path.lstrip('/') if protocol == 'memory' else path}"
 
 
 def below(out: str, name: str, options: list[str]) -> str:
@@ -151,9 +158,8 @@ def run_chunk(chunk: Chunk) -> list[dict[str, Any]]:
         known = {entry.get("output") for entry in [*chunk.entries, *(renamed(entry, copies.there) for entry in entries)]}
         if done.returncode == 4 and any(job.output not in known for job in chunk.jobs):
             raise RuntimeError(done.stderr.strip() or "the journal of a chunk could not be written")
-        entries = [renamed(entry, copies.there) for entry in entries]
         copies.store(entries)
-        return entries
+        return [renamed(entry, copies.there) for entry in entries]
 
 
 def renamed(entry: dict[str, Any], name: Callable[[str], str]) -> dict[str, Any]:
@@ -178,17 +184,19 @@ class Copies:
 
     def there(self, name: str) -> str:
         """The URL of a local name. Other names stay."""
+        name = name.removeprefix(f"{self.root}/")
         found = ((url, folder) for url, folder in self.folders.items() if name.startswith(folder))
         return next((url + name[len(folder) :] for url, folder in found), name)
 
-    def copy(self, url: str) -> bool:
+    def copy(self, url: str, to: Optional[str] = None) -> bool:
+        """Copies a file to its local name, and to another one, if there is a file at the URL."""
         import fsspec
 
         filesystem, path = fsspec.core.url_to_fs(url)
-        place = self.root / self.here(url)
-        place.parent.mkdir(parents=True, exist_ok=True)
         is_there = filesystem.exists(path)
-        if is_there:
+        for name in {self.here(url), to or self.here(url)} if is_there else ():
+            place = self.root / name
+            place.parent.mkdir(parents=True, exist_ok=True)
             filesystem.get_file(path, str(place))
         return is_there
 
@@ -198,12 +206,13 @@ class Copies:
             (self.root / folder).mkdir()
         for job in self.chunk.jobs:
             if is_url(job.input) and self.copy(job.input):
-                folder = job.input.rsplit("/", 1)[0]
+                # Also next to the copy of the file that names them, if they are in the folder of another input.
+                folder, here = (name.rsplit("/", 1)[0] for name in (job.input, self.here(job.input)))
                 for name in companions(self.root / self.here(job.input)):
-                    if self.copy(f"{folder}/{name}"):
+                    if self.copy(f"{folder}/{name}", f"{here}/{name}"):
                         # The images of a material library.
-                        for image in companions(self.root / self.here(f"{folder}/{name}")):
-                            self.copy(f"{folder}/{image}")
+                        for image in companions(self.root / f"{here}/{name}"):
+                            self.copy(f"{folder}/{image}", f"{here}/{image}")
         for name in (name for entry in self.chunk.entries for name in entry.get("written", {})):
             if is_url(name):
                 self.copy(name)
@@ -211,13 +220,14 @@ class Copies:
     def store(self, entries: list[dict[str, Any]]) -> None:
         """Copies what was written to its URL: companions first, so that a reader of the main file finds them."""
         for entry in entries:
-            for url in sorted(entry["written"], key=lambda name: name == entry.get("output")):
+            for name in sorted(entry["written"], key=lambda name: name == entry.get("output")):
+                url = self.there(name)
                 if is_url(url):
                     import fsspec
 
                     filesystem, target = fsspec.core.url_to_fs(url)
                     filesystem.makedirs(target.rsplit("/", 1)[0], exist_ok=True)
-                    filesystem.put_file(str(self.root / self.here(url)), target)
+                    filesystem.put_file(str(self.root / name), target)
 
 
 # How files name others.
@@ -317,36 +327,50 @@ def open_journal(path: str) -> IO[str]:
 
 
 def read_entries(file: IO[str]) -> dict[str, dict[str, Any]]:
-    """The last entry for each output. Lines that a stopped run left incomplete are skipped, and the last one is ended."""
+    """The last entry for each output. Lines that a stopped run left incomplete are skipped, and the last one is ended.
+
+    Raises OSError for a file that has none and is not empty."""
     entries: dict[str, dict[str, Any]] = {}
     file.seek(0)
-    line = ""
+    line, lines = "", 0
     for line in file:
+        lines += 1
         try:
             entry = json.loads(line)
         except ValueError:
             continue
-        if isinstance(entry, dict):
+        if isinstance(entry, dict) and "status" in entry:
             entries[entry.get("output", "")] = entry
+    # Before its first entry a stopped run may leave a part of that. Other files are not to be changed.
+    if lines and not entries and (lines > 1 or line.endswith("\n") or not line.startswith("{")):
+        raise OSError(f"{file.name} is not a journal: it has no entry; name another file")
     if line and not line.endswith("\n"):
         file.write("\n")
     return entries
 
 
 def write_table(path: str, entries: list[dict[str, Any]]) -> None:
-    """A row for each input: Parquet by the name, else lines of JSON."""
+    """A row for each input: Parquet by the name, else lines of JSON. An older table is replaced as a whole or not at all."""
     rows = [
         {**entry, "read": json.dumps(entry.get("read", {})), "written": json.dumps(entry.get("written", {}))}
         for entry in entries
     ]
-    if not path.endswith(".parquet"):
-        Path(path).write_text("".join(json.dumps(row) + "\n" for row in rows), encoding="utf-8")
-        return
-    import pyarrow
-    import pyarrow.parquet
+    part = f"{path}.part"
+    try:
+        if path.endswith(".parquet"):
+            import pyarrow
+            import pyarrow.parquet
 
-    columns = sorted({key for row in rows for key in row})
-    pyarrow.parquet.write_table(pyarrow.table({key: [row.get(key) for row in rows] for key in columns}), path)
+            columns = sorted({key for row in rows for key in row})
+            table = pyarrow.table({key: [row.get(key) for row in rows] for key in columns})
+            pyarrow.parquet.write_table(table, part)
+        else:
+            Path(part).write_text("".join(json.dumps(row) + "\n" for row in rows), encoding="utf-8")
+        os.replace(part, path)
+    except OSError as error:
+        with suppress(OSError):
+            os.unlink(part)
+        raise OSError(f"{path}: the table was not written: {error}") from error
 
 
 def run(
@@ -374,13 +398,14 @@ def run(
     with open_journal(journal) if journal else nullcontext() as file:
         known = read_entries(file) if file else {}
         parts = chunks(jobs, chunk, known, options)
+        owners: dict[str, tuple[str, str]] = {}
         results = on_ray(parts, ray, retries) if ray else on_processes(parts, workers or os.cpu_count() or 1, retries)
         for part, result in results:
             if isinstance(result, ValueError):
                 raise result
             if isinstance(result, Exception):
                 result = [failed(job, result) for job in part.jobs]
-            for entry in result:
+            for entry in (without_clash(entry, owners) for entry in result):
                 known[entry.get("output", "")] = entry
                 counts[entry["status"]] += 1
                 if file:
@@ -393,6 +418,17 @@ def run(
     if table:
         write_table(table, [known[job.output] for job in jobs if job.output in known])
     return counts
+
+
+def without_clash(entry: dict[str, Any], owners: dict[str, tuple[str, str]]) -> dict[str, Any]:
+    """An entry, or its failure if another input of this run wrote one of its files with other bytes. `owners` has the hash of each
+    file, and the output that it belongs to."""
+    for path, content in entry.get("written", {}).items():
+        first, owner = owners.setdefault(path, (content, entry["output"]))
+        if first != content:
+            error = f"{path} belongs to {owner} too, with other bytes; give both outputs folders of their own"
+            return {**entry, "status": "failed", "error": error}
+    return entry
 
 
 def failed(job: Job, error: Exception) -> dict[str, Any]:
@@ -429,6 +465,9 @@ def main(words: Optional[list[str]] = None) -> int:
     except (OSError, ImportError) as error:
         print_error(f"error: {error}")
         return 4
+    except KeyboardInterrupt:
+        print_error("interrupted; the same command with a journal goes on")
+        return 130
     print(", ".join(f"{counts[key]} {key}" for key in ("done", "failed", "skipped")))
     return 5 if counts["failed"] else 0
 
