@@ -10,8 +10,8 @@ use pyo3::types::{PyBool, PyDict, PyList, PyTuple};
 use std::ffi::OsString;
 use std::path::Path;
 
-/// Options that name outputs, streams or threads: functions have arguments for these, or return the result.
-const EXCLUDED: [&str; 18] = [
+/// Options that name outputs, streams, threads or batches: functions have arguments for these, or return the result.
+const EXCLUDED: [&str; 26] = [
     "output",
     "out_dir",
     "in_place",
@@ -30,7 +30,17 @@ const EXCLUDED: [&str; 18] = [
     "html",
     "heatmap",
     "explain",
+    "against",
+    "sync",
+    "manifest",
+    "shard",
+    "journal",
+    "retries",
+    "jobs",
+    "memory",
 ];
+/// Options of `normals` that convert what is written. `Mesh.write` does not convert.
+const CONVERSIONS: [&str; 2] = ["up", "scale"];
 
 /// The line of a verb about a file.
 pub struct Line(Vec<OsString>);
@@ -42,7 +52,8 @@ impl Line {
         let mut line: Vec<OsString> = ["crease", verb, "--json"].map(OsString::from).to_vec();
         for (name, value) in options.into_iter().flatten() {
             let name: String = name.extract()?;
-            if EXCLUDED.contains(&name.as_str()) {
+            let converts = verb == "normals" && CONVERSIONS.contains(&name.as_str());
+            if converts || EXCLUDED.contains(&name.as_str()) {
                 return Err(usage(&format!(
                     "unexpected option {name}{HELP}use the program for it: python -m crease_normals {verb}"
                 )));

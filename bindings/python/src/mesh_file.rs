@@ -8,8 +8,8 @@ use crate::cli::common::stream::file_target;
 use crate::cli::normals::request;
 use crate::command_line::Line;
 use crate::errors::{failure, read_error, usage};
-use crate::threads::interruptible;
-use crease::io::{self, Format, Loaded, NonFinite, PartEdit, ReadOptions, WriteOptions};
+use crate::threads::{Stop, interruptible};
+use crease::io::{self, Emit, Format, Loaded, NonFinite, PartEdit, ReadOptions, WriteOptions};
 use crease::mesh::{Column, ColumnIndex, NONE, PositionsRef};
 use crease::num::UnitVec3;
 use crease::pipeline::{self, Revision, Task};
@@ -64,7 +64,8 @@ pub fn read(
     let file = path.clone();
     let loaded = interruptible(py, threads, move |_| io::read(&file, format, &options))?;
     let loaded = loaded.map_err(|error| read_error(py, &path, &error))?;
-    Ok(Mesh { path, state: Mutex::new(State { loaded: Arc::new(loaded), computed: None }) })
+    let read = Arc::new(loaded);
+    Ok(Mesh { path, state: Mutex::new(State { loaded: read.clone(), read, computed: None }) })
 }
 
 fn format_of(name: &str) -> PyResult<Format> {
@@ -80,6 +81,9 @@ pub struct Mesh {
 }
 
 struct State {
+    /// As it was read.
+    read: Arc<Loaded>,
+    /// With the vertices that the last computation moved.
     loaded: Arc<Loaded>,
     computed: Option<Arc<Computed>>,
 }
@@ -136,7 +140,8 @@ impl Mesh {
     /// **options
     ///     The options of `crease normals`, with underscores: crease=40 (degrees, or "off"), weight="angle", crease_rule="fan",
     ///     groups="honour", hard_edges=("uv", "material"), weld="exact", slivers, precision, emit, when, orient, flip=True, degenerate,
-    ///     merge, tangents, normal_format. `python -m crease_normals normals --help` describes them.
+    ///     merge, tangents, normal_format. `python -m crease_normals normals --help` describes them. Not those that convert a written
+    ///     file (up, scale).
     ///
     /// Returns
     /// -------
@@ -156,7 +161,8 @@ impl Mesh {
         options: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let line = Line::new("normals", &self.path, options)?.with_flag("--dry-run");
-        let (mut loaded, _) = self.state();
+        let read = self.state.lock().unwrap_or_else(PoisonError::into_inner).read.clone();
+        let mut loaded = read.clone();
         let (task, write, moves) = requested(&line).map_err(|error| failure(py, &self.path, error))?;
         let (loaded, computed, report) = interruptible(py, threads, move |stop| {
             if let Some(fraction) = moves {
@@ -169,7 +175,7 @@ impl Mesh {
             (loaded, Computed { task, write, edits, has_moved: moves.is_some() }, report)
         })?;
         *self.state.lock().unwrap_or_else(PoisonError::into_inner) =
-            State { loaded, computed: Some(Arc::new(computed)) };
+            State { read, loaded, computed: Some(Arc::new(computed)) };
         let report = report.map_err(|error| wrong(error.to_string()))?;
         py.import("json")?.call_method1("loads", (report,))
     }
@@ -218,8 +224,14 @@ impl Mesh {
                 "merge with a fraction moves vertices, but an edited file keeps its positions\nhelp: write another format",
             ));
         }
-        let result =
-            interruptible(py, threads, move |_| store(&loaded, computed.as_deref(), format, &target, sync))?;
+        let emits_faces = computed.as_ref().is_some_and(|computed| computed.task.emit == Emit::Face);
+        if emits_faces && !matches!(format, Format::Ply | Format::Stl) {
+            let text = format!("emit=\"face\" writes ply or stl, not {}", format.extension());
+            return Err(usage(&format!("{text}\nhelp: compute normals with another emit")));
+        }
+        let result = interruptible(py, threads, move |stop| {
+            store(&loaded, computed.as_deref(), format, &target, sync, stop)
+        })?;
         result.map_err(|error| failure(py, &self.path, error))
     }
 
@@ -248,11 +260,12 @@ fn store(
     format: Format,
     target: &Target,
     sync: bool,
+    stop: &Stop,
 ) -> Result<Vec<String>, Failure> {
     let edits = match computed {
         // Facet normals are computed only for this format.
         Some(Computed { task, .. }) if format == Format::Stl => {
-            pipeline::revise(loaded, task, Some(format), &|_| {}).edits
+            pipeline::revise(loaded, task, Some(format), &|_| stop.check()).edits
         }
         Some(computed) => computed.edits.clone(),
         None => vec![PartEdit::default(); loaded.parts.len()],
@@ -261,6 +274,8 @@ fn store(
     let options =
         WriteOptions { stem: target.path().and_then(stem), folder: target.path().map(folder_of), ..options };
     let written = io::write(loaded, edits, format, &options).map_err(Failure::output)?;
+    // An interrupted call does not replace the file.
+    stop.check();
     let mut notes = written.notes.clone();
     notes.extend(Store::new(sync, false).store(written, target)?.notes);
     Ok(notes.iter().map(ToString::to_string).collect())

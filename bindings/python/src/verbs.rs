@@ -65,7 +65,7 @@ fn diagnosis(path: &Path, line: &Line, stop: &Stop) -> Result<String, Failure> {
 /// path : str or path
 ///     OBJ, PLY, STL, glTF, GLB or 3MF, or a scene in TOML.
 /// size : (int, int), optional
-///     Width and height in pixels; default: that of the scene, else 800 x 600.
+///     Width and height in pixels; default: that of the scene, else 640 x 480.
 /// shading : str, optional
 ///     "flat", "gouraud", "phong" and others; default: that of the scene, else "phong".
 /// threads : int, optional
@@ -95,7 +95,7 @@ pub fn render<'py>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let line = Line::new("render", &path, options)?;
     let file = path.clone();
-    let image = interruptible(py, threads, move |_| picture(&file, &line))?;
+    let image = interruptible(py, threads, move |stop| picture(&file, &line, stop))?;
     let image = image.map_err(|error| failure(py, &path, error))?;
     let [width, height] = image.size.map(|side| side as usize);
     let shape = [height, width, 3];
@@ -109,7 +109,7 @@ pub fn render<'py>(
     }
 }
 
-fn picture(path: &Path, line: &Line) -> Result<Image, Failure> {
+fn picture(path: &Path, line: &Line, stop: &Stop) -> Result<Image, Failure> {
     let Verb::Render(args) = line.parse().map_err(Failure::usage)? else {
         unreachable!("the verb is render")
     };
@@ -118,7 +118,9 @@ fn picture(path: &Path, line: &Line) -> Result<Image, Failure> {
     if !request.has_places() {
         file.recentre();
     }
+    stop.check();
     changes::change(&request, &mut file)?;
+    stop.check();
     let console = Console::new(&args.run, Color::Never, None);
     let drawn = draw::draw(&mut file, &request, &Progress::of_count(&console, "drawing", "frames", 1))?;
     drawn.image.ok_or_else(|| Failure::usage("this draws no single picture"))

@@ -156,6 +156,20 @@ def test_write_errors_keep_the_old_file(tmp_path):
     assert old.read_bytes() == b"old" and len(list(tmp_path.iterdir())) == 1
 
 
+def test_each_computation_begins_with_the_file(tmp_path):
+    mesh, fresh = crease.read(DATA / "part.stl"), crease.read(DATA / "part.stl")
+    mesh.normals(merge=0.2)
+    with pytest.raises(ValueError, match="merge with a fraction moves vertices"):
+        mesh.write(tmp_path / "moved.stl")
+    for it, name in ((mesh, "again"), (fresh, "fresh")):
+        it.normals(crease=40)
+        it.write(tmp_path / f"{name}.glb")
+    assert (tmp_path / "again.glb").read_bytes() == (tmp_path / "fresh.glb").read_bytes()
+    mesh.normals(emit="face")
+    with pytest.raises(ValueError, match='emit="face" writes ply or stl, not glb'):
+        mesh.write(tmp_path / "face.glb")
+
+
 def test_unknown_options_are_refused():
     mesh = crease.read(DATA / "part.stl")
     for call, message in [
@@ -164,6 +178,9 @@ def test_unknown_options_are_refused():
         (lambda: mesh.normals(crease=400), 'wrong value "400" of --crease'),
         (lambda: crease.render(DATA / "part.stl", shading="fong"), 'unknown value "fong" of --shading; did you mean'),
         (lambda: crease.render(DATA / "part.stl", output="x.png"), "unexpected option output; use the program for it"),
+        (lambda: mesh.normals(scale=2), "unexpected option scale; use the program for it"),
+        (lambda: mesh.normals(shard="0/2"), "unexpected option shard; use the program for it"),
+        (lambda: crease.inspect(DATA / "part.stl", against="x.obj"), "unexpected option against; use the program for it"),
         (lambda: crease.inspect(DATA / "part.stl", only="flat"), 'wrong value "flat" of --only: no finding has this id'),
         (lambda: crease.plan(DATA / "scenes/sphere.toml", tolerance=-1), 'the value "-1" of --tolerance is not a'),
     ]:
