@@ -223,4 +223,6 @@ def test_killed_workers_of_a_cluster_lose_nothing(work):
     assert counts == {"done": count, "skipped": 0}
     entries = [json.loads(line)["input"] for line in open("journal")]
     assert len(entries) == len(set(entries)) == count, "each file is in the journal once"
-    assert files("out/in") == expected
+    # A program that is killed with its worker while it writes may leave its temporary file; docs/batches.md says so.
+    found = {name: content for name, content in files("out/in").items() if not name.startswith(".crease-")}
+    assert found == expected
