@@ -111,6 +111,13 @@ def test_companions_of_two_outputs_do_not_replace_each_other_unnoticed(work, cap
     assert said.out == "1 done, 1 failed, 0 skipped\n" and "m.mtl belongs to" in said.err
 
 
+def test_manifests_may_have_a_byte_order_mark_and_names_a_carriage_return(work):
+    os.rename("in/01.obj", "in/a\rb.obj")
+    (work / "list").write_bytes(b"\xef\xbb\xbfin/00.obj\r\nin/a\rb.obj\r\n")
+    assert batch.run("list", "out", workers=1) == {"done": 2, "skipped": 0}
+    assert sorted(os.listdir("out/in")) == ["00.obj", "a\rb.obj"]
+
+
 def test_one_file_at_two_addresses_is_one_file(work):
     (work / "list").write_text('{"input": "memory://a/x.stl", "output": "memory:///a/x.stl"}\n')
     with pytest.raises(ValueError, match="is an input and an output"):
