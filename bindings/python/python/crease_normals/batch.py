@@ -466,7 +466,7 @@ def main(words: Optional[list[str]] = None) -> int:
         print_error(f"error: {error}")
         return 4
     except KeyboardInterrupt:
-        print_error("interrupted; the same command with a journal goes on")
+        print_error("interrupted; with --journal, the same command continues")
         return 130
     print(", ".join(f"{counts[key]} {key}" for key in ("done", "failed", "skipped")))
     return 5 if counts["failed"] else 0
