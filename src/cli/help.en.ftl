@@ -26,6 +26,7 @@ shard = Share of the inputs, chosen by a hash of their names: 0/4 to 3/4 togethe
 journal = Journal of the batch, a line of JSON for each file. A run with the same journal skips the files that are done, if their
     inputs, outputs and the options are unchanged
 retries = Further tries for files that cannot be read or written
+keep-going = Continue after a file that failed; `--keep-going=false` stops at the first
 jobs = Inputs that are processed at the same time. Outputs and reports are the same for any number
 memory = Memory that concurrent inputs may need together, such as 8G, estimated from their sizes and formats; a larger input is
     processed alone [default: three quarters of the available memory]

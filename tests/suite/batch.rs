@@ -363,6 +363,18 @@ fn killed_runs_flip_each_file_once() {
 }
 
 #[test]
+fn without_keep_going_a_batch_stops_at_the_first_failure() {
+    let work = files(6);
+    fs::remove_file(work.path().join("in/0002.obj")).unwrap();
+    let (status, report, _) = run(work.path(), &[&TO_OUT[..], &["--keep-going=false"]].concat());
+    assert_eq!((status, outputs(work.path()).len()), (5, 2));
+    assert!(report.contains("2 of 6 files done, 3 not processed, 1 failed:"), "{report}");
+    let (status, report, _) = run(work.path(), &[&TO_OUT[..], &["--keep-going"]].concat());
+    assert_eq!((status, outputs(work.path()).len()), (5, 5));
+    assert!(report.contains("5 of 6 files done, 1 failed:"), "{report}");
+}
+
+#[test]
 fn a_file_counts_once_whatever_was_done_with_it() {
     let work = files(3);
     fs::write(work.path().join("in/0001.obj"), "v 0 0 nan\nf 1 1 1\n").unwrap();
@@ -554,4 +566,6 @@ fn wrong_lists_and_shares_are_refused_before_work() {
         assert!(status == expected && errors.contains(found), "{args:?}: {status}: {errors}");
     }
     assert!(outputs(work.path()).is_empty());
+    let summary = crease().args(["journal", "summary", "list"]).current_dir(work.path()).output().unwrap();
+    assert!(code(&summary) == 3 && text(&summary.stderr).contains("list is not a journal"));
 }

@@ -4,11 +4,12 @@ use super::console::HELP;
 use super::failure::Failure;
 use super::input::{Input, Source};
 use super::jobs::Jobs;
-use clap::Args;
+use clap::{ArgAction, Args};
 use crease::io::Format;
 use serde::Deserialize;
 use std::io::Read;
 use std::path::{Component, Path, PathBuf};
+use std::str::FromStr;
 
 #[derive(Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Batches")]
@@ -23,6 +24,9 @@ pub struct BatchArgs {
     pub retries: u8,
     #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u16).range(1..=256))]
     pub jobs: u16,
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, action = ArgAction::Set,
+          default_value = "true", default_missing_value = "true", value_parser = bool::from_str)]
+    pub keep_going: bool,
     #[arg(long, value_name = "BYTES", value_parser = memory)]
     pub memory: Option<u64>,
 }
@@ -135,17 +139,22 @@ fn manifest(path: &Path) -> Result<Vec<Input>, Failure> {
     let name = Source::of(path).name();
     let fail =
         |place: &str, found: &str, advice: &str| Failure::input(format!("{place}: {found}{HELP}{advice}"));
-    let mut text = String::new();
+    let mut bytes = Vec::new();
     let read = match Source::of(path) {
-        Source::Standard => std::io::stdin().lock().take(MOST).read_to_string(&mut text),
+        Source::Standard => std::io::stdin().lock().take(MOST).read_to_end(&mut bytes),
         Source::File(path) => {
-            std::fs::File::open(path).and_then(|file| file.take(MOST).read_to_string(&mut text))
+            std::fs::File::open(path).and_then(|file| file.take(MOST).read_to_end(&mut bytes))
         }
     };
     read.map_err(|error| fail(&name, &error.to_string(), "check the path of the manifest"))?;
-    if text.len() as u64 == MOST {
+    if bytes.len() as u64 == MOST {
         return Err(fail(&name, &format!("the manifest has more than {MOST} bytes"), "divide it"));
     }
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+        fail(&format!("{name}:{line}"), "the line is not UTF-8", "store the manifest as UTF-8")
+    })?;
     let mut inputs = Vec::new();
     let lines = text.trim_start_matches('\u{feff}').lines().map(|line| line.trim_end_matches('\r'));
     for (number, line) in lines.enumerate().filter(|(_, line)| !line.trim().is_empty()) {
@@ -222,6 +231,8 @@ mod tests {
             let message = manifest(&file).unwrap_err().message;
             assert!(message.contains(found), "{message}");
         }
+        std::fs::write(&file, b"a.obj\nb\xff.obj\n").unwrap();
+        assert!(manifest(&file).unwrap_err().message.contains("list:2: the line is not UTF-8"));
         assert!(manifest(&folder.path().join("missing")).unwrap_err().message.contains("check the path"));
     }
 }

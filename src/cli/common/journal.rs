@@ -1,7 +1,8 @@
 //! A journal of a batch: a line of JSON for each file that is done or failed. A later run with the same journal skips what is
 //! done and unchanged. Each line is written at once, so that a killed run loses at most the file in work.
 
-use super::failure::Failure;
+use super::console::HELP;
+use super::failure::{Failure, io_reason};
 use anyhow::{Context, Result, ensure};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
@@ -87,9 +88,30 @@ pub type Key = (String, String, Option<String>);
 /// run leaves.
 ///
 /// # Errors
-/// If the file cannot be read.
-pub fn entries(path: &Path) -> std::io::Result<(Vec<Entry>, usize)> {
-    entries_of(&File::open(path)?)
+/// If the file cannot be read or is not a journal.
+pub fn entries(path: &Path) -> Result<(Vec<Entry>, usize), Failure> {
+    let unreadable = |error: std::io::Error| {
+        let (reason, advice) = io_reason(&error);
+        Failure::input(format!("{}: {reason}{HELP}{advice}", path.display()))
+    };
+    let file = File::open(path).map_err(unreadable)?;
+    let found = entries_of(&file).map_err(unreadable)?;
+    if found.0.is_empty() && !is_begun(file).map_err(unreadable)? {
+        return Err(Failure::input(not_a_journal(path)));
+    }
+    Ok(found)
+}
+
+/// Whether a file without an entry is empty or has a part of the first one, which a killed run leaves.
+fn is_begun(mut file: impl Read + Seek) -> std::io::Result<bool> {
+    let mut text = Vec::new();
+    file.rewind()?;
+    file.take(1 << 16).read_to_end(&mut text)?;
+    Ok((text.starts_with(FIRST_BYTES) || FIRST_BYTES.starts_with(&text)) && !text.contains(&b'\n'))
+}
+
+fn not_a_journal(path: &Path) -> String {
+    format!("{} is not a journal: it has no entry{HELP}name another file", path.display())
 }
 
 fn entries_of(file: &File) -> std::io::Result<(Vec<Entry>, usize)> {
@@ -151,18 +173,8 @@ impl Journal {
     fn of(mut file: File, path: &Path, sync: bool) -> Result<Self> {
         let context = || format!("could not open the journal {}", path.display());
         let (old, bad) = entries_of(&file).with_context(context)?;
-        if old.is_empty() {
-            // Before its first entry a killed run may leave a part of that. Other files are not to be changed.
-            let mut text = Vec::new();
-            file.rewind().with_context(context)?;
-            (&file).take(1 << 16).read_to_end(&mut text).with_context(context)?;
-            let is_part = text.starts_with(FIRST_BYTES) || FIRST_BYTES.starts_with(&text);
-            ensure!(
-                is_part && !text.contains(&b'\n'),
-                "{} is not a journal: it has no entry\nhelp: name another file",
-                path.display()
-            );
-        }
+        // Other files are not to be changed.
+        ensure!(!old.is_empty() || is_begun(&file).with_context(context)?, "{}", not_a_journal(path));
         // A killed run may have written half a line.
         if file.seek(SeekFrom::End(0)).with_context(context)? > 0 {
             file.seek(SeekFrom::End(-1)).with_context(context)?;

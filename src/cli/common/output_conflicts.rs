@@ -3,7 +3,7 @@
 use super::output::{follow_links, resolve_parent};
 use std::cell::RefCell;
 use std::collections::HashMap;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// The files that a run reads and writes.
 pub struct Files<'a> {
@@ -44,10 +44,9 @@ impl<'a> Files<'a> {
     }
 }
 
-/// Folders without symbolic links; `None` if they do not exist. Millions of files are in few folders, and each access to shared
-/// storage takes time.
+/// Folders by their paths without symbolic links. Millions of files are in few folders, and each access to shared storage takes time.
 #[derive(Default)]
-struct Folders(RefCell<HashMap<PathBuf, Option<PathBuf>>>);
+struct Folders(RefCell<HashMap<PathBuf, PathBuf>>);
 
 impl Folders {
     /// A path without symbolic links, whether or not the file exists.
@@ -57,16 +56,30 @@ impl Folders {
         };
         let mut known = self.0.borrow_mut();
         if !known.contains_key(parent) {
-            let folder = if parent.as_os_str().is_empty() { Path::new(".") } else { parent };
-            known.insert(parent.to_owned(), folder.canonicalize().ok());
+            known.insert(parent.to_owned(), real_folder(parent));
         }
-        let Some(folder) = &known[parent] else { return path.to_owned() };
-        let file = folder.join(name);
+        let file = known[parent].join(name);
         match file.read_link() {
             Ok(_) => resolve_parent(&follow_links(&file).unwrap_or(file)),
             Err(_) => file,
         }
     }
+}
+
+/// A folder without symbolic links and steps upwards, whether or not it exists.
+fn real_folder(folder: &Path) -> PathBuf {
+    let mut real = Path::new(".").canonicalize().unwrap_or_default();
+    for part in folder.components() {
+        match part {
+            Component::CurDir => {}
+            Component::ParentDir => _ = real.pop(),
+            part => real.push(part),
+        }
+        if let Ok(link) = real.canonicalize() {
+            real = link;
+        }
+    }
+    real
 }
 
 #[cfg(test)]
@@ -96,6 +109,8 @@ mod tests {
         assert!(files.write(&root.join("later.obj"), "y".into()).is_err());
         files.write(&root.join("none/new.obj"), "x".into()).unwrap();
         assert!(files.write(&root.join("none/new.obj"), "y".into()).is_err());
+        assert!(files.write(&root.join("none/more/../new.obj"), "y".into()).is_err());
+        assert!(files.write(&root.join("none/../a/new.obj"), "y".into()).is_err());
         assert!(Files::read([root.join("also.obj").as_path()]).check(&input).is_err());
         // The working folder has no name in a path.
         assert!(Files::read([Path::new("in.obj")]).check(Path::new("./in.obj")).is_err());

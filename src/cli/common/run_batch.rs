@@ -16,6 +16,8 @@ use std::ops::ControlFlow;
 #[derive(Debug)]
 pub struct Batch {
     inputs: usize,
+    /// Inputs that were processed.
+    processed: usize,
     skipped: usize,
     failed: Vec<(String, Failure)>,
     /// The exit code if no input fails.
@@ -24,11 +26,12 @@ pub struct Batch {
 
 impl Batch {
     pub fn new(inputs: usize) -> Self {
-        Self { inputs, skipped: 0, failed: Vec::new(), exit: Exit::Done }
+        Self { inputs, processed: 0, skipped: 0, failed: Vec::new(), exit: Exit::Done }
     }
 
     /// Counts an input by the first members of its report.
     pub fn count(&mut self, path: &str, head: &Head) {
+        self.processed += 1;
         self.skipped += usize::from(head.status == SKIPPED);
         self.failed.extend(head.error.clone().map(|failure| (path.to_owned(), failure)));
     }
@@ -54,11 +57,15 @@ impl Batch {
             0 => String::new(),
             skipped => format!(" ({skipped} of them before)"),
         };
+        let rest = match self.inputs - self.processed {
+            0 => String::new(),
+            rest => format!(", {rest} not processed"),
+        };
         match failed {
             0 => format!("{files} done{before}\n"),
             _ => format!(
-                "{} of {files} done{before}, {failed} failed:\n{}",
-                self.inputs - failed,
+                "{} of {files} done{before}{rest}, {failed} failed:\n{}",
+                self.processed - failed,
                 lines.collect::<String>()
             ),
         }
@@ -72,11 +79,23 @@ pub struct Shared<'a> {
     pub progress: &'a FileProgress<'a>,
 }
 
-/// A result, and whether the journal could be written.
-pub type Recorded<R> = (R, Result<(), Failure>);
+/// The work on an input, recorded in the journal.
+pub struct Recorded<R> {
+    pub report: R,
+    pub has_failed: bool,
+    /// Whether the journal could be written.
+    pub journal: Result<(), Failure>,
+}
 
-/// Does the work of all items. `source` is an item's input with its format, if that is known. `finish` counts and prints a result;
-/// the results come in the order of the items. The batch stops if its journal cannot be written.
+impl<R> Recorded<R> {
+    /// An earlier run has done the work.
+    pub fn skipped(report: R) -> Self {
+        Self { report, has_failed: false, journal: Ok(()) }
+    }
+}
+
+/// Does the work of all items. `source` is an item's input with its format, if that is known. `finish` counts and prints a
+/// report; the reports come in the order of the items. The batch stops if its journal cannot be written, and with `--keep-going=false` after a failure.
 pub fn run_batch<'a, T: Sync, R: Send>(
     console: &Console,
     args: &BatchArgs,
@@ -93,17 +112,13 @@ pub fn run_batch<'a, T: Sync, R: Send>(
     let (mut batch, mut stopped) = (Batch::new(items.len()), None);
     let work = |item: &'a T, turn: &Turn<'_>| {
         let progress = progress.begin(source(item).0);
-        work(item, &Shared { ledger, turn, progress: &progress })
+        let done = work(item, &Shared { ledger, turn, progress: &progress });
+        let is_last = done.journal.is_err() || done.has_failed && !args.keep_going;
+        if is_last { ControlFlow::Break(done) } else { ControlFlow::Continue(done) }
     };
-    args.jobs().run(items, &needs, work, |item, (result, recorded)| {
-        progress.suspended(|| finish(item, result, &mut batch));
-        match recorded {
-            Ok(()) => ControlFlow::Continue(()),
-            Err(failure) => {
-                stopped = Some(failure);
-                ControlFlow::Break(())
-            }
-        }
+    args.jobs().run(items, &needs, work, |item, done| {
+        progress.suspended(|| finish(item, done.report, &mut batch));
+        stopped = stopped.take().or(done.journal.err());
     });
     drop(progress);
     match stopped {

@@ -115,7 +115,7 @@ fn one(job: &Job, shared: &Shared<'_>) -> Recorded<InspectReport> {
         report.is_grave = job.args.findings.fail_on.is_some_and(|least| worst >= Some(least));
         report.verdict = worst;
         report.before = entry.findings;
-        return (report, Ok(()));
+        return Recorded::skipped(report);
     }
     let log = ReadLog::default();
     let read = ReadOptions { log: log.clone(), ..job.args.companions.read_options(false) };
@@ -139,11 +139,11 @@ fn one(job: &Job, shared: &Shared<'_>) -> Recorded<InspectReport> {
         seconds: report.seconds.total,
         ..Outcome::default()
     };
-    let recorded = shared.ledger.record(&work, done);
+    let journal = shared.ledger.record(&work, done);
     if report.is_grave {
         report.head.status = "findings";
     }
-    (report, recorded)
+    Recorded { report, has_failed: result.is_err(), journal }
 }
 
 /// Reads, diagnoses and draws.

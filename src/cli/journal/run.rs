@@ -1,8 +1,8 @@
 //! Runs `crease journal`.
 
 use super::args::{Action, JournalArgs};
-use crate::cli::common::console::{Console, HELP};
-use crate::cli::common::failure::{Exit, Failure, exit_code, io_reason};
+use crate::cli::common::console::Console;
+use crate::cli::common::failure::{Exit, Failure, exit_code};
 use crate::cli::common::journal::{Entry, Status, entries};
 use crate::cli::common::numbers::{count, size};
 use crate::cli::common::options::Color;
@@ -57,10 +57,7 @@ impl<'a> Line<'a> {
 fn all(args: &JournalArgs) -> Result<(Vec<Entry>, usize), Failure> {
     let (mut last, mut incomplete, mut number) = (HashMap::<_, (u32, Entry)>::new(), 0, 0);
     for path in &args.journals {
-        let (found, bad) = entries(path).map_err(|error| {
-            let (reason, advice) = io_reason(&error);
-            Failure::input(format!("{}: {reason}{HELP}{advice}", path.display()))
-        })?;
+        let (found, bad) = entries(path)?;
         incomplete += bad;
         for entry in found {
             let key = entry.key();

@@ -60,7 +60,7 @@ fn one<'a>(job: &'a Job, store: &Store, shared: &Shared<'_>) -> Recorded<Report<
     if let Some(entry) = before {
         store.keep(entry.written.into_keys());
         report.head.status = SKIPPED;
-        return (report, Ok(()));
+        return Recorded::skipped(report);
     }
     let log = ReadLog::default();
     let read = ReadOptions { log: log.clone(), ..job.settings.read.clone() };
@@ -80,8 +80,8 @@ fn one<'a>(job: &'a Job, store: &Store, shared: &Shared<'_>) -> Recorded<Report<
         seconds: report.seconds.total,
         ..Outcome::default()
     };
-    let recorded = shared.ledger.record(&work, outcome);
-    (report, recorded)
+    let journal = shared.ledger.record(&work, outcome);
+    Recorded { report, has_failed: done.is_err(), journal }
 }
 
 /// The work of a job, with all options that affect its result.

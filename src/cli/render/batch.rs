@@ -116,7 +116,7 @@ fn one((input, request): &Job<'_>, shared: &Shared<'_>) -> Recorded<Report> {
     };
     if shared.ledger.done_before(&work).is_some() {
         report.head.status = SKIPPED;
-        return (report, Ok(()));
+        return Recorded::skipped(report);
     }
     let result = shared.ledger.retried(&request.source, || {
         report = Report::new(request);
@@ -135,6 +135,6 @@ fn one((input, request): &Job<'_>, shared: &Shared<'_>) -> Recorded<Report> {
         seconds: report.seconds.total,
         ..Outcome::default()
     };
-    let recorded = shared.ledger.record(&work, done);
-    (report, recorded)
+    let journal = shared.ledger.record(&work, done);
+    Recorded { report, has_failed: result.is_err(), journal }
 }
