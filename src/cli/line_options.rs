@@ -35,7 +35,7 @@ pub fn with_line<A: FromArgMatches>(verb: &str, input: &Input) -> Result<A, Fail
             )));
         }
     }
-    let words = command_line::words().iter().cloned().chain(input.options.iter().map(OsString::from));
+    let words = command_line::words().into_iter().chain(input.options.iter().map(OsString::from));
     let explained = |error: &clap::Error| refused(explanation(verb, error));
     let matches = command
         .clone()

@@ -10,7 +10,7 @@ use numpy::{
 };
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyList, PyTuple};
 use rayon::prelude::*;
 
 /// `f32` or `f64`.
@@ -125,6 +125,12 @@ pub struct FaceArrays<'py> {
 impl<'py> FaceArrays<'py> {
     /// Triangles as an array (m, 3), or polygons as a tuple of the vertices of all corners and where each face starts.
     pub fn new(given: &Bound<'py, PyAny>) -> PyResult<Self> {
+        if let Ok(list) = given.cast::<PyList>()
+            && list.len() == 2
+            && list.iter().all(|item| item.cast::<PyUntypedArray>().is_ok_and(|item| item.ndim() == 1))
+        {
+            return Self::new(&list.to_tuple());
+        }
         let found = match given.cast::<PyTuple>() {
             Ok(pair) if pair.len() == 2 => Self::polygons(&pair.get_item(0)?, &pair.get_item(1)?)?,
             Ok(other) => {
@@ -248,8 +254,23 @@ pub fn output<'py, T: Element>(
     };
     out.try_readwrite().map_err(|error| match error {
         BorrowError::NotWriteable => wrong("out is read-only; pass an array that can be written"),
-        _ => wrong("out shares memory with vertices, or another thread uses it; pass an array of its own"),
+        _ => wrong("another thread uses out; pass an array of its own"),
     })
+}
+
+/// Refuses an array for results that shares memory with an argument.
+pub fn check_separate(out: Option<&Bound<'_, PyAny>>, arguments: [&Bound<'_, PyAny>; 2]) -> PyResult<()> {
+    let Some(out) = out.filter(|out| out.cast::<PyUntypedArray>().is_ok()) else { return Ok(()) };
+    let parts = arguments.into_iter().flat_map(|given| match given.cast::<PyTuple>() {
+        Ok(pair) => pair.iter().collect(),
+        Err(_) => vec![given.clone()],
+    });
+    for part in parts.filter(|part| part.cast::<PyUntypedArray>().is_ok()) {
+        if out.py().import("numpy")?.call_method1("may_share_memory", (out, part))?.is_truthy()? {
+            return Err(wrong("out shares memory with vertices or faces; pass an array of its own"));
+        }
+    }
+    Ok(())
 }
 
 /// An array of rows, without a copy.
@@ -312,8 +333,9 @@ fn indices<'py>(
             readonly.map_err(|_| wrong(format!("another thread writes to {name}; wait until it ends")));
         return Ok(Indices::Borrowed(readonly?));
     }
-    let converted = match array.dtype().itemsize() {
-        4 => converted::<i32>(flat(dtype::<i32>(py))?)?,
+    let converted = match (kind, array.dtype().itemsize()) {
+        (_, 4) => converted::<i32>(flat(dtype::<i32>(py))?)?,
+        (b'u', 8) => converted::<u64>(flat(dtype::<u64>(py))?)?,
         _ => converted::<i64>(flat(dtype::<i64>(py))?)?,
     };
     converted.map(Indices::Converted).map_err(|(at, found)| {
@@ -324,9 +346,9 @@ fn indices<'py>(
 }
 
 /// Integers as unsigned 32-bit ones, or the first that is none, with its position.
-fn converted<T: Element + Copy + Into<i64> + Send + Sync>(
+fn converted<T: Element + Copy + Into<i128> + Send + Sync>(
     array: Bound<'_, PyAny>,
-) -> PyResult<Result<Vec<u32>, (usize, i64)>> {
+) -> PyResult<Result<Vec<u32>, (usize, i128)>> {
     let array = array.cast_into::<PyArray1<T>>()?;
     let readonly = array.try_readonly().map_err(|error| wrong(error.to_string()))?;
     let numbers = readonly.as_slice()?;
@@ -334,11 +356,11 @@ fn converted<T: Element + Copy + Into<i64> + Send + Sync>(
     let is_same = numbers
         .iter()
         .zip(&indices)
-        .fold(true, |all, (&number, &index)| all & (number.into() == i64::from(index)));
+        .fold(true, |all, (&number, &index)| all & (number.into() == i128::from(index)));
     if is_same {
         return Ok(Ok(indices));
     }
     let wrong = numbers.iter().map(|&number| number.into()).enumerate();
-    let mut wrong = wrong.filter(|(_, number): &(usize, i64)| u32::try_from(*number).is_err());
+    let mut wrong = wrong.filter(|(_, number): &(usize, i128)| u32::try_from(*number).is_err());
     Ok(Err(wrong.next().unwrap_or_default()))
 }

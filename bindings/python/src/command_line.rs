@@ -11,7 +11,7 @@ use std::ffi::OsString;
 use std::path::Path;
 
 /// Options that name outputs, streams, threads or batches: functions have arguments for these, or return the result.
-const EXCLUDED: [&str; 26] = [
+const EXCLUDED: [&str; 27] = [
     "output",
     "out_dir",
     "in_place",
@@ -36,6 +36,7 @@ const EXCLUDED: [&str; 26] = [
     "shard",
     "journal",
     "retries",
+    "keep_going",
     "jobs",
     "memory",
 ];
@@ -71,9 +72,13 @@ impl Line {
     }
 
     pub fn parse(&self) -> Result<Verb, String> {
-        let verb = self.0[1].to_string_lossy();
-        Cli::try_parse_from(&self.0).map(|cli| cli.verb).map_err(|error| explanation(&verb, &error))
+        parse(&self.0[1].to_string_lossy(), &self.0)
     }
+}
+
+/// The arguments of a verb from a command line.
+pub fn parse(verb: &str, line: &[OsString]) -> Result<Verb, String> {
+    Cli::try_parse_from(line).map(|cli| cli.verb).map_err(|error| explanation(verb, &error))
 }
 
 fn push(line: &mut Vec<OsString>, name: &str, value: &Bound<'_, PyAny>) -> PyResult<()> {

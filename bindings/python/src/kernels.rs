@@ -1,10 +1,12 @@
 //! Normals of arrays.
 
-use crate::arrays::{FaceArrays, Number, Vertices, check_finite, from_rows, output, rows, wrong};
+use crate::arrays::{
+    FaceArrays, Number, Vertices, check_finite, check_separate, from_rows, output, rows, wrong,
+};
 use crate::faults::fault_array;
 use crate::recipe::{WeldArgument, averaging, crease_angle};
 use crate::scratch::with_scratch;
-use crate::threads::{interruptible, without_lock};
+use crate::threads::{ThreadCount, interruptible, without_lock};
 use crease::mesh::{ColumnIndex, Mesh, MeshBuilder, Weld};
 use crease::normals::{
     self, Averaging, Crease, Extras, Fault, Faults, Groups, NormalField, NormalRecipe, Scope, Scratch,
@@ -29,8 +31,10 @@ type Given<'a, 'py> = &'a Bound<'py, PyAny>;
 ///     Triangles, counter-clockwise from outside, indices from 0. C-contiguous uint32 is read in place; other integers are
 ///     converted once. Polygons are a tuple: the vertices of all corners (c,), and where each face starts (m + 1,), from 0 to c.
 /// weight : str
-///     "angle" (Thürmer and Wüthrich 1998), "area", "uniform" (Gouraud 1971), "angle-area", "max" (Max 1999), "edge"; the
-///     fits "quadric" and "jet"; or "best", which chooses by the mesh. Fits and polygons copy the mesh.
+///     "angle" at the corner (Thürmer and Wüthrich 1998); "area" of the face; "uniform" (Gouraud 1971); "angle-area", their
+///     product; "max", the area over the squared lengths of both edges (Max 1999); "edge", one over the lengths of both edges (Max
+///     1999); the fits "quadric" (least squares, two-ring) and "jet" of degree 3 (Cazals and Pouget 2005); or "best", which chooses
+///     by the mesh. Fits and polygons copy the mesh.
 /// slivers : str
 ///     "exclude" ignores faces whose height is below the rounding of their coordinates; "keep" counts them.
 /// precision : str
@@ -71,11 +75,12 @@ pub fn vertex_normals<'py>(
     weight: &str,
     slivers: &str,
     precision: &str,
-    threads: Option<usize>,
+    threads: Option<ThreadCount>,
     out: Option<Given<'_, 'py>>,
     return_faults: bool,
 ) -> PyResult<Bound<'py, PyAny>> {
     let averaging = averaging(weight, slivers, precision)?;
+    check_separate(out, [vertices, faces])?;
     let faces = FaceArrays::new(faces)?;
     let (normals, faults) = match Vertices::new(vertices)? {
         Vertices::Single(array) => of_vertices(py, &array, &faces, averaging, threads, out)?,
@@ -115,10 +120,11 @@ pub fn face_normals<'py>(
     py: Python<'py>,
     vertices: Given<'_, 'py>,
     faces: Given<'_, 'py>,
-    threads: Option<usize>,
+    threads: Option<ThreadCount>,
     out: Option<Given<'_, 'py>>,
     return_faults: bool,
 ) -> PyResult<Bound<'py, PyAny>> {
+    check_separate(out, [vertices, faces])?;
     let faces = FaceArrays::new(faces)?;
     let (normals, faults) = match Vertices::new(vertices)? {
         Vertices::Single(array) => of_faces(py, &array, &faces, threads, out)?,
@@ -170,7 +176,7 @@ pub fn corner_normals<'py>(
     weight: &str,
     slivers: &str,
     precision: &str,
-    threads: Option<usize>,
+    threads: Option<ThreadCount>,
     return_faults: bool,
 ) -> PyResult<Bound<'py, PyAny>> {
     let smoothing = Smoothing {
@@ -227,7 +233,7 @@ pub fn split<'py>(
     weight: &str,
     slivers: &str,
     precision: &str,
-    threads: Option<usize>,
+    threads: Option<ThreadCount>,
     return_faults: bool,
 ) -> PyResult<Bound<'py, PyAny>> {
     let smoothing = Smoothing {
@@ -254,7 +260,7 @@ struct Smoothing {
     crease: Degrees,
     weld: Weld,
     averaging: Averaging,
-    threads: Option<usize>,
+    threads: Option<ThreadCount>,
 }
 
 fn with_faults<'py>(
@@ -302,7 +308,7 @@ fn of_vertices<'py, T: Number + Into<f64>>(
     array: &PyReadonlyArray2<'py, T>,
     faces: &FaceArrays<'py>,
     averaging: Averaging,
-    threads: Option<usize>,
+    threads: Option<ThreadCount>,
     out: Option<Given<'_, 'py>>,
 ) -> PyResult<(Bound<'py, PyAny>, Faults)> {
     let points = rows(array);
@@ -343,7 +349,7 @@ fn of_faces<'py, T: Number + Into<f64>>(
     py: Python<'py>,
     array: &PyReadonlyArray2<'py, T>,
     faces: &FaceArrays<'py>,
-    threads: Option<usize>,
+    threads: Option<ThreadCount>,
     out: Option<Given<'_, 'py>>,
 ) -> PyResult<(Bound<'py, PyAny>, Faults)> {
     let points = rows(array);
@@ -454,7 +460,7 @@ fn field<T: Number + Into<f64>>(
     faces: &FaceArrays<'_>,
     recipe: NormalRecipe,
     extras: Extras,
-    threads: Option<usize>,
+    threads: Option<ThreadCount>,
 ) -> PyResult<(Mesh, NormalField)> {
     without_lock(py, threads, || check_finite(points))?.map_err(wrong)?;
     if let Some(text) = faces.out_of_range(points.len()) {

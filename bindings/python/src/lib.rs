@@ -36,7 +36,7 @@ mod _native {
     #[pymodule_export]
     use crate::mesh_file::{Mesh, Part, read};
     #[pymodule_export]
-    use crate::verbs::{inspect, plan, program, render};
+    use crate::verbs::{check_batch, inspect, plan, program, render};
 
     #[pymodule_export]
     const __VERSION__: &str = env!("CARGO_PKG_VERSION");

@@ -8,15 +8,16 @@ use crate::cli::common::stream::file_target;
 use crate::cli::normals::request;
 use crate::command_line::Line;
 use crate::errors::{failure, read_error, usage};
-use crate::threads::{Stop, interruptible};
+use crate::threads::{Stop, ThreadCount, interruptible};
 use crease::io::{self, Emit, Format, Loaded, NonFinite, PartEdit, ReadOptions, WriteOptions};
-use crease::mesh::{Column, ColumnIndex, NONE, PositionsRef};
+use crease::mesh::{Column, ColumnIndex, Faces, NONE, PositionsRef};
 use crease::num::UnitVec3;
 use crease::pipeline::{self, Revision, Task};
 use glam::DVec3;
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -55,7 +56,7 @@ pub fn read(
     root: Option<PathBuf>,
     allow_extension: Vec<String>,
     force: bool,
-    threads: Option<usize>,
+    threads: Option<ThreadCount>,
 ) -> PyResult<Mesh> {
     let format = format.map(format_of).transpose()?;
     let non_finite = if force { NonFinite::DropFaces } else { NonFinite::Refuse };
@@ -157,7 +158,7 @@ impl Mesh {
     fn normals<'py>(
         &self,
         py: Python<'py>,
-        threads: Option<usize>,
+        threads: Option<ThreadCount>,
         options: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let line = Line::new("normals", &self.path, options)?.with_flag("--dry-run");
@@ -210,7 +211,7 @@ impl Mesh {
         path: PathBuf,
         format: Option<&str>,
         sync: bool,
-        threads: Option<usize>,
+        threads: Option<ThreadCount>,
     ) -> PyResult<Vec<String>> {
         let to = format.map(format_of).transpose()?;
         if path.is_dir() {
@@ -293,6 +294,22 @@ impl Part {
     fn part(&self) -> &io::Part {
         &self.loaded.parts[self.number]
     }
+
+    fn edit(&self) -> Option<&PartEdit> {
+        Some(&self.computed.as_ref()?.edits[self.number])
+    }
+
+    /// The faces without those that were dropped, and the corner in the file of each of their corners.
+    fn edited_faces(&self) -> (Cow<'_, Faces>, Option<Vec<u32>>) {
+        let faces = self.part().mesh.faces();
+        match self.edit().filter(|edit| !edit.faces.is_empty()) {
+            None => (Cow::Borrowed(faces), None),
+            Some(edit) => {
+                let (edited, order) = edit.faces.corner_order(faces);
+                (Cow::Owned(edited), Some(order))
+            }
+        }
+    }
 }
 
 #[pymethods]
@@ -315,9 +332,10 @@ impl Part {
     }
 
     /// Faces, as the functions of this module take them: array (m, 3) of uint32 if all are triangles, else a tuple (indices, offsets).
+    /// After `Mesh.normals` they are as it has reversed and dropped them.
     #[getter]
     fn faces<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let faces = self.part().mesh.faces();
+        let (faces, _) = self.edited_faces();
         let corners = PyArray1::from_slice(py, faces.corners());
         match faces.offsets() {
             None => Ok(corners.reshape([faces.len(), 3])?.into_any()),
@@ -333,10 +351,12 @@ impl Part {
     #[getter]
     fn normals<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
         let mesh = &self.part().mesh;
-        let computed =
-            self.computed.as_ref().and_then(|computed| computed.edits[self.number].normals.as_ref());
+        let computed = self.edit().and_then(|edit| edit.normals.as_ref());
         let Some(column) = computed.or(mesh.columns().normals.as_ref()) else { return Ok(None) };
-        let index = corner_index(column, mesh.faces().corners());
+        let mut index = corner_index(column, mesh.faces().corners());
+        if let (_, Some(order)) = self.edited_faces() {
+            index = order.iter().map(|&corner| index[corner as usize]).collect();
+        }
         let unit = |normal: &DVec3| UnitVec3::new(*normal).map_or(*normal, UnitVec3::get).to_array();
         let normals = match computed {
             Some(_) => column.values.iter().map(DVec3::to_array).collect::<Vec<_>>(),

@@ -5,6 +5,7 @@ use crease::normals::{Averaging, Precision, Slivers, Weight};
 use crease::num::Degrees;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::PyBool;
 
 /// The value that a name chooses.
 fn chosen<T: Copy>(argument: &str, name: &str, choices: &[(&str, T)]) -> PyResult<T> {
@@ -41,10 +42,27 @@ pub fn crease_angle(degrees: Option<f64>) -> PyResult<Degrees> {
 }
 
 /// `"off"`, `"exact"`, or a fraction of the diagonal.
-#[derive(FromPyObject)]
 pub enum WeldArgument {
     Fraction(f64),
     Name(String),
+}
+
+impl FromPyObject<'_, '_> for WeldArgument {
+    type Error = PyErr;
+
+    fn extract(given: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        if let Ok(name) = given.extract() {
+            return Ok(Self::Name(name));
+        }
+        // True is a number too.
+        let fraction = given.extract().ok().filter(|_| !given.is_instance_of::<PyBool>());
+        fraction.map(Self::Fraction).ok_or_else(|| {
+            PyValueError::new_err(format!(
+                "weld is {}; use \"off\", \"exact\" or a fraction of the diagonal from 0 to 1",
+                &*given
+            ))
+        })
+    }
 }
 
 impl WeldArgument {

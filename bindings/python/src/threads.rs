@@ -1,6 +1,7 @@
 //! Threads, the interpreter lock and Ctrl-C.
 
-use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use crate::arrays::wrong;
+use pyo3::exceptions::{PyOverflowError, PyRuntimeError};
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::any::Any;
@@ -23,18 +24,12 @@ struct Pools {
     of_size: BTreeMap<usize, Arc<ThreadPool>>,
 }
 
+static POOLS: Mutex<Pools> = Mutex::new(Pools { process: 0, of_size: BTreeMap::new() });
+
 /// A pool of as many threads; `None` is one for each processor. A process made by `fork` has no threads of its parent, so it makes
 /// new pools.
-fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
-    static POOLS: Mutex<Pools> = Mutex::new(Pools { process: 0, of_size: BTreeMap::new() });
-    let size = match threads {
-        None => 0,
-        Some(count @ 1..=MOST) => count,
-        Some(count) => {
-            let text = format!("threads is {count}; a number from 1 to {MOST} was expected");
-            return Err(PyValueError::new_err(text));
-        }
-    };
+fn pool(threads: Option<ThreadCount>) -> PyResult<Arc<ThreadPool>> {
+    let size = threads.map_or(0, |count| count.0);
     let mut pools = POOLS.lock().unwrap_or_else(PoisonError::into_inner);
     let process = std::process::id();
     if pools.process != process {
@@ -51,10 +46,16 @@ fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
     Ok(pool)
 }
 
+/// Removes a pool, so that later calls do not wait for the work in it.
+fn abandon(pool: &Arc<ThreadPool>) {
+    let mut pools = POOLS.lock().unwrap_or_else(PoisonError::into_inner);
+    pools.of_size.retain(|_, known| !Arc::ptr_eq(known, pool));
+}
+
 /// Runs work that borrows arrays, without the interpreter lock.
 pub fn without_lock<T: Send>(
     py: Python<'_>,
-    threads: Option<usize>,
+    threads: Option<ThreadCount>,
     work: impl FnOnce() -> T + Send,
 ) -> PyResult<T> {
     let pool = pool(threads)?;
@@ -75,18 +76,38 @@ impl Stop {
     }
 }
 
+/// The argument `threads`.
+#[derive(Clone, Copy)]
+pub struct ThreadCount(usize);
+
+impl FromPyObject<'_, '_> for ThreadCount {
+    type Error = PyErr;
+
+    fn extract(given: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        let refused = || wrong(format!("threads is {}; a number from 1 to {MOST} was expected", &*given));
+        match given.extract::<usize>() {
+            Ok(count @ 1..=MOST) => Ok(Self(count)),
+            Ok(_) => Err(refused()),
+            // Negative, or larger than any size.
+            Err(error) if error.is_instance_of::<PyOverflowError>(given.py()) => Err(refused()),
+            Err(error) => Err(error),
+        }
+    }
+}
+
 /// Runs work that owns its data, without the interpreter lock, and raises the exception of a signal at once. The work then ends at its
 /// next check of [`Stop`].
 pub fn interruptible<T: Send + 'static>(
     py: Python<'_>,
-    threads: Option<usize>,
+    threads: Option<ThreadCount>,
     work: impl FnOnce(&Stop) -> T + Send + 'static,
 ) -> PyResult<T> {
     let stop = Stop::default();
     let (send, receive) = mpsc::channel();
     let receive = Mutex::new(receive);
     let inside = stop.clone();
-    pool(threads)?.spawn(move || {
+    let pool = pool(threads)?;
+    pool.spawn(move || {
         let result = catch_unwind(AssertUnwindSafe(|| work(&inside)));
         // Without a receiver the call was interrupted.
         send.send(result).ok();
@@ -98,6 +119,7 @@ pub fn interruptible<T: Send + 'static>(
             Err(RecvTimeoutError::Disconnected) => return Err(internal(&"the work has no result")),
             Err(RecvTimeoutError::Timeout) => py.check_signals().inspect_err(|_| {
                 stop.0.store(true, Ordering::Relaxed);
+                abandon(&pool);
             })?,
         }
     }

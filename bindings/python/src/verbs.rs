@@ -3,22 +3,24 @@
 use crate::arrays::wrong;
 use crate::cli;
 use crate::cli::args::Verb;
+use crate::cli::common::command_line;
 use crate::cli::common::console::Console;
 use crate::cli::common::failure::Failure;
-use crate::cli::common::input::Source;
+use crate::cli::common::input::{Input, Source};
 use crate::cli::common::options::Color;
 use crate::cli::common::progress::Progress;
 use crate::cli::inspect::json::InspectReport;
 use crate::cli::inspect::run::keep_wanted;
+use crate::cli::normals::request::jobs_of;
 use crate::cli::plan::args::Reference;
 use crate::cli::render::{changes, draw, request};
-use crate::command_line::Line;
-use crate::errors::failure;
-use crate::threads::{Stop, interruptible};
+use crate::command_line::{Line, parse};
+use crate::errors::{failure, usage};
+use crate::threads::{Stop, ThreadCount, interruptible};
 use crease::io;
 use crease::plan::{PlanError, most_accurate, scene_text, with_size};
 use crease::quality::diagnose;
-use crease::raster::{Image, LoadOptions, Pixels, load};
+use crease::raster::{Image, LoadOptions, Pixels, RenderScratch, load};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -31,7 +33,7 @@ use std::path::{Path, PathBuf};
 pub fn inspect(
     py: Python<'_>,
     path: PathBuf,
-    threads: Option<usize>,
+    threads: Option<ThreadCount>,
     options: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<String> {
     let line = Line::new("inspect", &path, options)?;
@@ -90,7 +92,7 @@ fn diagnosis(path: &Path, line: &Line, stop: &Stop) -> Result<String, Failure> {
 pub fn render<'py>(
     py: Python<'py>,
     path: PathBuf,
-    threads: Option<usize>,
+    threads: Option<ThreadCount>,
     options: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let line = Line::new("render", &path, options)?;
@@ -122,7 +124,12 @@ fn picture(path: &Path, line: &Line, stop: &Stop) -> Result<Image, Failure> {
     changes::change(&request, &mut file)?;
     stop.check();
     let console = Console::new(&args.run, Color::Never, None);
-    let drawn = draw::draw(&mut file, &request, &Progress::of_count(&console, "drawing", "frames", 1))?;
+    let progress = Progress::of_count(&console, "drawing", "frames", 1);
+    let mut scratch = RenderScratch::observed({
+        let stop = stop.clone();
+        move || stop.check()
+    });
+    let drawn = draw::draw(&mut file, &request, &progress, &mut scratch)?;
     drawn.image.ok_or_else(|| Failure::usage("this draws no single picture"))
 }
 
@@ -132,7 +139,7 @@ fn picture(path: &Path, line: &Line, stop: &Stop) -> Result<Image, Failure> {
 pub fn plan(
     py: Python<'_>,
     path: PathBuf,
-    threads: Option<usize>,
+    threads: Option<ThreadCount>,
     options: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<(String, String)> {
     let line = Line::new("plan", &path, options)?;
@@ -165,6 +172,32 @@ fn planned(path: &Path, line: &Line, stop: &Stop) -> Result<(String, String), Fa
     })?;
     let report = serde_json::to_string(&plan).map_err(Failure::output)?;
     Ok((plan.text, report))
+}
+
+/// Refuses a batch of `crease normals` with wrong options or outputs, before anything is read. A job is its position in the manifest,
+/// input, output and options.
+#[pyfunction]
+pub fn check_batch(
+    jobs: Vec<(String, PathBuf, PathBuf, Vec<String>)>,
+    options: Vec<OsString>,
+) -> PyResult<()> {
+    let line = ["crease", "normals", "--manifest", "-"].map(OsString::from).into_iter().chain(options);
+    let line: Vec<_> = line.collect();
+    command_line::remember(&line);
+    let refused = |text: String| usage(&text);
+    let Verb::Normals(args) = parse("normals", &line).map_err(refused)? else {
+        unreachable!("the verb is normals")
+    };
+    let input = |(line, input, output, options)| Input {
+        place: PathBuf::new(),
+        source: Source::File(input),
+        output: Some(output),
+        options,
+        line: Some(line),
+    };
+    let checked = jobs_of(&args, || Ok(jobs.into_iter().map(input).collect()));
+    // The driver has no such option.
+    checked.map(drop).map_err(|failure| refused(failure.message.replace(", or use --in-place", "")))
 }
 
 /// Runs the program with the words after its name, and returns its exit code.

@@ -71,8 +71,31 @@ def test_failures_are_counted_and_wrong_options_refused(work, capsys):
     with pytest.raises(ValueError, match="line 2"):
         batch.run("list", "out")
     (work / "list").write_text('in/00.obj\n{"input": "in/01.obj", "output": "out/in/00.obj"}\n')
-    with pytest.raises(ValueError, match="output of two inputs"):
+    with pytest.raises(ValueError, match="would both be written to"):
         batch.run("list", "out")
+    for line, message in [
+        ('{"input": "in/01.obj", "options": ["--creese", "4"]}', "line 2: unknown option --creese"),
+        ('{"input": "in/01.obj", "output": "other/new/../in/00.obj"}', "would both be written to"),
+        ("in/01.txt", "line 2: unknown output format"),
+    ]:
+        (work / "list").write_text(f"in/00.obj\n{line}\n")
+        with pytest.raises(ValueError, match=message):
+            batch.run("list", "other")
+    assert not os.path.exists("other"), "errors of the manifest are found before anything is written"
+
+
+def test_unknown_protocols_are_refused(work):
+    pytest.importorskip("fsspec")
+    (work / "list").write_text("in/00.obj\nunknown://a/b.obj\n")
+    with pytest.raises(ValueError, match="Protocol not known: unknown"):
+        batch.run("list", "other")
+    assert not os.path.exists("other")
+
+
+def test_an_address_without_a_cluster_is_an_error(work):
+    pytest.importorskip("ray")
+    with pytest.raises(ValueError, match="no Ray cluster at the address 'localhost:1'"):
+        batch.run("list", "out", ray="localhost:1")
 
 
 def test_a_journal_has_one_writer(work):
@@ -120,7 +143,7 @@ def test_manifests_may_have_a_byte_order_mark_and_names_a_carriage_return(work):
 
 def test_one_file_at_two_addresses_is_one_file(work):
     (work / "list").write_text('{"input": "memory://a/x.stl", "output": "memory:///a/x.stl"}\n')
-    with pytest.raises(ValueError, match="is an input and an output"):
+    with pytest.raises(ValueError, match="would overwrite the input"):
         batch.run("list", "out")
     with pytest.raises(ValueError, match="--out is empty"):
         batch.run("list", "")

@@ -237,6 +237,18 @@ def test_the_program_runs_as_a_module_and_as_a_command(tmp_path):
     assert "crease plan " in page.read_text() and "crease_normals" not in page.read_text()
 
 
+def test_parts_have_the_faces_that_are_written(tmp_path):
+    mesh = crease.read(DATA / "gear.obj")
+    mesh.normals(flip=True)
+    mesh.write(tmp_path / "flipped.obj")
+    (part,), (written,), (stored,) = mesh.parts, crease.read(tmp_path / "flipped.obj").parts, crease.read(DATA / "gear.obj").parts
+    corners, offsets = part.faces
+    assert (corners == written.faces[0]).all() and (corners != stored.faces[0]).any()
+    of_faces = crease.face_normals(part.vertices, part.faces)
+    for normals, index in (part.normals, written.normals):
+        assert (np.einsum("ij,ij->i", normals[index[offsets[:-1]]], of_faces) > 0.5).all()
+
+
 LONG = """
 import numpy as np, sys, time
 sys.path.insert(0, {tests!r})
@@ -267,6 +279,33 @@ def test_ctrl_c_ends_long_calls():
     assert process.stdout.readline() == "interrupted\n"
     # Without the signal the fits take many seconds.
     assert time.monotonic() - start < 3
+    process.wait(timeout=60)
+
+
+PICTURE = """
+import crease_normals as crease, sys, time
+print("ready", flush=True)
+try:
+    crease.render({path!r}, size=(8000, 8000), shading="traced", samples=16, threads=1)
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+crease.render({path!r}, size=(32, 24), threads=1)
+before = time.process_time()
+time.sleep(2)
+print(time.process_time() - before, flush=True)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs SIGINT")
+def test_ctrl_c_ends_pictures():
+    code = PICTURE.format(path=str(DATA / "gear.obj"))
+    process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True, preexec_fn=take_interrupts)
+    assert process.stdout.readline() == "ready\n"
+    time.sleep(1)
+    process.send_signal(signal.SIGINT)
+    assert process.stdout.readline() == "interrupted\n"
+    # The picture of a minute no longer uses a processor.
+    assert float(process.stdout.readline()) < 1
     process.wait(timeout=60)
 
 

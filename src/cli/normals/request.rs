@@ -44,6 +44,17 @@ pub struct Settings {
 
 /// The jobs of a command line, whose options are checked, also against existing files.
 pub fn jobs(args: &NormalsArgs) -> Result<Vec<Job>, Failure> {
+    jobs_of(args, || {
+        let search = || expand(&args.inputs, args.output.recursive, args.output.out_dir.as_deref());
+        args.batch.inputs(search)
+    })
+}
+
+/// The jobs of inputs.
+pub fn jobs_of(
+    args: &NormalsArgs,
+    inputs: impl FnOnce() -> Result<Vec<Input>, Failure>,
+) -> Result<Vec<Job>, Failure> {
     let settings = Arc::new(Settings::new(args.clone()));
     // A manifest may name its outputs.
     if !has_destination(args) && !settings.rows && !args.output.dry_run && args.batch.manifest.is_none() {
@@ -52,8 +63,7 @@ pub fn jobs(args: &NormalsArgs) -> Result<Vec<Job>, Failure> {
         );
     }
     args.output.companions.check().map_err(Failure::usage)?;
-    let found =
-        args.batch.inputs(|| expand(&args.inputs, args.output.recursive, args.output.out_dir.as_deref()))?;
+    let found = inputs()?;
     if args.output.output.is_some() && found.len() > 1 {
         return usage(format!(
             "--output takes one input, not {}\nhelp: --out-dir takes several",

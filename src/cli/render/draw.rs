@@ -40,8 +40,12 @@ pub struct Drawing {
     pub statistics: Statistics,
 }
 
-pub fn draw(file: &mut SceneFile, request: &Request, progress: &Progress) -> Result<Drawn, Failure> {
-    let scratch = &mut RenderScratch::default();
+pub fn draw(
+    file: &mut SceneFile,
+    request: &Request,
+    progress: &Progress,
+    scratch: &mut RenderScratch,
+) -> Result<Drawn, Failure> {
     match request.subject {
         Subject::Picture => {
             let image = image(file, &file.settings, request, scratch)?;

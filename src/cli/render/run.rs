@@ -14,7 +14,7 @@ use crate::cli::common::progress::Progress;
 use crate::cli::usage::usage_error;
 use crease::io::{Note, Place, ReadError};
 use crease::num::{Degrees, three_digits};
-use crease::raster::{Image, Object, Projection, SceneFile, Shading, Shape, Unseen, load};
+use crease::raster::{Image, Object, Projection, RenderScratch, SceneFile, Shading, Shape, Unseen, load};
 use crease::report::{PixelReport, probe_pixel};
 use glam::DVec3;
 use std::time::Instant;
@@ -126,7 +126,7 @@ pub fn run(request: &Request, console: Option<&Console>, report: &mut Report) ->
     let progress = console.map_or_else(Progress::hidden, |console| {
         Progress::of_count(console, "drawing", "frames", frames as u64)
     });
-    let drawn = draw(&mut file, request, &progress)?;
+    let drawn = draw(&mut file, request, &progress, &mut RenderScratch::default())?;
     drop(progress);
     report.drawings = drawn.drawings;
     if let (Some(pixel), Some(image)) = (request.args.output.probe, &drawn.image) {

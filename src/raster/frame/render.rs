@@ -69,9 +69,15 @@ pub struct RenderScratch {
     vertices: Vec<Vec<ScreenVertex>>,
     workers: Vec<Worker>,
     image: Option<Image>,
+    observer: Option<Box<dyn Fn() + Send + Sync>>,
 }
 
 impl RenderScratch {
+    /// Memory of which `observer` is called before each tile of a picture, by all threads. A panic of it ends the picture.
+    pub fn observed(observer: impl Fn() + Send + Sync + 'static) -> Self {
+        Self { observer: Some(Box::new(observer)), ..Self::default() }
+    }
+
     /// Gives back the memory of a picture that is no longer needed.
     pub fn recycle(&mut self, image: Image) {
         self.image = Some(image);
@@ -113,7 +119,7 @@ pub fn render_reusing(
     let start = Stopwatch::start();
     job.lit = light_in_advance(&job, bins.counts.drawn);
     let mut image = blank(settings, scratch.image.take());
-    let drawn = draw_tiles(&job, &bins, &lines, &mut image, &mut scratch.workers)?;
+    let drawn = draw_tiles(&job, &bins, &lines, &mut image, scratch)?;
     image.statistics = Statistics { covered_pixels: drawn.covered, ..Statistics::default() };
     image.statistics.rays = drawn.rays;
     let samples = drawn.covered.saturating_mul(settings.samples.count() as u64);
@@ -193,12 +199,14 @@ fn draw_tiles(
     bins: &Bins,
     lines: &LineJob,
     image: &mut Image,
-    workers: &mut Vec<Worker>,
+    scratch: &mut RenderScratch,
 ) -> Result<TileCounts> {
-    let workers = Mutex::new(workers);
+    let observe = scratch.observer.as_deref().unwrap_or(&|| {});
+    let workers = Mutex::new(&mut scratch.workers);
     let spare =
         || workers.lock().ok().and_then(|mut workers: std::sync::MutexGuard<&mut Vec<Worker>>| workers.pop());
     let draw = |mut target: Target| {
+        observe();
         let mut worker = spare().unwrap_or_else(Worker::new);
         (worker.tracer.count, worker.tracer.cut) = (0, 0.0);
         let covered = worker.draw(job, bins, lines, target.tile).map(|tile| target.write(job, tile.as_ref()));

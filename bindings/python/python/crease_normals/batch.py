@@ -14,6 +14,7 @@ import argparse
 import json
 import os
 import re
+import socket
 import subprocess
 import sys
 import tempfile
@@ -23,6 +24,8 @@ from contextlib import nullcontext, suppress
 from pathlib import Path, PurePosixPath
 from typing import IO, Any, Callable, Iterable, Iterator, NamedTuple, Optional
 from urllib.parse import unquote
+
+from ._native import check_batch
 
 try:
     import fcntl
@@ -63,7 +66,7 @@ def read_manifest(path: str, out: str, options: list[str]) -> list[Job]:
         raise ValueError("--out is empty; name a folder or a URL")
     # Names of files may have carriage returns, and editors write byte order marks.
     source = sys.stdin if path == "-" else open(path, encoding="utf-8-sig", newline="\n")
-    jobs = []
+    jobs, places = [], []
     refused = {word.split("=")[0] for word in options} & FIXED
     if refused:
         raise ValueError(f"{min(refused)} is set by the batch itself")
@@ -88,17 +91,21 @@ def read_manifest(path: str, out: str, options: list[str]) -> list[Job]:
             name = absolute(entry["input"])
             output = entry.get("output") or below(out, entry["input"], options + own)
             jobs.append(Job(name, absolute(output), own))
-    outputs = Counter(job.output for job in jobs)
-    twice = next((name for name, count in outputs.items() if count > 1), None)
-    if twice:
-        raise ValueError(f"{path}: {twice} is the output of two inputs")
-    inputs = {job.input for job in jobs}
-    overwritten = next((job.output for job in jobs if job.output in inputs), None)
-    if overwritten:
-        raise ValueError(f"{path}: {overwritten} is an input and an output")
+            places.append(f"{path}: line {number}")
     if not jobs:
         raise ValueError(f"{path}: the manifest names no file")
+    check_batch([(place, *job) for place, job in zip(places, jobs)], options)
+    check_protocols({name.split("://", 1)[0] for job in jobs for name in job[:2] if is_url(name)})
     return jobs
+
+
+def check_protocols(protocols: set[str]) -> None:
+    """Raises ValueError for a protocol that fsspec does not know, and ImportError if a package for it is missing."""
+    if protocols:
+        import fsspec
+
+        for protocol in sorted(protocols):
+            fsspec.get_filesystem_class(protocol)
 
 
 def absolute(name: str) -> str:
@@ -284,9 +291,13 @@ def on_ray(all_chunks: Iterator[Chunk], address: str, retries: int) -> Iterator[
     import ray
 
     if not ray.is_initialized():
+        host, _, port = address.removeprefix("ray://").rpartition(":")
         try:
+            if host and port.isdecimal():
+                # Ray itself tries an address again and again, without a message.
+                socket.create_connection((host.strip("[]"), int(port)), timeout=10).close()
             ray.init(address=None if address == "local" else address, log_to_driver=False)
-        except ConnectionError as error:
+        except OSError as error:
             advice = "start one with `ray start --head`, or choose --ray local"
             raise ValueError(f"no Ray cluster at the address {address!r}: {advice}") from error
     task = ray.remote(max_retries=retries, retry_exceptions=[RuntimeError])(run_chunk)
