@@ -81,7 +81,10 @@ impl<'a> Assembler<'a> {
                     layout.blocks[block].solid = true;
                     let (first_face, faces) = ((corners.len() / 3) as u32, (triangles.len() / 3) as u32);
                     layout.pieces.push(Piece { primitive: number, block, first_face, faces });
-                    corners.extend(triangles.iter().map(|v| v + first));
+                    match corners.is_empty() && first == 0 {
+                        true => corners = triangles,
+                        false => corners.extend(triangles.iter().map(|v| v + first)),
+                    }
                 }
             }
         }
