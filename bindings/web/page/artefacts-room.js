@@ -7,8 +7,10 @@ import { figure, put } from './canvas.js';
 import { magnifier } from './magnifier.js';
 import { plot } from './plot.js';
 
-/** The size of pictures while a slider moves, and of the runs of a trace. */
-const COARSE = 128;
+/** The size of pictures while a slider moves, and of those that the plot is measured on. Slow experiments have the second. */
+const COARSE = [128, 64];
+/** An experiment whose pictures take more in the first size, in milliseconds, is slow. */
+const SLOW = 400;
 /** Runs of a trace. */
 const STEPS = 24;
 /** An experiment that takes less, in milliseconds, is traced without being asked. */
@@ -49,6 +51,7 @@ export function artefactsRoom(lab) {
   let [tracing, traceOf, runs] = [0, '', 0];
   /** @type {Map<number, any[]>} */
   let trace = new Map();
+  let coarse = COARSE[0];
   const traceButton = button('', () => {
     if (runs) stopTrace();
     else startTrace(true);
@@ -192,17 +195,23 @@ export function artefactsRoom(lab) {
           }),
           traceButton));
     }
+    const { size } = plotSize();
     const sorted = [...trace].sort((a, b) => a[0] - b[0]);
     const values = (/** @type {(measure: any) => number} */ of) => /** @type {[number, number][]} */ (
       sorted.filter(([, list]) => list[picked.index]).map(([at, list]) => [at, of(list[picked.index])]));
     const unit = picked.unit ? ` (${picked.unit})` : '';
-    livePlot.replaceChildren(plot({
+    livePlot.replaceChildren(...[plot({
       title: picked.name, x: text(`parameter-${along}`), y: `${text('value')}${unit}`, here: Number(valueOf(along)),
       curves: [
         { name: text('closed-form'), points: values((measure) => measure.expected?.[1] ?? NaN), mark: 'dashed' },
         { name: text('measured'), points: values((measure) => measure.value), mark: 'dots' },
       ],
-    }));
+    }), ...size ? [element('p', { class: 'hint' }, text('live-size', { size }))] : []]);
+  }
+
+  /** The size of the pictures that the plot is measured on: all of them have the same. */
+  function plotSize() {
+    return parameter('size') ? { size: Math.min(coarse, Number(valueOf('size'))) } : {};
   }
 
   function stopTrace() {
@@ -222,10 +231,9 @@ export function artefactsRoom(lab) {
     for (let k = 0; k <= STEPS; k++) {
       const share = k / STEPS;
       const value = logarithmic ? Number((Math.round(low * (high / low) ** share / step) * step).toFixed(4)) : low + (high - low) * share;
-      const sized = parameter('size') ? { size: COARSE } : {};
       if (asked) runs = k + 1;
       try {
-        const answer = await lab.program.ask(run({ ...sized, [along]: value, brief: true }));
+        const answer = await lab.program.ask(run({ ...plotSize(), [along]: value, brief: true }));
         if (mine !== tracing) return;
         if (!trace.has(value)) trace.set(value, answer.value.measures);
         showLive(answer.value.measures);
@@ -260,25 +268,39 @@ export function artefactsRoom(lab) {
   /** @param {boolean} dragging */
   async function draw(dragging) {
     if (!experiments.length) return;
-    if (shown !== current().id) fillControls();
+    if (shown !== current().id) {
+      coarse = COARSE[0];
+      fillControls();
+    }
     along = movable().includes(lab.state.along) ? lab.state.along : movable()[0] ?? '';
     const key = writeParameters(Object.fromEntries(Object.entries(own()).filter(([name]) => name !== along))) + current().id + along;
     if (key !== traceOf) {
       [trace, traceOf, runs] = [new Map(), key, 0];
       tracing++;
     }
-    const size = Number(valueOf('size') ?? COARSE);
-    const coarse = dragging && parameter('size') ? { size: Math.min(COARSE, size) } : {};
+    const [at, isPlotted] = [Number(valueOf(along)), dragging || !parameter('size') || plotSize().size === Number(valueOf('size'))];
     try {
-      const answer = await lab.program.latest('experiment', run(coarse));
+      const answer = await lab.program.latest('experiment', run(dragging ? plotSize() : {}));
       if (!answer) return;
       const { value, buffers } = answer;
       verdict.className = `verdict ${value.verdict}`;
       verdict.innerHTML = `<strong>${value.verdict_name}</strong>: ${value.condition}`;
       showPictures(value, buffers);
-      if (along) trace.set(Number(valueOf(along)), value.measures);
+      if (along && isPlotted) trace.set(at, value.measures);
+      if (dragging && answer.milliseconds > SLOW && coarse > COARSE[1]) {
+        coarse = COARSE[1];
+        trace.clear();
+        tracing++;
+        runs = 0;
+      }
       showLive(value.measures);
       if (!dragging) showRest(value);
+      if (along && !trace.has(at) && traceOf === key) {
+        const point = await lab.program.ask(run({ ...plotSize(), [along]: at, brief: true }));
+        if (traceOf !== key) return;
+        trace.set(at, point.value.measures);
+        showLive(value.measures);
+      }
       room.dataset.drawn = String(Number(room.dataset.drawn ?? 0) + 1);
       if (!dragging && along && trace.size === 1 && answer.milliseconds < FAST) startTrace(false);
     } catch (error) {

@@ -357,6 +357,17 @@ await test('the trace of an experiment follows its closed form', async () => {
   await close();
 });
 
+await test('all points of a plot are measured on pictures of one size', async () => {
+  // A shift of R sin(π/2N) pixels, which falls with the number of segments.
+  const { page, close } = await open('#room=artefacts&experiment=lost-highlight&measure=2&along=segments');
+  assert.match(await page.locator('.live .hint').innerText(), /pictures of 128 pixels/);
+  if (!await page.evaluate(() => document.querySelector('.room')?.dataset.traced)) await page.click('[data-name="trace"]');
+  await page.waitForFunction(() => document.querySelector('.room')?.dataset.traced, null, { timeout: 60_000 });
+  const heights = await page.locator('.live circle').evaluateAll((all) => all.map((point) => Number(point.getAttribute('cy'))));
+  assert.ok(heights.length > 10 && heights.every((height, k) => k === 0 || height >= heights[k - 1] - 8), heights.join());
+  await close();
+});
+
 await test('axe finds no serious violation, in both colours and languages', async () => {
   const { page, close } = await open();
   await page.evaluate(axe);
