@@ -56,8 +56,9 @@ export function exercisesRoom(lab) {
       group(text('random'),
         element('p', { class: 'hint' }, text('random-hint')),
         element('div', { class: 'choice' }, element('label', { for: 'seed' }, text('seed')), seed),
-        button(text('random-new'), () => lab.update({ seed: 1 + Math.floor(Math.random() * 99_999) }), { 'data-name': 'random' }),
-        button(text('random-off'), () => lab.update({ seed: 0 }))));
+        element('div', { class: 'buttons' },
+          button(text('random-new'), () => lab.update({ seed: 1 + Math.floor(Math.random() * 99_999) }), { 'data-name': 'random' }),
+          button(text('random-off'), () => lab.update({ seed: 0 })))));
   }
 
   /** The numbers that were typed, with a comma or a point; `null` if one is missing. */

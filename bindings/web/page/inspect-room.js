@@ -56,7 +56,7 @@ export function inspectRoom(lab) {
       const named = new Map(finding.places.map((/** @type {any} */ place, /** @type {number} */ k) => [nameOf(place, k), place]));
       const places = [...named].slice(0, MOST_PLACES).map(([name, place]) => button(name, () => go(place), { class: 'small' }));
       const details = finding.cause[currentLanguage()].slice(finding.title[currentLanguage()].length + 2);
-      const amount = `${number(finding.count, 8)} / ${number(finding.of, 8)}`;
+      const amount = `${number(finding.count, 8)}\u00a0/\u00a0${number(finding.of, 8)}`;
       return element('details', { class: `finding ${finding.severity}` },
         element('summary', {}, element('span', { class: `role ${finding.severity}` }, text(`severity-${finding.severity}`)),
           ' ', element('strong', {}, finding.title[currentLanguage()]), ` ${amount}`),
