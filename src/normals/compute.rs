@@ -60,7 +60,7 @@ pub fn compute_observed(
     extras: Extras,
     observe: FitObserver<'_>,
 ) -> NormalField {
-    compute_in(mesh, recipe, extras, &mut Scratch::new(), observe)
+    compute_in(mesh, recipe, extras, &mut Scratch::once(), observe)
 }
 
 /// As [`compute_with`], in memory that has served before. The result is the same to the bit.
@@ -108,6 +108,9 @@ fn compute_in(
     let all_counted = parallel::all(&shape.faces.state, |&state| state == FaceState::Counted);
     let plain = (is_plain && all_counted)
         .then(|| of_triangles(mesh, recipe, &shape.faces, extras.edge_counts, &mut scratch.groups));
+    if scratch.serves_once {
+        scratch.groups = Default::default();
+    }
     if let Some(grouping) = plain.flatten() {
         let found = shape.sums(mesh, recipe, &grouping.groups, &mut scratch.sums);
         if found.is_clean {

@@ -13,11 +13,18 @@ pub struct Scratch {
     pub(in crate::normals) slots: Vec<SlotState>,
     pub(in crate::normals) faces: FaceNormals,
     pub(in crate::normals) groups: GroupMemory,
+    /// Nothing will use it again: what a later step does not need is freed at once.
+    pub(in crate::normals) serves_once: bool,
 }
 
 impl Scratch {
     /// Empty.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// For one computation only.
+    pub(in crate::normals) fn once() -> Self {
+        Self { serves_once: true, ..Self::default() }
     }
 }

@@ -70,7 +70,7 @@ pub fn corner_normals<T: Coordinate>(
     }
     check(positions.len(), triangles, corners, index.len())?;
     let (faces, points) = (FacesRef::triangles(triangles), T::positions(positions));
-    let Scratch { sums, slots: states, faces: face_normals, groups } = scratch;
+    let Scratch { sums, slots: states, faces: face_normals, groups, .. } = scratch;
     face_normals.fill(faces, points);
     let crease = CreaseTest::new(Some(crease));
     let creases = TriangleCreases { faces, normals: face_normals, crease, slivers, counts: None };

@@ -76,12 +76,10 @@ pub(crate) enum Walk<'a> {
 
 /// Computes what blocks of triangles add to sums.
 pub(crate) trait Fill<T> {
-    /// Computes up to [`BLOCK`] triangles, with the slots of their corners, the faces of these numbers; false if that cannot
-    /// be done.
+    /// Computes up to [`BLOCK`] triangles, the faces of these numbers; false if that cannot be done.
     fn fill(
         &mut self,
         triangles: &[[u32; 3]],
-        slots: &[[u32; 3]],
         face: &dyn Fn(usize) -> usize,
         terms: &mut BlockTerms<T>,
     ) -> bool;
@@ -106,7 +104,7 @@ pub(crate) fn add_triangles<T: SumNumber>(
                 if let Some(touched) = &mut touched {
                     touched.note(slots.as_flattened());
                 }
-                if !fill.fill(&triangles[faces], slots, &|at| first + at, terms) {
+                if !fill.fill(&triangles[faces], &|at| first + at, terms) {
                     return false;
                 }
                 num::dispatch(Scatter { terms, is_equal, slots, sums, first_slot: 0 });
@@ -122,7 +120,7 @@ pub(crate) fn add_triangles<T: SumNumber>(
                 }
                 let count = faces.len();
                 let slots = &some_slots[..count];
-                if !fill.fill(&some_triangles[..count], slots, &|at| faces[at] as usize, terms) {
+                if !fill.fill(&some_triangles[..count], &|at| faces[at] as usize, terms) {
                     return false;
                 }
                 num::dispatch(Scatter { terms, is_equal, slots, sums, first_slot: first_slot as u32 });
@@ -176,7 +174,6 @@ impl Fill<f64> for Terms<'_> {
     fn fill(
         &mut self,
         triangles: &[[u32; 3]],
-        _: &[[u32; 3]],
         face: &dyn Fn(usize) -> usize,
         terms: &mut BlockTerms<f64>,
     ) -> bool {

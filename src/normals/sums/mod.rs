@@ -22,8 +22,6 @@ pub(super) mod finish;
 pub(super) mod accumulate;
 // A second evaluation of sums that may have cancelled.
 pub(super) mod recheck;
-// The number of faces of slots.
-pub(super) mod valences;
 // The weighted sums of all vertices or groups.
 pub(super) mod weighted_sums;
 // Sums in which each corner selects its own faces.

@@ -21,18 +21,22 @@ pub(crate) struct FinishSingles<'a, O> {
 }
 
 impl<O: Component> Kernel for FinishSingles<'_, O> {
-    type Output = ();
+    /// The largest sum of weights.
+    type Output = f32;
 
     #[inline(always)]
-    fn run<A: Lanes>(self, arch: A) {
+    fn run<A: Lanes>(self, arch: A) -> f32 {
         let Self { sums, first, unit, state, recount } = self;
         let arch = arch.singles();
         state.fill(SlotState::Good);
+        let mut largest = Scalars::splat(arch, 0.0);
+        let mut largest_alone = 0.0_f32;
         let groups = sums.chunks_mut(LANES).zip(unit.chunks_mut(LANES)).zip(state.chunks_mut(LANES));
         for (first, ((sums, unit), state)) in (first..).step_by(LANES).zip(groups) {
-            if !finish_group(arch, sums, unit) {
+            if !finish_group(arch, sums, unit, &mut largest) {
                 for (slot, ((sum, unit), state)) in (first..).zip(sums.iter().zip(unit).zip(state)) {
                     let [x, y, z, weights] = *sum;
+                    largest_alone = largest_alone.max(weights);
                     let length = (x * x + y * y + z * z).sqrt();
                     if weights == 0.0 {
                         (*unit, *state) = (O::emit_single([0.0, 0.0, 1.0]), SlotState::Empty);
@@ -46,6 +50,7 @@ impl<O: Component> Kernel for FinishSingles<'_, O> {
             }
             sums.fill([0.0; 4]);
         }
+        arch.to_array(largest.value).into_iter().fold(largest_alone, f32::max)
     }
 }
 
@@ -55,21 +60,27 @@ fn finish_group<A: EightLanes<Element = f32>, O: Component>(
     arch: A,
     sums: &[[f32; 4]],
     unit: &mut [[O; 3]],
+    largest: &mut Scalars<A>,
 ) -> bool {
-    let Ok(sums) = <&[[f32; 4]; LANES]>::try_from(sums) else { return false };
+    let (Ok(sums), Ok(unit)) = (<&[[f32; 4]; LANES]>::try_from(sums), <&mut [[O; 3]; LANES]>::try_from(unit))
+    else {
+        return false;
+    };
     let [x, y, z, weights] = arch.columns(sums.each_ref());
     let (vector, weights) = (Vectors::new(arch, [x, y, z]), Scalars::new(arch, weights));
     let length = vector.squared_length().sqrt();
-    let (smallest, largest) = (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX));
+    *largest = largest.max(weights);
+    let range = [f32::MIN_POSITIVE, f32::MAX].map(|end| Scalars::splat(arch, f64::from(end)));
     let in_range = (Scalars::splat(arch, LEAST_SUM) * weights).less(length)
-        & Scalars::splat(arch, smallest).less(weights)
-        & weights.less(Scalars::splat(arch, largest));
+        & range[0].less(weights)
+        & weights.less(range[1]);
     if in_range.row_bits() != ALL {
         return false;
     }
-    let reciprocal = arch.to_array((Scalars::splat(arch, 1.0) / length).value);
-    for ((unit, &[x, y, z, _]), reciprocal) in unit.iter_mut().zip(sums).zip(reciprocal) {
-        *unit = O::emit_single([x * reciprocal, y * reciprocal, z * reciprocal]);
+    let Vectors { x, y, z } = vector.scaled(Scalars::splat(arch, 1.0) / length);
+    let rows = arch.rows([x.value, y.value, z.value, z.value]).0;
+    for (unit, [x, y, z, _]) in unit.iter_mut().zip(rows) {
+        *unit = O::emit_single([x, y, z]);
     }
     true
 }

@@ -21,12 +21,11 @@ use crate::normals::sums::recheck::Recheck;
 use crate::normals::sums::request::{SlotState, SumRequest, Sums};
 use crate::normals::sums::scatter::BlockTerms;
 use crate::normals::sums::single_finish::FinishSingles;
-use crate::normals::sums::valences::Valences;
 use crate::normals::sums::weight::TriangleMeasures;
 use crate::normals::sums::weighted_sums::{SumScratch, accumulate, finish};
 use crate::num::{self, EightLanes, Kernel, LANES, Lanes, Scalars, Vectors};
 use rayon::prelude::*;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 /// Squares of the shortest and the longest edge: 1e-6 and 1e6 in units of the caller, but for rounding.
 const SQUARED_EDGES: (f64, f64) = (0.999_999e-12, 1.000_001e12);
@@ -34,7 +33,7 @@ const SQUARED_EDGES: (f64, f64) = (0.999_999e-12, 1.000_001e12);
 const LEAST_HEIGHT: f64 = 1e-3;
 /// Height under which the direction of a face is rounding, as a share of its largest coordinate: 4 ulp.
 const LEAST_RELATIVE_HEIGHT: f64 = 4.0 * f32::EPSILON as f64;
-/// Most faces in one sum.
+/// Most faces in one sum, so that the rounding of the sum does not show.
 const MOST_FACES: u32 = 1000;
 /// One face and one sum in so many may be out of range. The scalar path takes about ten times as long for a face.
 const EXCEPTIONS: usize = 32;
@@ -66,15 +65,15 @@ pub(crate) fn single_sums_into<O: Component>(
             &copied
         }
     };
-    let counts = target.len() > MOST_FACES as usize;
-    let (tables, counted) = (Mutex::new(std::mem::take(&mut scratch.valences)), Mutex::new(Vec::new()));
+    // Positive numbers are ordered like their bits.
+    let (least, largest) = (AtomicU32::new(f32::MAX.to_bits()), AtomicU32::new(0));
     let partition = Partition::new(faces, target);
     let mut memory = std::mem::take(&mut scratch.single_parts);
     memory.resize_with(partition.parts().max(memory.len()), Default::default);
     let parts = &mut memory[..partition.parts()];
     let most_thin = faces.len() / EXCEPTIONS;
     let owned = accumulate(request, partition, parts, &|walk, sums, thin| {
-        // Faces that are added to the sums of another part have been counted in theirs.
+        // Faces that are added to the sums of another part are listed in theirs.
         let is_share = matches!(walk, Walk::Share(..));
         let mut terms = SingleTerms {
             faces,
@@ -84,43 +83,51 @@ pub(crate) fn single_sums_into<O: Component>(
             source: None,
             thin,
             most_thin: if is_share { most_thin } else { usize::MAX },
-            valences: (counts && is_share).then(|| locked(&tables).pop().unwrap_or_default()),
+            least: f32::MAX,
             scalar: CornerTerms::default(),
         };
         let added = add_triangles(request, walk, sums, &mut terms);
-        locked(&counted).extend(terms.valences);
+        least.fetch_min(terms.least.max(0.0).to_bits(), Relaxed);
         added
     });
     let thin: usize = parts.iter().map(|part| part.unusual.len()).sum();
-    let mut counted = std::mem::take(&mut *locked(&counted));
-    let valences_fit = Valences::are_at_most(&mut counted, MOST_FACES, target, slots);
-    counted.append(&mut locked(&tables));
-    scratch.valences = counted;
     let mut is_in_range = false;
     if let Some(owned) = owned
         && thin <= most_thin
-        && valences_fit
     {
         finish(slots, parts, &owned, unit, state, &|part, owned, unit, state| {
             part.uncertain.clear();
             let (first, sums) = (owned.start as u32, &mut part.sums.get(slots)[owned]);
-            num::dispatch(FinishSingles { sums, first, unit, state, recount: &mut part.uncertain.recount });
+            let recount = &mut part.uncertain.recount;
+            let weights = num::dispatch(FinishSingles { sums, first, unit, state, recount });
+            largest.fetch_max(weights.to_bits(), Relaxed);
             true
         });
         let mut uncertain = UncertainSlots::default();
         parts.iter().for_each(|part| uncertain.join(&part.uncertain));
         // All sums are zero again.
         scratch.single_parts = memory;
-        is_in_range =
-            uncertain.recount.len() <= slots / EXCEPTIONS && recheck(request, &uncertain, unit, state);
+        let [least, largest] = [least, largest].map(|bits| f32::from_bits(bits.into_inner()));
+        // A thousand weights, rounded, sum up to no less than this share of a thousand times the least of them.
+        let are_few = largest < 0.999 * MOST_FACES as f32 * least || have_few_faces(target, slots);
+        is_in_range = are_few
+            && uncertain.recount.len() <= slots / EXCEPTIONS
+            && recheck(request, &uncertain, unit, state);
     }
     scratch.single_positions = copied;
     is_in_range
 }
 
-/// What a lock holds, also if a thread has panicked with it.
-fn locked<T>(lock: &Mutex<T>) -> MutexGuard<'_, T> {
-    lock.lock().unwrap_or_else(PoisonError::into_inner)
+/// Whether no slot has more than [`MOST_FACES`] corners.
+fn have_few_faces(target: &[u32], slots: usize) -> bool {
+    let mut counts = vec![0_u32; slots];
+    for &slot in target {
+        // Corners without a slot have a number beyond them.
+        if let Some(count) = counts.get_mut(slot as usize) {
+            *count += 1;
+        }
+    }
+    counts.iter().all(|&count| count <= MOST_FACES)
 }
 
 /// Computes some sums again in double precision; false if one of them has no direction.
@@ -153,7 +160,8 @@ struct SingleTerms<'a> {
     /// Takes the thin faces, of which there are this many at most.
     thin: &'a mut Vec<UnusualFace>,
     most_thin: usize,
-    valences: Option<Valences>,
+    /// The least weight of a corner so far.
+    least: f32,
     scalar: CornerTerms,
 }
 
@@ -162,13 +170,9 @@ impl Fill<f32> for SingleTerms<'_> {
     fn fill(
         &mut self,
         triangles: &[[u32; 3]],
-        slots: &[[u32; 3]],
         face: &dyn Fn(usize) -> usize,
         terms: &mut BlockTerms<f32>,
     ) -> bool {
-        if let Some(valences) = &mut self.valences {
-            valences.count(slots.as_flattened());
-        }
         let Self { weight, points, .. } = *self;
         let mut in_range = num::dispatch(SingleBlock { points, triangles, weight, terms });
         if let Err(Refusal::NotInPlace) = in_range {
@@ -176,7 +180,8 @@ impl Fill<f32> for SingleTerms<'_> {
             let triangles = whole_groups(triangles.len());
             in_range = num::dispatch(SingleBlock { points: &points, triangles, weight, terms });
         }
-        let Ok(in_range) = in_range else { return false };
+        let Ok((in_range, least)) = in_range else { return false };
+        self.least = self.least.min(least);
         self.settle(in_range, triangles.len(), face, terms)
     }
 }
@@ -213,12 +218,16 @@ impl SingleTerms<'_> {
             self.thin.push((face as u32, FaceState::Counted));
             terms.vectors[at] = vector;
             terms.weights[at] = std::array::from_fn(|corner| weights[corner.min(2)] as f32);
+            let is_equal = self.weight.is_equal_at_corners();
+            let of_corners =
+                terms.weights[at].map(|weight| if is_equal { vector[3] } else { vector[3] * weight });
+            self.least = of_corners.into_iter().fold(self.least, f32::min);
         }
         true
     }
 }
 
-/// Computes what a block of triangles adds to sums, and one bit for each whose shape is in range.
+/// Computes what a block of triangles adds to sums, one bit for each whose shape is in range, and the least weight of a corner.
 struct SingleBlock<'a> {
     points: &'a [[f32; 3]],
     triangles: &'a [[u32; 3]],
@@ -235,22 +244,25 @@ enum Refusal {
 }
 
 impl Kernel for SingleBlock<'_> {
-    type Output = Result<Settled, Refusal>;
+    type Output = Result<(Settled, f32), Refusal>;
 
     #[inline(always)]
-    fn run<A: Lanes>(self, arch: A) -> Result<Settled, Refusal> {
+    fn run<A: Lanes>(self, arch: A) -> Result<(Settled, f32), Refusal> {
         let Self { points, triangles, weight, terms } = self;
         if !are_in_place(points.len(), triangles) {
             return Err(Refusal::NotInPlace);
         }
         let (vectors, weights) = (terms.vectors.as_chunks_mut().0, terms.weights.as_chunks_mut().0);
         let mut in_range = Settled::default();
+        let arch = arch.singles();
+        let mut least = Scalars::splat(arch, f64::from(f32::MAX));
         let groups = triangles.as_chunks().0.iter().zip(vectors).zip(weights);
         for (group, ((triangles, vectors), weights)) in groups.enumerate() {
-            let bits = group_terms(arch.singles(), points, triangles, weight, vectors, weights);
+            let bits = group_terms(arch, points, triangles, weight, vectors, weights, &mut least);
             in_range.add(group, bits.ok_or(Refusal::OutOfRange)?);
         }
-        Ok(in_range)
+        let least = arch.to_array(least.value).into_iter().fold(f32::MAX, f32::min);
+        Ok((in_range, least))
     }
 }
 
@@ -263,6 +275,7 @@ fn group_terms<A: EightLanes<Element = f32>>(
     weight: Weight,
     vectors: &mut [[f32; 4]; LANES],
     weights: &mut [[f32; 4]; LANES],
+    least: &mut Scalars<A>,
 ) -> Option<u8> {
     let points = points.as_flattened();
     let [x0, y0, z0, _] = arch.columns(rows(points, triangles, 0)?);
@@ -271,30 +284,75 @@ fn group_terms<A: EightLanes<Element = f32>>(
     let p0 = Vectors::new(arch, [x0, y0, z0]);
     let p1 = Vectors::new(arch, [x1, y1, z1]);
     let p2 = Vectors::new(arch, [x2, y2, z2]);
-    let (e1, e2, e3) = (p1 - p0, p2 - p0, p2 - p1);
+    let (e1, e2) = (p1 - p0, p2 - p0);
     let vector = e1.cross(e2);
     let squared = vector.squared_length();
-    let (a, b, c) = (e1.squared_length(), e2.squared_length(), e3.squared_length());
-    let (shortest, longest) = (a.min(b).min(c), a.max(b).max(c));
-    let largest = largest(p0).max(largest(p1)).max(largest(p2));
-    let least = Scalars::splat(arch, LEAST_HEIGHT) * longest;
-    let relative = Scalars::splat(arch, LEAST_RELATIVE_HEIGHT) * largest;
+    let bits = if are_surely_in_range(arch, p0, e1, e2, squared) {
+        ALL
+    } else {
+        in_range(arch, [p0, p1, p2], [e1, e2, p2 - p1], squared)?
+    };
+    let one = Scalars::splat(arch, 1.0);
+    let (face, length);
+    match (weight.has_area_factor(), weight.is_equal_at_corners()) {
+        // Only an upper bound, which saves the root.
+        (true, true) => (face, length) = (vector, vector.sum_of_magnitudes()),
+        (true, false) => (face, length) = (vector, squared.sqrt()),
+        (false, _) => (face, length) = (vector.scaled(one / squared.sqrt()), one),
+    }
+    *vectors = arch.rows([face.x.value, face.y.value, face.z.value, length.value]).0;
+    // The minimum of a number and NaN is the number.
+    if weight.is_equal_at_corners() {
+        *least = least.min(length);
+    } else {
+        let [a, b, c] = TriangleMeasures::new(squared.sqrt(), e1, e2, p2 - p1).corner_factors(weight);
+        *weights = arch.rows([a.value, b.value, c.value, c.value]).0;
+        *least = least.min(a * length).min(b * length).min(c * length);
+    }
+    Some(bits)
+}
+
+/// Whether lengths and shapes of eight triangles are in range by bounds that take few operations; mostly they are. With the
+/// squared edges a and b at a corner p, no squared edge is above 2(a + b), no squared coordinate above 2(|p|² + a + b), and
+/// no squared height below |e₁ × e₂|² / 2(a + b). Where rounding could matter, these bounds are off by more.
+#[inline(always)]
+fn are_surely_in_range<A: EightLanes<Element = f32>>(
+    arch: A,
+    corner: Vectors<A>,
+    e1: Vectors<A>,
+    e2: Vectors<A>,
+    squared: Scalars<A>,
+) -> bool {
+    let splat = |x| Scalars::splat(arch, x);
+    let half = e1.squared_length() + e2.squared_length();
+    let longest = half + half;
+    let near = corner.squared_length() + half;
+    let by_shape = splat(LEAST_HEIGHT * LEAST_HEIGHT) * longest;
+    let by_rounding = splat(2.0 * LEAST_RELATIVE_HEIGHT * LEAST_RELATIVE_HEIGHT) * near;
+    let least_squared_height = by_shape.max(by_rounding).max(splat(1e-12));
+    let is_short = longest.less(splat(1e12));
     // No comparison holds for NaN.
+    ((least_squared_height * longest).less(squared) & is_short).row_bits() == ALL
+}
+
+/// One bit for each of eight triangles whose shape is in range; `None` if a length is not.
+#[inline(always)]
+fn in_range<A: EightLanes<Element = f32>>(
+    arch: A,
+    points: [Vectors<A>; 3],
+    edges: [Vectors<A>; 3],
+    squared: Scalars<A>,
+) -> Option<u8> {
+    let [a, b, c] = edges.map(Vectors::squared_length);
+    let (shortest, longest) = (a.min(b).min(c), a.max(b).max(c));
+    let [a, b, c] = points.map(largest);
+    let least = Scalars::splat(arch, LEAST_HEIGHT) * longest;
+    let relative = Scalars::splat(arch, LEAST_RELATIVE_HEIGHT) * a.max(b).max(c);
     let is_long_enough = Scalars::splat(arch, SQUARED_EDGES.0).less(shortest);
     if (is_long_enough & longest.less(Scalars::splat(arch, SQUARED_EDGES.1))).row_bits() != ALL {
         return None;
     }
-    let in_range = (least * least).less(squared) & (relative * relative * longest).less(squared);
-    let one = Scalars::splat(arch, 1.0);
-    let length = squared.sqrt();
-    let (face, length_column) =
-        if weight.has_area_factor() { (vector, length) } else { (vector.scaled(one / length), one) };
-    *vectors = arch.rows([face.x.value, face.y.value, face.z.value, length_column.value]).0;
-    if !weight.is_equal_at_corners() {
-        let [a, b, c] = TriangleMeasures::new(length, e1, e2, e3).corner_factors(weight);
-        *weights = arch.rows([a.value, b.value, c.value, c.value]).0;
-    }
-    Some(in_range.row_bits())
+    Some(((least * least).less(squared) & (relative * relative * longest).less(squared)).row_bits())
 }
 
 /// The largest magnitude of three coordinates.
@@ -305,13 +363,16 @@ fn largest<A: EightLanes>(point: Vectors<A>) -> Scalars<A> {
 
 #[cfg(test)]
 mod tests {
+    use super::{are_surely_in_range, in_range};
     use crate::mesh::{Faces, Mesh, MeshBuilder, Positions};
     use crate::normals::compute::compute;
     use crate::normals::recipe::{Averaging, NormalRecipe, Precision, Weight};
     use crate::normals::scratch::Scratch;
     use crate::normals::slices::vertex_normals::vertex_normals;
+    use crate::normals::sums::block::ALL;
     use crate::normals::test_meshes::{bumpy, with_threads};
     use crate::num::test_numbers::Numbers;
+    use crate::num::{self, EightLanes, Kernel, LANES, Lanes, Vectors};
     use glam::DVec3;
 
     fn mesh(scale: f64, flatten: f64) -> Mesh {
@@ -436,6 +497,57 @@ mod tests {
             let field = compute(&mesh.build().unwrap(), &fast(Weight::Area));
             assert_eq!(field.summary.fast_declined, is_declined, "{valence}");
         }
+    }
+
+    /// Ranges of some triangles, eight at a time: by bounds and by comparison.
+    struct Ranges<'a>(&'a [[[f32; 3]; 3]; LANES]);
+
+    impl Kernel for Ranges<'_> {
+        type Output = (bool, Option<u8>);
+
+        fn run<A: Lanes>(self, arch: A) -> (bool, Option<u8>) {
+            let arch = arch.singles();
+            let corner = |corner: usize| {
+                let axis = |axis: usize| arch.load(&self.0.map(|triangle| triangle[corner][axis]));
+                Vectors::new(arch, [axis(0), axis(1), axis(2)])
+            };
+            let [p0, p1, p2] = [corner(0), corner(1), corner(2)];
+            let (e1, e2) = (p1 - p0, p2 - p0);
+            let squared = e1.cross(e2).squared_length();
+            let surely = are_surely_in_range(arch, p0, e1, e2, squared);
+            (surely, in_range(arch, [p0, p1, p2], [e1, e2, p2 - p1], squared))
+        }
+    }
+
+    /// What bounds show to be in range is in range, also next to each limit: of the shape, of the length of edges, and of the
+    /// distance from the origin.
+    #[test]
+    fn bounds_of_the_range_hold() {
+        let mut numbers = Numbers::new(17);
+        let (mut sure, mut unsure, mut outside) = (0, 0, 0);
+        for _ in 0..200_000 {
+            let mut number = |low: f64, high: f64| {
+                low + (high - low) * f64::from(numbers.below(1 << 20) as u32) / f64::from(1 << 20)
+            };
+            let scale = [1.0, libm::pow(10.0, number(-6.1, -5.9)), libm::pow(10.0, number(5.8, 6.1))];
+            let scale = scale[number(0.0, 3.0) as usize];
+            let height = libm::pow(10.0, number(-3.2, 0.0));
+            let distance = [0.0, scale * libm::pow(10.0, number(1.0, 4.0))][number(0.0, 2.0) as usize];
+            let [along, turn] = [number(-1.0, 2.0), number(0.0, std::f64::consts::TAU)];
+            let (sin, cos) = libm::sincos(turn);
+            let flat = [[0.0, 0.0], [1.0, 0.0], [along, height]];
+            let triangle = flat.map(|[x, y]| {
+                [x * cos - y * sin, x * sin + y * cos, 0.3 * x].map(|x| (scale * x + distance) as f32)
+            });
+            let (surely, exactly) = num::dispatch(Ranges(&[triangle; LANES]));
+            assert!(!surely || exactly == Some(ALL), "{triangle:?}");
+            match exactly {
+                Some(ALL) if surely => sure += 1,
+                Some(ALL) => unsure += 1,
+                _ => outside += 1,
+            }
+        }
+        assert!(sure > 50_000 && unsure > 5000 && outside > 5000, "{sure} {unsure} {outside}");
     }
 
     /// In the callers' slices: the same bits with any number of threads, in order, mixed and shuffled, and again after a mesh

@@ -7,7 +7,6 @@ use crate::normals::sums::finish::{Finish, UncertainSlots};
 use crate::normals::sums::partition::Partition;
 use crate::normals::sums::recheck::Recheck;
 use crate::normals::sums::request::{SlotState, Sum, SumRequest, Sums};
-use crate::normals::sums::valences::Valences;
 use crate::num::{self, Real};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -18,7 +17,6 @@ pub(crate) struct SumScratch {
     parts: Vec<Part<f64>>,
     pub(crate) single_parts: Vec<Part<f32>>,
     pub(crate) single_positions: Vec<[f32; 3]>,
-    pub(crate) valences: Vec<Valences>,
 }
 
 /// What is known in addition to the sums themselves.
