@@ -6,6 +6,7 @@ import { WEIGHTS, readParameters, writeParameters } from './link.js';
 import { figure, put } from './canvas.js';
 import { magnifier } from './magnifier.js';
 import { plot } from './plot.js';
+import { Left } from './program.js';
 
 /** The size of pictures while a slider moves, and of those that the plot is measured on. Slow experiments have the second. */
 const COARSE = [128, 64];
@@ -13,8 +14,12 @@ const COARSE = [128, 64];
 const SLOW = 400;
 /** Runs of a trace. */
 const STEPS = 24;
-/** An experiment that takes less, in milliseconds, is traced without being asked. */
-const FAST = 250;
+/** An experiment whose pictures take less in the size of the plot, in milliseconds, is traced without being asked. */
+const FAST = 400;
+/** On wider pages, in pixels, the plot is next to the sliders: it is seen together with them and the pictures. */
+const WIDE = '(min-width: 901px)';
+/** A measure changes if it does by more than this share of its largest value. */
+const CHANGE = 1e-3;
 /** @type {Record<string, { step: number, unit?: string, logarithmic?: boolean }>} */
 const SLIDERS = {
   size: { step: 1, unit: ' px' },
@@ -38,7 +43,10 @@ export function artefactsRoom(lab) {
   const live = element('section', { class: 'live' }, liveControls, livePlot);
   const rest = element('div');
   const room = element('div', { class: 'room with-controls' },
-    element('div', { class: 'main' }, head, verdict, pictures, panel, live, rest), controls);
+    element('div', { class: 'main' }, head, verdict, pictures, panel, rest), controls);
+  const isWide = matchMedia(WIDE);
+  const placeLive = () => (isWide.matches ? controls.append(live) : rest.before(live));
+  isWide.addEventListener('change', placeLive);
   /** @type {any[]} */
   let experiments = [];
   let shown = '';
@@ -48,6 +56,10 @@ export function artefactsRoom(lab) {
   let glass = null;
   // The trace: the parameter that it is along, and the measures of each value; the latest run of a value counts.
   let along = '';
+  // How many parameters no measure with a closed form changes along: the plot begins with another one.
+  let passed = 0;
+  // Whether a trace goes on along the next one.
+  let goesOn = false;
   let [tracing, traceOf, runs] = [0, '', 0];
   /** @type {Map<number, any[]>} */
   let trace = new Map();
@@ -111,11 +123,12 @@ export function artefactsRoom(lab) {
       group(text('experiment'), choice({
         label: text('experiment-choice'), name: 'experiment', value: experiment.id,
         options: experiments.map(({ id, title }) => [id, title]),
-        chosen: (id) => lab.update({ experiment: id, parameters: '', measure: 0, along: '', magnified: '' }),
+        chosen: (id) => lab.update({ experiment: id, parameters: '', measure: -1, along: '', magnified: '' }),
       })),
       group(text('parameters'), ...sliders,
         button(text('defaults'), () => { lab.update({ parameters: '' }); fillControls(); }, { class: 'small' })),
     );
+    placeLive();
     head.replaceChildren(
       element('h2', {}, experiment.title),
       element('p', { class: 'lead', html: experiment.claim }),
@@ -146,15 +159,16 @@ export function artefactsRoom(lab) {
           const open = (/** @type {number[]} */ ends) => {
             glass?.close();
             glass = own;
-            // Below the pictures of its row, so that the line and its profile are seen together.
-            made.element.parentElement?.after(panel);
+            // Below the pictures of its row, which those after it fill up: the line and its profile are seen together.
+            made.element.after(panel);
             own.open(ends);
           };
           if (shot.name === magnified) openMagnified = () => open(line.split(',').map(Number));
           made.element.append(button(text('magnify'), () => {
             open([0, 0.5, 0.9999, 0.5]);
             lab.remember({ magnified: `${shot.name}:0,0.5,0.9999,0.5` });
-            panel.scrollIntoView({ block: 'nearest' });
+            made.element.scrollIntoView({ block: 'nearest' });
+            if (panel.getBoundingClientRect().bottom > innerHeight) made.element.scrollIntoView();
           }, { class: 'small', 'aria-label': `${text('magnify')}: ${shot.name}` }));
           return made.element;
         }))));
@@ -174,7 +188,7 @@ export function artefactsRoom(lab) {
   /** The measure that is plotted: its number among those with a closed form. @param {any[]} measures */
   function showLive(measures) {
     const known = measures.map((measure, index) => ({ ...measure, index })).filter(({ expected }) => expected);
-    const picked = known.find(({ index }) => index === lab.state.measure) ?? known[0];
+    const picked = known.find(({ index }) => index === lab.state.measure) ?? known.find(({ index }) => changes(index)) ?? known[0];
     live.hidden = !picked || !along;
     if (live.hidden) return;
     traceButton.textContent = runs ? text('trace-stop', { done: runs, total: STEPS + 1 }) : text('trace', { name: text(`parameter-${along}`) });
@@ -201,12 +215,19 @@ export function artefactsRoom(lab) {
       sorted.filter(([, list]) => list[picked.index]).map(([at, list]) => [at, of(list[picked.index])]));
     const unit = picked.unit ? ` (${picked.unit})` : '';
     livePlot.replaceChildren(...[plot({
+      width: isWide.matches ? 300 : 560,
       title: picked.name, x: text(`parameter-${along}`), y: `${text('value')}${unit}`, here: Number(valueOf(along)),
       curves: [
         { name: text('closed-form'), points: values((measure) => measure.expected?.[1] ?? NaN), mark: 'dashed' },
         { name: text('measured'), points: values((measure) => measure.value), mark: 'dots' },
       ],
     }), ...size ? [element('p', { class: 'hint' }, text('live-size', { size }))] : []]);
+  }
+
+  /** Whether a measure has changed in the runs so far. @param {number} index */
+  function changes(index) {
+    const values = [...trace.values()].map((list) => list[index]?.value).filter(Number.isFinite);
+    return Math.max(...values) - Math.min(...values) > CHANGE * Math.max(...values.map(Math.abs));
   }
 
   /** The size of the pictures that the plot is measured on: all of them have the same. */
@@ -237,10 +258,18 @@ export function artefactsRoom(lab) {
         if (mine !== tracing) return;
         if (!trace.has(value)) trace.set(value, answer.value.measures);
         showLive(answer.value.measures);
-      } catch {
+      } catch (error) {
         // A value of the range that this experiment refuses has no point.
-        if (mine !== tracing) return;
+        if (mine !== tracing || error instanceof Left) return;
       }
+    }
+    const [latest] = trace.values();
+    const isFlat = latest && !latest.some((/** @type {any} */ { expected }, /** @type {number} */ index) => expected && changes(index));
+    if (isFlat && !lab.state.along && passed + 1 < movable().length) {
+      passed++;
+      [goesOn, runs] = [true, 0];
+      await draw(false);
+      return;
     }
     stopTrace();
     room.dataset.traced = String(Number(room.dataset.traced ?? 0) + 1);
@@ -270,9 +299,10 @@ export function artefactsRoom(lab) {
     if (!experiments.length) return;
     if (shown !== current().id) {
       coarse = COARSE[0];
+      passed = 0;
       fillControls();
     }
-    along = movable().includes(lab.state.along) ? lab.state.along : movable()[0] ?? '';
+    along = movable().includes(lab.state.along) ? lab.state.along : movable()[passed] ?? '';
     const key = writeParameters(Object.fromEntries(Object.entries(own()).filter(([name]) => name !== along))) + current().id + along;
     if (key !== traceOf) {
       [trace, traceOf, runs] = [new Map(), key, 0];
@@ -295,16 +325,19 @@ export function artefactsRoom(lab) {
       }
       showLive(value.measures);
       if (!dragging) showRest(value);
+      let { milliseconds } = answer;
       if (along && !trace.has(at) && traceOf === key) {
         const point = await lab.program.ask(run({ ...plotSize(), [along]: at, brief: true }));
         if (traceOf !== key) return;
+        milliseconds = point.milliseconds;
         trace.set(at, point.value.measures);
         showLive(value.measures);
       }
       room.dataset.drawn = String(Number(room.dataset.drawn ?? 0) + 1);
-      if (!dragging && along && trace.size === 1 && answer.milliseconds < FAST) startTrace(false);
+      if (!dragging && along && trace.size === 1 && (goesOn || milliseconds < FAST)) startTrace(goesOn);
+      goesOn = false;
     } catch (error) {
-      lab.say(String(/** @type {Error} */ (error).message), true);
+      lab.fail(error);
     }
   }
 

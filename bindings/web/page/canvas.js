@@ -14,7 +14,7 @@ export function figure(label, caption) {
   const stage = element('div', { class: 'stage' }, canvas);
   const note = element('p', { class: 'missing', hidden: true });
   const keep = (/** @type {Blob | null} */ blob) => { if (blob) download(`${canvas.dataset.file ?? 'picture'}.png`, blob); };
-  const named = { title: text('save-picture'), 'aria-label': text('save-picture') };
+  const named = { title: text('save-picture'), 'aria-label': `${text('save-picture')}: ${label}` };
   const save = button('⤓', () => canvas.toBlob(keep), { class: 'save', ...named });
   const made = element('figure', {}, stage, save, note, element('figcaption', {}, caption));
   return { element: made, stage, canvas, note };

@@ -70,6 +70,7 @@ export function exercisesRoom(lab) {
   async function check() {
     const answer = typed();
     if (!answer) {
+      inputs.forEach((input) => { input.className = ''; input.removeAttribute('aria-invalid'); });
       result.className = 'result wrong';
       result.textContent = text('three-numbers');
       return;
@@ -88,6 +89,7 @@ export function exercisesRoom(lab) {
   async function showWay() {
     const { value } = await lab.program.ask({ verb: 'check', ...request(), answer: [0, 0, 0] });
     drawArrows(arrows, about.size, value.arrows);
+    markPoint();
     const rows = termRows(value.report);
     const formula = rows.length
       ? [element('p', {}, subscripted(text('way-formula', { cosine: value.cosine_of }))), element('div', { class: 'terms' }, table(text('way-terms'), [], rows))]
@@ -100,6 +102,12 @@ export function exercisesRoom(lab) {
       ...(lab.state.seed > 0 ? [] : [commandBlock([about.command])]));
   }
 
+  /** Marks the point that is asked for. */
+  function markPoint() {
+    const [x, y] = about.pixel;
+    arrows.append(...['spot halo', 'spot'].map((name) => drawing('circle', { class: name, cx: x + 0.5, cy: y + 0.5, r: 9 })));
+  }
+
   async function draw() {
     const key = JSON.stringify(request());
     if (key === shown) return;
@@ -110,9 +118,9 @@ export function exercisesRoom(lab) {
       about = answer.value;
       view.canvas.dataset.file = lab.state.exercise;
       put(view.canvas, about.size, answer.buffers[0]);
-      const [x, y] = about.pixel;
       arrows.setAttribute('viewBox', `0 0 ${about.size[0]} ${about.size[1]}`);
-      arrows.replaceChildren(...['spot halo', 'spot'].map((name) => drawing('circle', { class: name, cx: x + 0.5, cy: y + 0.5, r: 9 })));
+      arrows.replaceChildren();
+      markPoint();
       statement.textContent = text(about.given_colours ? 'statement-given' : 'statement-lit', { decimals: about.decimals });
       const rows = about.givens.map((/** @type {any} */ row) => {
         const more = [row.colour ? text('given-colour', { colour: row.colour }) : '', row.offset !== null && row.offset !== undefined ? text('given-offset', { k: row.offset }) : ''];
@@ -124,7 +132,7 @@ export function exercisesRoom(lab) {
       way.replaceChildren();
       room.dataset.drawn = String(Number(room.dataset.drawn ?? 0) + 1);
     } catch (error) {
-      lab.say(String(/** @type {Error} */ (error).message), true);
+      lab.fail(error);
     }
   }
 

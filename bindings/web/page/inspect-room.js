@@ -36,10 +36,10 @@ export function inspectRoom(lab) {
     controls.replaceChildren(meshGroup(lab), group(text('view'), ...viewSliders(lab)));
   }
 
-  /** @param {any} place */
-  function go(place) {
+  /** @param {any} place @param {string} key its finding and its number there */
+  function go(place, key) {
     mark = place.position;
-    lab.update({ turn: Math.round(place.turn), tilt: Math.max(-89, Math.min(89, Math.round(place.tilt))) });
+    lab.update({ place: key, turn: Math.round(place.turn), tilt: Math.max(-89, Math.min(89, Math.round(place.tilt))) });
     view.element.scrollIntoView({ block: 'nearest' });
   }
 
@@ -49,15 +49,18 @@ export function inspectRoom(lab) {
       list.replaceChildren(element('p', {}, text('no-findings', { name: value.name })));
       return;
     }
-    list.replaceChildren(...value.findings.map((/** @type {any} */ finding) => {
+    list.replaceChildren(...value.findings.map((/** @type {any} */ finding, /** @type {number} */ index) => {
       const nameOf = (/** @type {any} */ place, /** @type {number} */ k) => (place.line ? text('place-line', { line: place.line })
         : place.face !== null ? text('place-face', { face: place.face }) : text('place', { number: k + 1 }));
       // Several corners of a face are one place.
       const named = new Map(finding.places.map((/** @type {any} */ place, /** @type {number} */ k) => [nameOf(place, k), place]));
-      const places = [...named].slice(0, MOST_PLACES).map(([name, place]) => button(name, () => go(place), { class: 'small' }));
+      const listed = [...named].slice(0, MOST_PLACES);
+      const places = listed.map(([name, place], k) => button(name, () => go(place, `${index}:${k}`), { class: 'small' }));
+      const [opened, at] = lab.state.place.split(':').map(Number);
+      if (lab.state.place && opened === index) mark = listed[at]?.[1].position ?? null;
       const details = finding.cause[currentLanguage()].slice(finding.title[currentLanguage()].length + 2);
       const amount = `${number(finding.count, 8)}\u00a0/\u00a0${number(finding.of, 8)}`;
-      return element('details', { class: `finding ${finding.severity}` },
+      return element('details', { class: `finding ${finding.severity}`, open: Boolean(lab.state.place) && opened === index },
         element('summary', {}, element('span', { class: `role ${finding.severity}` }, text(`severity-${finding.severity}`)),
           ' ', element('strong', {}, finding.title[currentLanguage()]), ` ${amount}`),
         details ? withCode(`${details[0].toUpperCase()}${details.slice(1)}.`) : null,
@@ -89,10 +92,11 @@ export function inspectRoom(lab) {
         inspected = key;
         const found = await lab.program.latest('inspect', { verb: 'inspect', view: request });
         if (found) showFindings(found.value);
+        if (mark) await draw(false);
       }
       room.dataset.drawn = String(Number(room.dataset.drawn ?? 0) + 1);
     } catch (error) {
-      lab.say(String(/** @type {Error} */ (error).message), true);
+      lab.fail(error);
     }
   }
 

@@ -33,12 +33,14 @@ export const DEFAULTS = {
   px: 0.42,
   py: 0.38,
   // Artefacts: an experiment, and its parameters where they are not the defaults.
-  experiment: 'silhouette',
+  experiment: 'lost-highlight',
   parameters: '',
-  // The parameter and the measure of the plot; the picture that is magnified, and the ends of the line on it.
+  // The parameter and the measure of the plot, the first one that changes if it is -1; the picture that is magnified, and the ends of the line on it.
   along: '',
-  measure: 0,
+  measure: -1,
   magnified: '',
+  // Inspect: a finding and one of its places, as `2:0`.
+  place: '',
   // Exercises.
   exercise: 'example-1',
   seed: 0,
@@ -75,7 +77,7 @@ const LIMITS = {
   most: { min: 0.1, max: 90 },
   px: { min: 0, max: 0.9999 },
   py: { min: 0, max: 0.9999 },
-  measure: { min: 0, max: 99, whole: true },
+  measure: { min: -1, max: 99, whole: true },
   seed: { min: 0, max: 2 ** 32 - 1, whole: true },
 };
 

@@ -39,7 +39,7 @@ export function magnifier(stage, canvas, panel, changed) {
       const side = k % 2 ? canvas.height : canvas.width;
       ends[k] = Math.max(0, Math.min(1, (Number(inputs[k].value) + 0.5) / side));
       show();
-      changed(ends);
+      reportEnds();
     },
   }));
   const codes = element('div', { class: 'wide codes', tabindex: 0, role: 'region', 'aria-label': text('codes') });
@@ -95,6 +95,14 @@ export function magnifier(stage, canvas, panel, changed) {
     }));
   }
 
+  /** The line between the middles of its pixels, which a link keeps exactly. */
+  function reportEnds() {
+    changed(ends.map((share, k) => {
+      const side = k % 2 ? canvas.height : canvas.width;
+      return (Math.max(0, Math.min(side - 1, Math.floor(share * side))) + 0.5) / side;
+    }));
+  }
+
   let listens = false;
   function listen() {
     listens = true;
@@ -104,7 +112,7 @@ export function magnifier(stage, canvas, panel, changed) {
       if (event.type === 'pointerdown') ends = [a, b, a, b];
       else ends = [ends[0], ends[1], a, b];
       show();
-      if (!dragging) changed(ends);
+      if (!dragging) reportEnds();
     });
   }
 

@@ -1,6 +1,6 @@
 // The page: rooms as tabs, language, theme, presentation, print, files that are dropped, and the link.
 
-import { Program } from './program.js';
+import { Left, Program } from './program.js';
 import { currentLanguage, setLanguage, text } from './texts.js';
 import { readLink, writeLink } from './link.js';
 import { button, choice, element } from './dom.js';
@@ -38,9 +38,10 @@ const lab = {
   /** Changes the state, the link and the picture; while `dragging`, the picture is coarse. */
   update(/** @type {any} */ patch, dragging = false) {
     const structural = STRUCTURE.some((name) => name in patch && patch[name] !== lab.state[name]);
-    Object.assign(lab.state, patch);
+    Object.assign(lab.state, 'subject' in patch ? { place: '' } : {}, patch);
     clearTimeout(resting);
     if (!dragging) writeState();
+    if ('room' in patch || 'experiment' in patch) lab.program.leave();
     if (structural) {
       show();
       return;
@@ -66,6 +67,11 @@ const lab = {
       button('×', () => { message.hidden = true; }, { 'aria-label': text('close') }));
   },
 
+  /** Says what went wrong, unless it no longer matters. */
+  fail(/** @type {unknown} */ error) {
+    if (!(error instanceof Left)) lab.say(String(/** @type {Error} */ (error).message), true);
+  },
+
   async open(/** @type {File} */ file) {
     const bytes = new Uint8Array(await file.arrayBuffer());
     try {
@@ -73,7 +79,7 @@ const lab = {
       lab.file = { name: file.name };
       fileBytes = bytes;
       message.hidden = true;
-      Object.assign(lab.state, { subject: 'file', segments: 0 });
+      Object.assign(lab.state, { subject: 'file', segments: 0, place: '' });
       if (!['normals', 'probe', 'inspect'].includes(lab.state.room)) lab.state.room = 'normals';
       lab.state.against = value.has_normals ? 'stored' : 'uniform';
       writeState();
@@ -84,6 +90,7 @@ const lab = {
   },
 };
 
+lab.program.onwaiting = (/** @type {boolean} */ isWaiting) => root.classList.toggle('waiting', isWaiting);
 lab.program.onrestart = () => {
   if (lab.file && fileBytes) lab.program.ask({ verb: 'open', name: lab.file.name }, fileBytes).catch(() => {});
 };
@@ -97,6 +104,7 @@ window.addEventListener('hashchange', () => {
   if (location.hash === written) return;
   written = location.hash;
   Object.assign(lab.state, readLink(location.hash));
+  lab.program.leave();
   show();
 });
 
@@ -138,12 +146,13 @@ async function show() {
         button(text('present'), present, { 'data-name': 'present', 'aria-pressed': String(state.present) }),
         button(text('print'), () => window.print()))),
     message,
+    element('p', { class: 'working', 'aria-hidden': 'true' }, text('working')),
     element('main', {}, room.element),
     element('footer', {}, text('footer')));
   try {
     await room.fill();
   } catch (error) {
-    lab.say(String(/** @type {Error} */ (error).message), true);
+    lab.fail(error);
   }
   if (focused) /** @type {HTMLElement | null} */ (root.querySelector(`[data-name="${CSS.escape(focused)}"]`))?.focus();
   await room.draw(false);
@@ -171,6 +180,8 @@ window.addEventListener('resize', () => {
   clearTimeout(resting);
   resting = window.setTimeout(() => room?.draw(false), REST);
 });
+// Findings and solutions print open, with what they say.
+window.addEventListener('beforeprint', () => root.querySelectorAll('details.finding').forEach((it) => { /** @type {any} */ (it).open = true; }));
 window.addEventListener('dragover', (event) => {
   event.preventDefault();
   root.classList.add('dropping');

@@ -7,7 +7,7 @@ import { draggable } from './canvas.js';
 /** @typedef {import('./link.js').State} State */
 /** @typedef {{ state: State, program: import('./program.js').Program, update: (patch: Partial<State>, dragging?: boolean) => void,
  *   remember: (patch: Partial<State>) => void, followers: ((state: State) => void)[], file: { name: string } | null, shapes: any[],
- *   open: (file: File) => Promise<void>, say: (message: string, isError?: boolean) => void }} Lab */
+ *   open: (file: File) => Promise<void>, say: (message: string, isError?: boolean) => void, fail: (error: unknown) => void }} Lab */
 
 /** Degrees that a drag over the whole picture rotates by. */
 const DRAG = 180;
@@ -119,10 +119,14 @@ export function lampOn(lab, stage) {
   stage.addEventListener('contextmenu', (event) => event.preventDefault());
   let turns = false;
   let [fromX, fromY] = [0, 0];
+  let lamp = { lampx: 0, lampy: 0 };
   draggable(stage, (x, y, dragging, event) => {
     if (event.type === 'pointerdown') {
       turns = event.shiftKey || event.button === 2 || !event.isPrimary;
       [fromX, fromY] = [x, y];
+      // Before a second finger, the first one has moved the lamp.
+      if (event.isPrimary) lamp = { lampx: lab.state.lampx, lampy: lab.state.lampy };
+      else Object.assign(lab.state, lamp);
     }
     if (turns) {
       const view = dragged(lab.state, x - fromX, y - fromY);

@@ -83,7 +83,7 @@ export function normalsRoom(lab) {
       const left = value.left.length ? text('left', { files: value.left.join(', ') }) : '';
       lab.say([text('saved', { name: value.name, vertices: value.vertices }), left, ...value.notes].filter(Boolean).join(' '));
     } catch (error) {
-      lab.say(String(/** @type {Error} */ (error).message), true);
+      lab.fail(error);
     }
   }
 
@@ -137,7 +137,7 @@ export function normalsRoom(lab) {
       ]);
       if (normals && deviation) showCounts(normals.value, deviation.value);
     } catch (error) {
-      lab.say(String(/** @type {Error} */ (error).message), true);
+      lab.fail(error);
     }
   }
 

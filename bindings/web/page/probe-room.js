@@ -2,10 +2,12 @@
 
 import { choice, drawing, element, group, table } from './dom.js';
 import { number, text } from './texts.js';
-import { draggable, figure, put, stageWidth } from './canvas.js';
+import { draggable, figure, put } from './canvas.js';
 import { PICTURES } from './link.js';
 import { lightGroups, meshGroup, stateSlider, viewOf } from './mesh-controls.js';
 
+/** The side of the picture in pixels, whatever the page's width: a link names the same pixel everywhere. */
+const SIDE = 512;
 /** The names of vectors, with the classes of their colours. */
 const ARROWS = ['N', 'L', 'V', 'R', 'H'];
 
@@ -18,20 +20,40 @@ const ARROWS = ['N', 'L', 'V', 'R', 'H'];
 export function drawArrows(svg, [width, height], arrows) {
   svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
   const unit = Math.max(width, height) / 480;
+  const room = 14 * unit;
+  /** @type {[number, number][]} */
+  const taken = [];
+  /** The first place for a name that is in the picture and free: at its arrow, or on a circle around it. @param {number} x @param {number} y */
+  const free = (x, y) => {
+    const around = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((k) => [1.5, 2.5].map((turns) => [turns * room * Math.cos(k * Math.PI / 4), turns * room * Math.sin(k * Math.PI / 4)]));
+    const places = [[0, 0], ...around].map(([dx, dy]) => /** @type {[number, number]} */ ([x + dx, y + dy]));
+    const isFree = (/** @type {[number, number]} */ [a, b]) => a > room && a < width - room && b > room && b < height - room
+      && taken.every(([c, d]) => Math.hypot(a - c, b - d) > 1.4 * room);
+    const place = places.find(isFree) ?? places[0];
+    taken.push(place);
+    return place;
+  };
   svg.replaceChildren(...arrows.flatMap(({ name, from, to }) => {
     const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
-    const length = Math.hypot(dx, dy) || 1;
-    const [ux, uy] = [dx / length, dy / length];
-    if (length < 14 * unit) {
-      // It points at the viewer, as V does: a name without a shaft.
-      return [drawing('text', { class: `name ${name}`, x: from[0] - 15 * unit, y: from[1] + 22 * unit, 'font-size': 17 * unit, 'stroke-width': 4 * unit, 'text-anchor': 'middle' }, name)];
-    }
-    const tip = [-1, 1].map((side) => `${to[0] - 9 * unit * (ux - side * 0.45 * uy)},${to[1] - 9 * unit * (uy + side * 0.45 * ux)}`);
+    const whole = Math.hypot(dx, dy) || 1;
+    const [ux, uy] = [dx / whole, dy / whole];
+    // An arrow out of the picture ends at its border.
+    const limit = (/** @type {number} */ at, /** @type {number} */ d, /** @type {number} */ side) => (d > 0 ? (side - room - at) / d : d < 0 ? (room - at) / d : Infinity);
+    const length = Math.min(whole, Math.max(0, limit(from[0], ux, width)), Math.max(0, limit(from[1], uy, height)));
+    const tip = [from[0] + length * ux, from[1] + length * uy];
+    const written = (/** @type {number} */ x, /** @type {number} */ y) => {
+      const [left, top] = free(x, y);
+      return drawing('text', { class: `name ${name}`, x: left, y: top + 5 * unit, 'font-size': 17 * unit, 'stroke-width': 4 * unit, 'text-anchor': 'middle' }, name);
+    };
+    // It points at the viewer, as V does: a name without a shaft.
+    if (length < room) return [written(from[0] - 15 * unit, from[1] + 17 * unit)];
+    const barbs = [-1, 1].map((side) => `${tip[0] - 9 * unit * (ux - side * 0.45 * uy)},${tip[1] - 9 * unit * (uy + side * 0.45 * ux)}`);
+    const ends = { x1: from[0], y1: from[1], x2: tip[0], y2: tip[1] };
     return [
-      drawing('line', { class: `halo`, x1: from[0], y1: from[1], x2: to[0], y2: to[1], 'stroke-width': 6 * unit }),
-      drawing('line', { class: `arrow ${name}`, x1: from[0], y1: from[1], x2: to[0], y2: to[1], 'stroke-width': 3 * unit }),
-      drawing('polygon', { class: `tip ${name}`, points: `${to[0]},${to[1]} ${tip.join(' ')}` }),
-      drawing('text', { class: `name ${name}`, x: to[0] + 12 * unit * ux, y: to[1] + 12 * unit * uy + 5 * unit, 'font-size': 17 * unit, 'stroke-width': 4 * unit, 'text-anchor': 'middle' }, name),
+      drawing('line', { class: `halo`, ...ends, 'stroke-width': 6 * unit }),
+      drawing('line', { class: `arrow ${name}`, ...ends, 'stroke-width': 3 * unit }),
+      drawing('polygon', { class: `tip ${name}`, points: `${tip.join()} ${barbs.join(' ')}` }),
+      written(tip[0] + 12 * unit * ux, tip[1] + 12 * unit * uy),
     ];
   }));
 }
@@ -116,8 +138,7 @@ export function probeRoom(lab) {
 
   /** @param {boolean} dragging */
   async function draw(dragging) {
-    const most = stageWidth(view.stage, 640);
-    const side = dragging ? Math.round(most / 2) : most;
+    const side = dragging ? SIDE / 2 : SIDE;
     const size = /** @type {[number, number]} */ ([side, side]);
     const request = { ...viewOf(lab.state, size), creases: false, hairs: false, wire: false };
     const picture = lab.state.picture;
@@ -146,7 +167,7 @@ export function probeRoom(lab) {
       if (pre) pre.textContent = probed.value.text;
       room.dataset.drawn = String(Number(room.dataset.drawn ?? 0) + 1);
     } catch (error) {
-      lab.say(String(/** @type {Error} */ (error).message), true);
+      lab.fail(error);
     }
   }
 

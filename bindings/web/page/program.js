@@ -1,5 +1,13 @@
 // The program in its worker: requests with answers, and channels on which only the latest request counts.
 
+/** Work on one request, in milliseconds, after which the page shows that it waits. */
+const SHORT = 400;
+/** Work on one request, in milliseconds, that is ended when nothing needs it any more. A start of the program takes as long. */
+const LONG = 1000;
+
+/** The error of a request that was ended because its room was left. */
+export class Left extends Error {}
+
 /**
  * @typedef {{ value: any, buffers: Uint8Array[], milliseconds: number }} Answer
  * @typedef {{ resolve: (answer: Answer) => void, reject: (error: Error) => void }} Waiting
@@ -12,6 +20,11 @@ export class Program {
     /** @type {Map<string, { busy: boolean, next: (() => void) | null, drop: (() => void) | null }>} */
     this.channels = new Map();
     this.count = 0;
+    /** When the worker began with its present request. */
+    this.since = 0;
+    this.timer = 0;
+    /** Called when requests begin and end to take long. @type {(isWaiting: boolean) => void} */
+    this.onwaiting = () => {};
     /** Called after a restart: the program no longer has the user's file. */
     this.onrestart = () => {};
     /** Whether the program has ever answered: one that cannot start is not started over and over. */
@@ -37,6 +50,7 @@ export class Program {
     this.works = true;
     const waiting = this.waiting.get(data.id);
     this.waiting.delete(data.id);
+    this.watch();
     const value = JSON.parse(data.answer);
     if (value && value.error !== undefined) waiting?.reject(new Error(value.error));
     else waiting?.resolve({ value, buffers: data.buffers, milliseconds: data.milliseconds });
@@ -44,15 +58,35 @@ export class Program {
 
   /** @param {string} message */
   fail(message) {
+    const works = this.works;
+    this.works = false;
+    this.restart(works, new Error(`the program stopped: ${message}`));
+  }
+
+  /** Ends the work on a long request, and drops those behind it: what asked for them is no longer shown. */
+  leave() {
+    if (this.works && this.waiting.size && performance.now() - this.since > LONG) this.restart(true, new Left());
+  }
+
+  /** @param {boolean} starts @param {Error} error that of the requests which wait */
+  restart(starts, error) {
     this.worker?.terminate();
     const all = [...this.waiting.values()];
     this.waiting.clear();
-    if (this.works) {
-      this.works = false;
+    this.watch();
+    if (starts) {
       this.start();
       this.onrestart();
     }
-    all.forEach(({ reject }) => reject(new Error(`the program stopped: ${message}`)));
+    all.forEach(({ reject }) => reject(error));
+  }
+
+  /** Begins to wait for the first of the requests, if there are any. */
+  watch() {
+    clearTimeout(this.timer);
+    this.since = performance.now();
+    if (this.waiting.size) this.timer = window.setTimeout(() => this.onwaiting(true), SHORT);
+    else this.onwaiting(false);
   }
 
   /**
@@ -65,12 +99,13 @@ export class Program {
     const id = ++this.count;
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve, reject });
+      if (this.waiting.size === 1) this.watch();
       this.worker?.postMessage({ id, request: JSON.stringify(request), bytes });
     });
   }
 
   /**
-   * As `ask`, but of several requests on a channel that wait, only the latest is sent; the others give `null`.
+   * As `ask`, but of several requests on a channel that wait, only the latest is sent; the others give `null`, as one that was left does.
    * @param {string} name
    * @param {object} request
    * @returns {Promise<Answer | null>}
@@ -81,7 +116,7 @@ export class Program {
     return new Promise((resolve, reject) => {
       const send = () => {
         channel.busy = true;
-        this.ask(request).then(resolve, reject).finally(() => {
+        this.ask(request).then(resolve, (error) => (error instanceof Left ? resolve(null) : reject(error))).finally(() => {
           channel.busy = false;
           const next = channel.next;
           channel.next = channel.drop = null;

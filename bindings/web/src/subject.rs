@@ -4,8 +4,9 @@ use crate::laboratory::Result;
 use crate::shapes::{self, Made};
 use crate::view::View;
 use crease::io::{Format, Limits, Loaded, ReadError, ReadOptions, Severity, read_bytes};
-use crease::mesh::{Topology, Weld};
+use crease::mesh::{Mesh, Topology, Weld};
 use crease::normals::{NormalField, NormalRecipe, Weight, When, compute_on};
+use crease::pipeline::{Task, revise};
 use crease::surface::Primitive;
 use glam::{DMat4, DVec3};
 use serde_json::{Value, json};
@@ -176,14 +177,24 @@ impl Subject {
     /// The facts of the file, and the counts of its normals.
     pub(crate) fn counts(&self, view: &View) -> Value {
         let sum = |of: fn(&NormalField) -> usize| self.fields.iter().map(of).sum::<usize>();
+        let (mut used, mut splits) =
+            (sum(|field| field.summary.referenced_vertices), sum(|field| field.summary.splits));
+        // Separate triangles are drawn as they are, but saved with shared vertices.
+        let is_soup = |mesh: &Mesh| mesh.vertex_count() == mesh.faces().corner_count();
+        if self.loaded.parts.iter().any(|part| is_soup(&part.mesh)) {
+            let task = Task { recipe: view.recipe(), ..Task::default() };
+            let parts = revise(&self.loaded, &task, Some(Format::Glb), &|_| {}).parts;
+            used = parts.iter().map(|part| part.referenced_vertices).sum();
+            splits = parts.iter().map(|part| part.splits).sum();
+        }
         json!({
             "facts": self.facts(),
             "exact": self.surface.is_some(),
             "truth": self.has_truth(),
             "weight": view.weight.name(),
-            "referenced": sum(|field| field.summary.referenced_vertices),
-            "after": sum(|field| field.summary.referenced_vertices + field.summary.splits),
-            "splits": sum(|field| field.summary.splits),
+            "referenced": used,
+            "after": used + splits,
+            "splits": splits,
             "smooth": sum(|field| field.summary.edges.smooth),
             "hard": sum(|field| field.summary.edges.crease),
             "marked": sum(|field| field.summary.edges.marked),

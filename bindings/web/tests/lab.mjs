@@ -5,7 +5,7 @@
 // NODE_MODULES has playwright-core and axe-core. NATIVE_ANSWERS is the folder that `cargo test laboratory` wrote; without it, bits are
 // not compared. LAB_BROWSER is the path of another browser than /usr/bin/chromium: a Chromium, or a Firefox if its name says so.
 import assert from 'node:assert/strict';
-import { existsSync, mkdirSync, readFileSync, readdirSync, statSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { basename, join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -224,6 +224,78 @@ await test('the magnifier is in the link, and can be closed', async () => {
   assert.equal(await page.inputValue('input[aria-label$="y₂"]'), '160');
   await page.click('.panel .close');
   assert.ok(!(await page.isVisible('.panel')) && !page.url().includes('magnified'));
+  await close();
+});
+
+await test('a link keeps the place of a finding, and the pixels of a line', async () => {
+  const { page, close } = await open('#room=inspect&subject=leaf');
+  await page.locator('details.finding summary').first().click();
+  await after(page, () => page.locator('details.finding .buttons button').first().click());
+  const opened = await open(new URL(page.url()).hash);
+  assert.equal(await opened.page.locator('details.finding[open]').count(), 1);
+  assert.equal(await opened.page.locator('.stage circle').count(), 2);
+  await opened.close();
+  await go(page, '#room=artefacts&experiment=lost-highlight&parameters=size:320&magnified=plate-gouraud:0.1,0.5,0.2,0.5');
+  await page.fill('input[aria-label$="x₂"]', '287');
+  await page.press('input[aria-label$="x₂"]', 'Tab');
+  const again = await open(new URL(page.url()).hash);
+  assert.equal(await again.page.inputValue('input[aria-label$="x₂"]'), '287');
+  await again.close();
+  await close();
+});
+
+await test('a probed pixel is the same at every width', async () => {
+  const term = async (width) => {
+    const { page, close } = await open('#room=probe&px=0.6&py=0.5', { viewport: { width, height: 900 } });
+    const words = await page.innerText('.terms');
+    await close();
+    return words;
+  };
+  assert.equal(await term(1280), await term(400));
+});
+
+await test('the names of arrows at one point are apart', async () => {
+  const { page, close } = await open('#room=exercises&exercise=1-6-17');
+  await page.click('[data-name="way"]');
+  await page.waitForSelector('.arrows text');
+  const places = await page.locator('.arrows text').evaluateAll((all) => all.map((name) => [Number(name.getAttribute('x')), Number(name.getAttribute('y'))]));
+  const [width, height] = await page.locator('.arrows').first().evaluate((svg) => svg.getAttribute('viewBox').split(' ').slice(2).map(Number));
+  assert.ok(places.length === 5 && places.every(([x, y]) => x > 0 && x < width && y > 0 && y < height), String(places));
+  places.forEach(([x, y], k) => places.slice(0, k).forEach(([a, b]) => assert.ok(Math.hypot(x - a, y - b) > width / 40, String(places))));
+  assert.equal(await page.locator('.arrows circle.spot').count(), 2);
+  await close();
+});
+
+await test('counts of separate triangles are those of the saved file', async () => {
+  const { page, close } = await open('#room=normals&crease=180');
+  const stl = Buffer.alloc(84 + 50 * 2);
+  stl.writeUInt32LE(2, 80);
+  [[0, 0, 0, 1, 0, 0, 1, 1, 0], [0, 0, 0, 1, 1, 0, 0, 1, 0]].forEach((corners, facet) => corners.forEach((x, k) => stl.writeFloatLE(x, 84 + 50 * facet + 12 + 4 * k)));
+  mkdirSync('target/tmp', { recursive: true });
+  writeFileSync('target/tmp/square.stl', stl);
+  await drop(page, 'target/tmp/square.stl');
+  await page.waitForFunction(() => document.querySelector('select[data-name="subject"]')?.value === 'file');
+  const { value } = await page.evaluate(() => window.laboratory.ask({ verb: 'save', view: { subject: 'file', segments: 0, crease: 180 }, format: 'glb' }));
+  assert.equal(value.vertices, 4);
+  assert.match((await page.innerText('.counts')).replace(/\s+/g, ' '), /\b4\b.*\b4\b/);
+  await close();
+});
+
+await test('a slow room can be left', async () => {
+  const { page, close } = await open('#room=artefacts&experiment=lost-highlight');
+  await page.evaluate(() => { location.hash = '#room=artefacts&experiment=silhouette&parameters=size:640'; });
+  await page.waitForTimeout(2000);
+  await page.click('[data-name="room-exercises"]');
+  await page.waitForSelector('#laboratory[data-ready="exercises"]', { timeout: 10_000 });
+  assert.deepEqual(await page.locator('.message.error:visible').allTextContents(), []);
+  await close();
+});
+
+await test('a plot begins with a measure and a parameter that change', async () => {
+  const { page, close } = await open('#room=artefacts&experiment=false-smoothing&parameters=size:96');
+  await page.click('[data-name="trace"]');
+  await page.waitForFunction(() => document.querySelector('select[data-name="along"]')?.value === 'crease', null, { timeout: 60_000 });
+  await page.waitForFunction(() => new Set([...document.querySelectorAll('.live circle')].map((it) => it.getAttribute('cy'))).size > 1, null, { timeout: 60_000 });
   await close();
 });
 
