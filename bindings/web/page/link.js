@@ -35,7 +35,8 @@ export const DEFAULTS = {
   // Artefacts: an experiment, and its parameters where they are not the defaults.
   experiment: 'lost-highlight',
   parameters: '',
-  // The parameter and the measure of the plot, the first one that changes if it is -1; the picture that is magnified, and the ends of the line on it.
+  // The parameter and the measure of the plot, the first one that changes if it is -1; the picture that is magnified, and the ends
+  // of the line on it.
   along: '',
   measure: -1,
   magnified: '',

@@ -180,7 +180,7 @@ window.addEventListener('resize', () => {
   clearTimeout(resting);
   resting = window.setTimeout(() => room?.draw(false), REST);
 });
-// Findings and solutions print open, with what they say.
+// Findings print open, with what they say.
 window.addEventListener('beforeprint', () => root.querySelectorAll('details.finding').forEach((it) => { /** @type {any} */ (it).open = true; }));
 window.addEventListener('dragover', (event) => {
   event.preventDefault();

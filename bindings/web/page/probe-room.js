@@ -20,15 +20,15 @@ const ARROWS = ['N', 'L', 'V', 'R', 'H'];
 export function drawArrows(svg, [width, height], arrows) {
   svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
   const unit = Math.max(width, height) / 480;
-  const room = 14 * unit;
+  const margin = 14 * unit;
   /** @type {[number, number][]} */
   const taken = [];
   /** The first place for a name that is in the picture and free: at its arrow, or on a circle around it. @param {number} x @param {number} y */
   const free = (x, y) => {
-    const around = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((k) => [1.5, 2.5].map((turns) => [turns * room * Math.cos(k * Math.PI / 4), turns * room * Math.sin(k * Math.PI / 4)]));
+    const around = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((k) => [1.5, 2.5].map((turns) => [turns * margin * Math.cos(k * Math.PI / 4), turns * margin * Math.sin(k * Math.PI / 4)]));
     const places = [[0, 0], ...around].map(([dx, dy]) => /** @type {[number, number]} */ ([x + dx, y + dy]));
-    const isFree = (/** @type {[number, number]} */ [a, b]) => a > room && a < width - room && b > room && b < height - room
-      && taken.every(([c, d]) => Math.hypot(a - c, b - d) > 1.4 * room);
+    const isFree = (/** @type {[number, number]} */ [a, b]) => a > margin && a < width - margin && b > margin && b < height - margin
+      && taken.every(([c, d]) => Math.hypot(a - c, b - d) > 1.4 * margin);
     const place = places.find(isFree) ?? places[0];
     taken.push(place);
     return place;
@@ -38,7 +38,7 @@ export function drawArrows(svg, [width, height], arrows) {
     const whole = Math.hypot(dx, dy) || 1;
     const [ux, uy] = [dx / whole, dy / whole];
     // An arrow out of the picture ends at its border.
-    const limit = (/** @type {number} */ at, /** @type {number} */ d, /** @type {number} */ side) => (d > 0 ? (side - room - at) / d : d < 0 ? (room - at) / d : Infinity);
+    const limit = (/** @type {number} */ at, /** @type {number} */ d, /** @type {number} */ side) => (d > 0 ? (side - margin - at) / d : d < 0 ? (margin - at) / d : Infinity);
     const length = Math.min(whole, Math.max(0, limit(from[0], ux, width)), Math.max(0, limit(from[1], uy, height)));
     const tip = [from[0] + length * ux, from[1] + length * uy];
     const written = (/** @type {number} */ x, /** @type {number} */ y) => {
@@ -46,7 +46,7 @@ export function drawArrows(svg, [width, height], arrows) {
       return drawing('text', { class: `name ${name}`, x: left, y: top + 5 * unit, 'font-size': 17 * unit, 'stroke-width': 4 * unit, 'text-anchor': 'middle' }, name);
     };
     // It points at the viewer, as V does: a name without a shaft.
-    if (length < room) return [written(from[0] - 15 * unit, from[1] + 17 * unit)];
+    if (length < margin) return [written(from[0] - 15 * unit, from[1] + 17 * unit)];
     const barbs = [-1, 1].map((side) => `${tip[0] - 9 * unit * (ux - side * 0.45 * uy)},${tip[1] - 9 * unit * (uy + side * 0.45 * ux)}`);
     const ends = { x1: from[0], y1: from[1], x2: tip[0], y2: tip[1] };
     return [

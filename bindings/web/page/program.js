@@ -1,9 +1,10 @@
 // The program in its worker: requests with answers, and channels on which only the latest request counts.
 
-/** Work on one request, in milliseconds, after which the page shows that it waits. */
-const SHORT = 400;
-/** Work on one request, in milliseconds, that is ended when nothing needs it any more. A start of the program takes as long. */
-const LONG = 1000;
+/**
+ * Work on one request, in milliseconds, after which the page shows that it waits, and which is ended if nothing needs it any more.
+ * A start of the program takes as long.
+ */
+const LONG = 400;
 
 /** The error of a request that was ended because its room was left. */
 export class Left extends Error {}
@@ -65,7 +66,12 @@ export class Program {
 
   /** Ends the work on a long request, and drops those behind it: what asked for them is no longer shown. */
   leave() {
-    if (this.works && this.waiting.size && performance.now() - this.since > LONG) this.restart(true, new Left());
+    if (!this.works || !this.waiting.size || performance.now() - this.since < LONG) return;
+    for (const channel of this.channels.values()) {
+      channel.drop?.();
+      channel.next = channel.drop = null;
+    }
+    this.restart(true, new Left());
   }
 
   /** @param {boolean} starts @param {Error} error that of the requests which wait */
@@ -85,7 +91,7 @@ export class Program {
   watch() {
     clearTimeout(this.timer);
     this.since = performance.now();
-    if (this.waiting.size) this.timer = window.setTimeout(() => this.onwaiting(true), SHORT);
+    if (this.waiting.size) this.timer = window.setTimeout(() => this.onwaiting(true), LONG);
     else this.onwaiting(false);
   }
 

@@ -283,10 +283,14 @@ await test('counts of separate triangles are those of the saved file', async () 
 
 await test('a slow room can be left', async () => {
   const { page, close } = await open('#room=artefacts&experiment=lost-highlight');
+  let started = 0;
+  page.on('worker', () => { started++; });
   await page.evaluate(() => { location.hash = '#room=artefacts&experiment=silhouette&parameters=size:640'; });
-  await page.waitForTimeout(2000);
+  // The page says that it computes; then the work that nothing needs is ended with its worker.
+  await page.waitForSelector('.working:visible');
   await page.click('[data-name="room-exercises"]');
-  await page.waitForSelector('#laboratory[data-ready="exercises"]', { timeout: 10_000 });
+  await page.waitForSelector('#laboratory[data-ready="exercises"]', { timeout: 60_000 });
+  assert.equal(started, 1);
   assert.deepEqual(await page.locator('.message.error:visible').allTextContents(), []);
   await close();
 });
