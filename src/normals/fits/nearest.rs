@@ -45,6 +45,44 @@ pub(crate) fn by_coordinates(a: &DVec3, b: &DVec3) -> Ordering {
     a.x.total_cmp(&b.x).then_with(|| a.y.total_cmp(&b.y)).then_with(|| a.z.total_cmp(&b.z))
 }
 
+/// Up to so many points are ordered by counting.
+const FEW: usize = 24;
+
+/// Appends the nearest candidates in order, at most so many.
+pub(crate) fn take_nearest(candidates: &mut Vec<Neighbour>, most: usize, into: &mut Vec<DVec3>) {
+    if candidates.len() > most {
+        candidates.select_nth_unstable(most);
+        candidates.truncate(most);
+    }
+    if let Some(ranks) = ranks(candidates) {
+        let start = into.len();
+        into.resize(start + candidates.len(), DVec3::ZERO);
+        let into = &mut into[start..];
+        candidates.iter().zip(ranks).for_each(|(neighbour, rank)| into[usize::from(rank)] = neighbour.at);
+        return;
+    }
+    candidates.sort_unstable();
+    into.extend(candidates.iter().map(|neighbour| neighbour.at));
+}
+
+/// How many of a few points are nearer than each of them. `None` if there are more, or two at the same distance.
+///
+/// It compares all with all, which takes less time than the branches of a sort that are predicted wrongly.
+#[inline]
+fn ranks(points: &[Neighbour]) -> Option<[u8; FEW]> {
+    let (mut ranks, mut distances, count) = ([0; FEW], [0.0; FEW], points.len());
+    let distances = distances.get_mut(..count)?;
+    distances.iter_mut().zip(points).for_each(|(distance, point)| *distance = point.distance);
+    let mut sum = 0;
+    for (rank, own) in ranks.iter_mut().zip(&*distances) {
+        let nearer: u64 = distances.iter().map(|other| u64::from(other < own)).sum();
+        *rank = nearer as u8;
+        sum += nearer as usize;
+    }
+    // Ranks are different if their sum is 0 + 1 + … + (count − 1).
+    (2 * sum == count * count.saturating_sub(1)).then_some(ranks)
+}
+
 /// Points in a k-d tree (Bentley 1975): the middle one of each range divides it along the axis on which the range
 /// is widest. Finding k of n points takes time k log n for anything like an even spread.
 pub(crate) struct NearTree {
@@ -103,6 +141,30 @@ impl NearTree {
 mod tests {
     use super::*;
     use crate::num::test_numbers::Numbers;
+
+    #[test]
+    fn the_nearest_are_in_order() {
+        let mut numbers = Numbers::new(7);
+        let mut counted = 0;
+        for size in 0..2 * FEW {
+            // Without ties, and on a coarse grid with many.
+            for grid in [0.0, 4.0] {
+                let coordinate = |x: f64| if grid == 0.0 { x } else { (grid * x).floor() };
+                let mut point = || DVec3::from(std::array::from_fn(|_| coordinate(numbers.unit())));
+                let candidates: Vec<_> =
+                    (0..size).map(|_| Neighbour::new(point(), DVec3::ZERO, 0.5)).collect();
+                counted += usize::from(ranks(&candidates).is_some());
+                let mut expected = candidates.clone();
+                expected.sort();
+                for most in [size / 2, size] {
+                    let mut found = vec![DVec3::ONE];
+                    take_nearest(&mut candidates.clone(), most, &mut found);
+                    assert!(found[1..].iter().eq(expected[..most].iter().map(|it| &it.at)), "{size}");
+                }
+            }
+        }
+        assert!(counted > FEW, "{counted}");
+    }
 
     #[test]
     fn the_tree_finds_what_sorting_finds() {

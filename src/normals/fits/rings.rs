@@ -2,7 +2,7 @@
 
 use crate::mesh::{PositionsRef, Topology, first_positions};
 use crate::normals::creases::smooth_groups::SlotCorners;
-use crate::normals::fits::nearest::{NearTree, Neighbour, by_coordinates};
+use crate::normals::fits::nearest::{NearTree, Neighbour, by_coordinates, take_nearest};
 use crate::num::parallel;
 use crate::num::unit_scale;
 use glam::DVec3;
@@ -51,11 +51,10 @@ pub(crate) struct Rings<'a> {
 }
 
 /// The rings of successive groups, in compressed rows.
-#[derive(Default)]
 struct RingChunk {
     centres: Vec<u32>,
-    /// Ends of the rows of `places` and `groups`.
-    ends: Vec<[u32; 2]>,
+    /// Starts of the rows of `places` and `groups`, and the end of the last.
+    starts: Vec<[u32; 2]>,
     places: Vec<u32>,
     groups: Vec<u32>,
 }
@@ -66,8 +65,9 @@ pub(crate) struct RingScratch {
     /// The number of the last search that met each place.
     met: Vec<u32>,
     search: u32,
-    /// The places that this search met, the group's own first.
+    /// The places that this search met, the group's own first: so many of these.
     known: Vec<u32>,
+    known_count: usize,
     frontier: Vec<u32>,
     reached: Vec<u32>,
     from_trees: Vec<DVec3>,
@@ -82,7 +82,7 @@ impl RingScratch {
 
     /// Begins a search.
     fn begin(&mut self) {
-        self.known.clear();
+        self.known_count = 0;
         self.reached.clear();
         self.search = self.search.wrapping_add(1);
         if self.search == 0 {
@@ -91,16 +91,23 @@ impl RingScratch {
         }
     }
 
-    /// Whether this search meets a place for the first time.
-    #[inline(always)]
-    fn is_new(&mut self, place: u32) -> bool {
-        let met = &mut self.met[place as usize];
-        let is_new = *met != self.search;
-        if is_new {
-            *met = self.search;
-            self.known.push(place);
+    /// Adds the places that this search meets for the first time to those that it knows.
+    #[inline]
+    fn meet(&mut self, places: &[u32]) {
+        let mut count = self.known_count;
+        let most = count + places.len();
+        if self.known.len() < most {
+            self.known.resize(2 * most, 0);
         }
-        is_new
+        let (known, search) = (&mut self.known[..most], self.search);
+        for &place in places {
+            // The next one overwrites a place that was known. A branch would often be predicted wrongly.
+            known[count] = place;
+            let met = &mut self.met[place as usize];
+            count += usize::from(*met != search);
+            *met = search;
+        }
+        self.known_count = count;
     }
 }
 
@@ -125,15 +132,13 @@ impl<'a> Rings<'a> {
 
     fn places(&self, group: u32) -> &[u32] {
         let (chunk, row) = (&self.chunks[group as usize / CHUNK], group as usize % CHUNK);
-        let start = row.checked_sub(1).map_or(0, |before| chunk.ends[before][0]);
-        &chunk.places[start as usize..chunk.ends[row][0] as usize]
+        &chunk.places[chunk.starts[row][0] as usize..chunk.starts[row + 1][0] as usize]
     }
 
     /// The groups at the edge neighbours.
     pub(crate) fn groups(&self, group: u32) -> &[u32] {
         let (chunk, row) = (&self.chunks[group as usize / CHUNK], group as usize % CHUNK);
-        let start = row.checked_sub(1).map_or(0, |before| chunk.ends[before][1]);
-        &chunk.groups[start as usize..chunk.ends[row][1] as usize]
+        &chunk.groups[chunk.starts[row][1] as usize..chunk.starts[row + 1][1] as usize]
     }
 
     /// Groups of so many corners that visiting their rings from each neighbour would take quadratic time.
@@ -164,15 +169,14 @@ impl<'a> Rings<'a> {
         scratch.begin();
         let centre_place = self.chunks[group as usize / CHUNK].centres[group as usize % CHUNK];
         let centre = self.position(centre_place);
-        scratch.is_new(centre_place);
+        scratch.meet(&[centre_place]);
+        scratch.meet(self.places(group));
         scratch.candidates.clear();
         let mut size = 0.0_f64;
-        for &place in self.places(group) {
-            if scratch.is_new(place) {
-                let at = self.position(place);
-                size = (at - centre).abs().max_element().max(size);
-                scratch.candidates.push(Neighbour { distance: 0.0, at });
-            }
+        for &place in &scratch.known[1..scratch.known_count] {
+            let at = self.position(place);
+            size = (at - centre).abs().max_element().max(size);
+            scratch.candidates.push(Neighbour { distance: 0.0, at });
         }
         let scale = unit_scale(size);
         for neighbour in &mut scratch.candidates {
@@ -186,8 +190,7 @@ impl<'a> Rings<'a> {
         let mut is_second = true;
         while into.len() - start < MOST && (is_second || into.len() - start < fewest || more > 0) {
             more -= usize::from(!is_second && into.len() - start >= fewest);
-            let known = scratch.known.len();
-            scratch.candidates.clear();
+            let known = scratch.known_count;
             scratch.from_trees.clear();
             for next in 0..scratch.frontier.len() {
                 let next = scratch.frontier[next];
@@ -198,12 +201,11 @@ impl<'a> Rings<'a> {
                     tree.nearest(centre, scale, MOST + known, &mut scratch.from_trees);
                     continue;
                 }
-                for &place in self.places(next) {
-                    if scratch.is_new(place) {
-                        scratch.candidates.push(Neighbour::new(self.position(place), centre, scale));
-                    }
-                }
+                scratch.meet(self.places(next));
             }
+            let neighbour = |&place: &u32| Neighbour::new(self.position(place), centre, scale);
+            scratch.candidates.clear();
+            scratch.candidates.extend(scratch.known[known..scratch.known_count].iter().map(neighbour));
             if !scratch.from_trees.is_empty() {
                 let RingScratch { known: places, from_trees, candidates, .. } = scratch;
                 let is_known = |at: &DVec3| places[..known].iter().any(|&place| self.position(place) == *at);
@@ -240,24 +242,17 @@ impl<'a> Rings<'a> {
     }
 }
 
-/// Appends the nearest candidates in order, at most so many.
-fn take_nearest(candidates: &mut Vec<Neighbour>, most: usize, into: &mut Vec<DVec3>) {
-    if candidates.len() > most {
-        candidates.select_nth_unstable(most);
-        candidates.truncate(most);
-    }
-    candidates.sort_unstable();
-    into.extend(candidates.iter().map(|neighbour| neighbour.at));
-}
-
 impl RingChunk {
     fn new(request: FitRequest<'_>, first: &[u32], groups: std::ops::Range<usize>) -> Self {
-        let mut chunk = Self::default();
+        let (centres, starts) = (Vec::with_capacity(groups.len()), Vec::with_capacity(groups.len() + 1));
+        let mut chunk = Self { centres, starts, places: Vec::new(), groups: Vec::new() };
+        chunk.starts.push([0; 2]);
         let place = |corner: u32| first[request.corner_vertices[corner as usize] as usize];
         let position = |place: u32| request.positions.at(place) + DVec3::ZERO;
-        let (mut places, mut next_groups) = (Vec::new(), Vec::new());
+        let (mut pairs, mut places, mut next_groups) = (Vec::new(), Vec::new(), Vec::new());
         for group in groups {
             let corners = request.group_corners.row(group as u32);
+            pairs.clear();
             places.clear();
             next_groups.clear();
             let mut centre = corners.first().map_or(0, |&corner| place(corner));
@@ -267,15 +262,20 @@ impl RingChunk {
                     centre = own;
                 }
                 for other in [request.topology.next(corner), request.topology.previous(corner)] {
-                    let (place, group) = (place(other), request.corner_group[other as usize]);
+                    let pair = [place(other), request.corner_group[other as usize]];
                     // Most rings are short; long ones are sorted.
-                    let is_short = places.len() < SHORT && next_groups.len() < SHORT;
-                    if !is_short || !places.contains(&place) {
-                        places.push(place);
+                    if pairs.len() >= SHORT || !pairs.contains(&pair) {
+                        pairs.push(pair);
                     }
-                    if !is_short || !next_groups.contains(&group) {
-                        next_groups.push(group);
-                    }
+                }
+            }
+            for &[place, group] in &pairs {
+                let is_short = pairs.len() < SHORT;
+                if !is_short || !places.contains(&place) {
+                    places.push(place);
+                }
+                if !is_short || !next_groups.contains(&group) {
+                    next_groups.push(group);
                 }
             }
             for list in [&mut places, &mut next_groups].into_iter().filter(|list| list.len() >= SHORT) {
@@ -285,7 +285,7 @@ impl RingChunk {
             chunk.centres.push(centre);
             chunk.places.extend_from_slice(&places);
             chunk.groups.extend_from_slice(&next_groups);
-            chunk.ends.push([chunk.places.len() as u32, chunk.groups.len() as u32]);
+            chunk.starts.push([chunk.places.len() as u32, chunk.groups.len() as u32]);
         }
         chunk
     }
