@@ -5,6 +5,7 @@ use crate::normals::NormalField;
 use crate::num::{Degrees, LinearRgb, Radians};
 use crate::raster::{LinePath, LineStyle, Lines, Object, Projection, Scene, Shape};
 use glam::{DMat3, DVec3};
+use rustc_hash::FxHashMap;
 
 /// What is drawn over a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -13,7 +14,8 @@ pub enum Overlay {
     Wire,
     /// Edges whose two sides have different normals: by more than 0.1° at either end. The sides may be of two objects.
     Creases,
-    /// A line from each vertex along its normal; several where smooth groups meet.
+    /// A line from each vertex along its normal; several where smooth groups meet. Of vertices closer than a fortieth of the
+    /// picture's height only one has lines.
     VertexNormals,
     /// A line from the middle of each face along its normal.
     FaceNormals,
@@ -36,8 +38,10 @@ impl Overlay {
 const NORMAL_SIDE: f64 = 480.0;
 /// Length of the lines along normals, as a share of the picture's height where the camera's target is ...
 const NORMAL_LENGTH: f64 = 0.06;
-/// ... and in mean edges of the mesh, so that those of a dense one do not hide it.
+/// ... and in distances between vertices with lines, so that those of a dense mesh do not hide it.
 const NORMAL_EDGES: f64 = 1.5;
+/// The least distance between vertices with lines, as a share of the picture's height where the camera's target is.
+const NORMAL_SPACING: f64 = 0.025;
 /// Normals closer than this are the same: about the step of 8-bit encodings.
 const SAME: Degrees = Degrees(0.1);
 
@@ -47,8 +51,9 @@ pub fn overlay(scene: &Scene, size: [u32; 2], kind: Overlay) -> Vec<Lines> {
     let (colour, width) = kind.style();
     let side = f64::from(size[0].min(size[1]));
     let style = LineStyle { colour, width: width * (side / NORMAL_SIDE).max(1.0), hide: true };
-    let longest = NORMAL_LENGTH * height_at_target(scene);
-    let length = |it: &Object| longest.min(NORMAL_EDGES * mean_edge(it));
+    let height = height_at_target(scene);
+    let longest = NORMAL_LENGTH * height;
+    let length = |edge: f64| longest.min(NORMAL_EDGES * edge);
     let mut rims = Vec::new();
     let objects = scene.objects.iter().enumerate().filter(|(_, it)| has_directions(it));
     let mut paths: Vec<LinePath> = objects
@@ -59,9 +64,14 @@ pub fn overlay(scene: &Scene, size: [u32; 2], kind: Overlay) -> Vec<Lines> {
                 LinePath::Edges { object, edges: creases(it, rims) }
             }
             Overlay::VertexNormals => {
-                LinePath::VertexNormals { object, normals: it.shape.vertex_normals(), length: length(it) }
+                let (edge, spacing) = (mean_edge(it), NORMAL_SPACING * height);
+                let mut normals = it.shape.vertex_normals();
+                if edge < spacing {
+                    keep_spaced(it, spacing, &mut normals);
+                }
+                LinePath::VertexNormals { object, normals, length: length(edge.max(spacing)) }
             }
-            Overlay::FaceNormals => LinePath::FaceNormals { object, length: length(it) },
+            Overlay::FaceNormals => LinePath::FaceNormals { object, length: length(mean_edge(it)) },
         })
         .collect();
     let seams = seams(rims, differ);
@@ -138,6 +148,15 @@ fn boundary(object: &Object, mesh: &Mesh, normals: &NormalField, topology: &Topo
     };
     let edges = (0..corners.len() as u32).filter(|&edge| topology.link(edge) == Link::Boundary);
     edges.filter_map(|edge| Some(Rim::new(end(edge)?, end(topology.next(edge))?))).collect()
+}
+
+/// Keeps the normals of one vertex in each cell of a grid of this spacing: the first one.
+fn keep_spaced(object: &Object, spacing: f64, normals: &mut Vec<[u32; 2]>) {
+    let mut cells = FxHashMap::default();
+    normals.retain(|&[vertex, _]| {
+        let at = object.transform.transform_point3(object.shape.point(vertex)) / spacing;
+        *cells.entry(at.floor().to_array().map(|x| x as i64)).or_insert(vertex) == vertex
+    });
 }
 
 /// The mean length of the edges of an object's faces, in the scene.
@@ -263,6 +282,36 @@ mod tests {
             };
             assert!((length - NORMAL_LENGTH * height).abs() < 1e-12);
         }
+    }
+
+    /// A grid of vertices at ±0.5: in a picture of height 1, cells hold about 16 of them.
+    #[test]
+    fn dense_vertices_share_a_normal() {
+        const SIDE: u32 = 160;
+        let at = |v: u32| DVec3::new(f64::from(v % SIDE), f64::from(v / SIDE), 0.0) / f64::from(SIDE) - 0.5;
+        let quad = |i: u32| [0, 1, SIDE + 1, SIDE].map(|step| i / (SIDE - 1) * SIDE + i % (SIDE - 1) + step);
+        let mut faces = Faces::new();
+        (0..(SIDE - 1) * (SIDE - 1)).for_each(|i| faces.push(&quad(i)));
+        let positions: Vec<DVec3> = (0..SIDE * SIDE).map(at).collect();
+        let mesh = MeshBuilder { positions: positions.clone().into(), faces, ..MeshBuilder::default() };
+        let mesh = mesh.build().unwrap();
+        let normals = compute(&mesh, &NormalRecipe::default());
+        let object = Object::new(Shape::Mesh { mesh: &mesh, normals: &normals }, Material::default());
+        let mut kept = object.shape.vertex_normals();
+        assert_eq!(kept.len(), positions.len());
+        keep_spaced(&object, NORMAL_SPACING, &mut kept);
+        assert_eq!(kept.len(), 40 * 40);
+        let nearest = |&p: &DVec3| {
+            let distances = kept.iter().map(|&[vertex, _]| p.distance_squared(positions[vertex as usize]));
+            distances.fold(f64::INFINITY, f64::min)
+        };
+        // A vertex and the one that is kept are in one cell.
+        let farthest = positions.iter().step_by(97).map(nearest).fold(0.0, f64::max);
+        assert!(farthest <= 2.0 * NORMAL_SPACING * NORMAL_SPACING, "{farthest}");
+        // Twice the spacing has a quarter of the cells, and no normal of a vertex is lost that has two.
+        let mut pairs: Vec<[u32; 2]> = kept.iter().flat_map(|&[v, n]| [[v, n], [v, n + 1]]).collect();
+        keep_spaced(&object, 2.0 * NORMAL_SPACING, &mut pairs);
+        assert_eq!(pairs.len(), 2 * 20 * 20);
     }
 
     #[test]

@@ -81,7 +81,7 @@ const OUTSIDE: &[(&str, &[&str])] = &[
             "trade", "cli",
         ],
     ),
-    ("rustc_hash", &["mesh", "surface", "io", "normals", "quality", "pipeline"]),
+    ("rustc_hash", &["mesh", "surface", "io", "normals", "quality", "pipeline", "report"]),
     (
         "serde",
         &[

@@ -13,11 +13,42 @@ export function figure(label, caption) {
   const canvas = element('canvas', { width: 1, height: 1, role: 'img', 'aria-label': label });
   const stage = element('div', { class: 'stage' }, canvas);
   const note = element('p', { class: 'missing', hidden: true });
-  const keep = (/** @type {Blob | null} */ blob) => { if (blob) download(`${canvas.dataset.file ?? 'picture'}.png`, blob); };
+  const keep = async () => {
+    const drawn = await withArrows(canvas, stage.querySelector('svg.arrows'));
+    drawn.toBlob((/** @type {Blob | null} */ blob) => { if (blob) download(`${canvas.dataset.file ?? 'picture'}.png`, blob); });
+  };
   const named = { title: text('save-picture'), 'aria-label': `${text('save-picture')}: ${label}` };
-  const save = button('⤓', () => canvas.toBlob(keep), { class: 'save', ...named });
+  const save = button('⤓', keep, { class: 'save', ...named });
   const made = element('figure', {}, stage, save, note, element('figcaption', {}, caption));
   return { element: made, stage, canvas, note };
+}
+
+/** The properties of arrows that the style of the page sets. */
+const STYLE = ['stroke-opacity', 'vector-effect', 'fill', 'stroke', 'stroke-width', 'stroke-linecap', 'stroke-linejoin', 'paint-order', 'font-family', 'font-size', 'font-weight', 'font-style', 'opacity'];
+
+/**
+ * A picture with the arrows over it; the picture itself if there are none.
+ * @param {HTMLCanvasElement} canvas
+ * @param {SVGSVGElement | null} arrows
+ */
+async function withArrows(canvas, arrows) {
+  if (!arrows?.childElementCount) return canvas;
+  const copy = /** @type {SVGSVGElement} */ (arrows.cloneNode(true));
+  const styled = [...arrows.querySelectorAll('*')];
+  copy.querySelectorAll('*').forEach((it, k) => {
+    const style = getComputedStyle(styled[k]);
+    STYLE.forEach((name) => /** @type {SVGElement} */ (it).style.setProperty(name, style.getPropertyValue(name)));
+  });
+  copy.setAttribute('width', String(canvas.width));
+  copy.setAttribute('height', String(canvas.height));
+  const image = new Image();
+  image.src = `data:image/svg+xml,${encodeURIComponent(new XMLSerializer().serializeToString(copy))}`;
+  await image.decode();
+  const drawn = element('canvas', { width: canvas.width, height: canvas.height });
+  const context = drawn.getContext('2d');
+  context.drawImage(canvas, 0, 0);
+  context.drawImage(image, 0, 0);
+  return drawn;
 }
 
 /**

@@ -5,6 +5,23 @@ import { number, numbersIn, text } from './texts.js';
 import { figure, put } from './canvas.js';
 import { drawArrows, termRows } from './probe-room.js';
 
+/** What was typed for an exercise, for when the room is made anew. */
+let kept = { exercise: '', values: /** @type {string[]} */ ([]) };
+
+/**
+ * The colours of corners that a pixel is mixed from, each with its share, and their sum.
+ * @param {any} report
+ */
+function shareRows(report) {
+  const colour = (/** @type {number[]} */ rgb) => `(${rgb.map((x) => number(x, 5)).join('; ')})`;
+  const { lit, vertices } = report.samples[0];
+  const rows = lit.flatMap((/** @type {any} */ { share, given }, /** @type {number} */ k) => (share === 0 ? [] : [[
+    subscripted(text('way-share', { number: vertices[k] + 1, share: number(share, 6) })),
+    `${colour(given)} → ${colour(given.map((/** @type {number} */ x) => share * x))}`,
+  ]]));
+  return [...rows, [text('term-sum'), colour(report.linear)]];
+}
+
 /** @param {import('./mesh-controls.js').Lab} lab */
 export function exercisesRoom(lab) {
   const controls = element('div', { class: 'controls' });
@@ -14,6 +31,7 @@ export function exercisesRoom(lab) {
   view.stage.append(arrows);
   const inputs = ['R', 'G', 'B'].map((name) => element('input', {
     type: 'text', inputmode: 'decimal', autocomplete: 'off', 'aria-label': text('component', { name }), 'data-name': `answer-${name}`,
+    oninput: () => { kept = { exercise: shown, values: inputs.map((input) => input.value) }; },
   }));
   const result = element('p', { class: 'result', role: 'status' });
   const way = element('div');
@@ -90,15 +108,15 @@ export function exercisesRoom(lab) {
     const { value } = await lab.program.ask({ verb: 'check', ...request(), answer: [0, 0, 0] });
     drawArrows(arrows, about.size, value.arrows);
     markPoint();
-    const rows = termRows(value.report);
-    const formula = rows.length
-      ? [element('p', {}, subscripted(text('way-formula', { cosine: value.cosine_of }))), element('div', { class: 'terms' }, table(text('way-terms'), [], rows))]
-      : [];
+    const terms = termRows(value.report);
+    const rows = terms.length ? terms : shareRows(value.report);
+    const formula = terms.length ? text('way-formula', { cosine: value.cosine_of }) : text('way-shares');
     way.replaceChildren(
       element('h2', {}, text('way')),
       element('p', {}, text('way-answer', { colour: value.colour.map((/** @type {number} */ x) => number(x, 9)).join('; ') })),
-      ...formula,
-      element('details', { open: !rows.length }, element('summary', {}, text('probe-text')), element('pre', { tabindex: 0, lang: 'en' }, value.way)),
+      element('p', {}, subscripted(formula)),
+      element('div', { class: 'terms' }, table(text('way-terms'), [], rows)),
+      element('details', {}, element('summary', {}, text('probe-text')), element('pre', { tabindex: 0, lang: 'en' }, value.way)),
       ...(lab.state.seed > 0 ? [] : [commandBlock([about.command])]));
   }
 
@@ -127,7 +145,11 @@ export function exercisesRoom(lab) {
         return [subscripted(text(`given-${row.key}`, { number: row.number ?? '' })), numbersIn([row.value, ...more].filter(Boolean).join(', '))];
       });
       givens.replaceChildren(table(text('givens'), [], rows));
-      inputs.forEach((input) => { input.value = ''; input.className = ''; input.removeAttribute('aria-invalid'); });
+      inputs.forEach((input, k) => {
+        input.value = kept.exercise === key ? kept.values[k] : '';
+        input.className = '';
+        input.removeAttribute('aria-invalid');
+      });
       result.textContent = '';
       way.replaceChildren();
       room.dataset.drawn = String(Number(room.dataset.drawn ?? 0) + 1);

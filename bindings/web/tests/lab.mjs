@@ -390,6 +390,12 @@ await test('exercises accept the answers of the lectures and refuse others', asy
   });
   assert.match(await answer(colour.map(String)), /right/);
   assert.ok(page.url().includes(`seed=${await page.inputValue('input[data-name="seed"]')}`));
+  await page.selectOption('select[data-name="lang"]', 'pt');
+  await page.waitForSelector('html[lang="pt-BR"] #laboratory[data-ready="exercises"]');
+  assert.equal(await page.inputValue('[data-name="answer-R"]'), String(colour[0]), 'an answer outlives the change of language');
+  await after(page, () => page.selectOption('select[data-name="exercise"]', '1-6-25-b1'));
+  await page.click('[data-name="way"]');
+  assert.match(await page.locator('.terms').innerText(), /vértice 1, w = 0,5/);
   assert.deepEqual(troubles, []);
   await close();
 });
@@ -422,6 +428,25 @@ await test('pictures are saved under their names', async () => {
     const [saved] = await Promise.all([page.waitForEvent('download'), page.locator('figure .save').first().click()]);
     assert.equal(saved.suggestedFilename(), file);
   }
+  await close();
+});
+
+await test('a saved picture of the probe has its vectors', async () => {
+  const { page, troubles, close } = await open('#room=probe&subject=torus');
+  await page.locator('figure').hover();
+  const [saved] = await Promise.all([page.waitForEvent('download'), page.click('figure .save')]);
+  const different = await page.evaluate(async (png) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${png}`;
+    await image.decode();
+    const shown = document.querySelector('.stage canvas');
+    const copy = Object.assign(document.createElement('canvas'), { width: image.width, height: image.height });
+    copy.getContext('2d').drawImage(image, 0, 0);
+    const [a, b] = [shown, copy].map((canvas) => new Uint32Array(canvas.getContext('2d').getImageData(0, 0, 512, 512).data.buffer));
+    return a.reduce((count, pixel, k) => count + (pixel === b[k] ? 0 : 1), 0);
+  }, readFileSync(await saved.path()).toString('base64'));
+  assert.ok(different > 1000 && different < 30_000, `${different} pixels are of vectors`);
+  assert.deepEqual(troubles, []);
   await close();
 });
 
