@@ -20,7 +20,8 @@ create_exception!(
     crease_normals,
     WriteError,
     PyOSError,
-    "An output cannot be made or stored. An existing file is unchanged."
+    "An output cannot be made or stored. An existing file is unchanged.\n\n\
+     Attribute: `errno`, as of every OSError: ENOENT, EACCES, ENOSPC, EROFS, or None for other reasons."
 );
 
 /// A [`ReadError`] with its attributes.
@@ -55,7 +56,11 @@ pub fn failure(py: Python<'_>, path: &Path, failure: Failure) -> PyErr {
             let error = io::ReadError::new(io::Problem::Unsupported, Place::File, found, help);
             read_error(py, path, &error)
         }
-        FailureKind::Output => WriteError::new_err(failure.message.replace(HELP, "; ")),
+        FailureKind::Output => {
+            let exception = WriteError::new_err(failure.message.replace(HELP, "; "));
+            let set = exception.value(py).setattr("errno", failure.errno);
+            set.map_or_else(|error| error, |()| exception)
+        }
         FailureKind::Internal => PyRuntimeError::new_err(failure.message.replace(HELP, "; ")),
     }
 }

@@ -1,5 +1,6 @@
 """Files, diagnosis, pictures, plans and the program."""
 
+import errno
 import json
 import os
 import pydoc
@@ -153,6 +154,9 @@ def test_write_errors_keep_the_old_file(tmp_path):
     with pytest.raises(crease.WriteError, match="write-protected"):
         mesh.write(old)
     assert issubclass(crease.WriteError, OSError)
+    with pytest.raises(crease.WriteError, match="no such file or folder") as error:
+        mesh.write(tmp_path / "missing" / "out.glb")
+    assert error.value.errno == errno.ENOENT and str(tmp_path) in str(error.value)
     assert old.read_bytes() == b"old" and len(list(tmp_path.iterdir())) == 1
 
 

@@ -28,6 +28,9 @@ pub struct Failure {
     pub message: String,
     #[serde(flatten)]
     pub read: Option<ReadError>,
+    /// C's number for why the operating system refused to store an output, if it is a usual one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub errno: Option<i32>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -44,7 +47,7 @@ pub enum FailureKind {
 
 impl Failure {
     fn new(kind: FailureKind, message: impl ToString) -> Self {
-        Self { kind, message: message.to_string(), read: None }
+        Self { kind, message: message.to_string(), read: None, errno: None }
     }
 
     pub fn usage(message: impl ToString) -> Self {
@@ -115,7 +118,8 @@ impl From<anyhow::Error> for Failure {
         let mut parts: Vec<String> = contexts.map(ToString::to_string).collect();
         let (reason, advice) = io_reason(cause);
         parts.push(reason);
-        Self::output(format!("{}{HELP}{advice}", parts.join(": ")))
+        let message = format!("{}{HELP}{advice}", parts.join(": "));
+        Self { errno: errno(cause.kind()), ..Self::output(message) }
     }
 }
 
@@ -132,6 +136,17 @@ pub fn io_reason(error: &io::Error) -> (String, &'static str) {
         }
     };
     (reason.to_owned(), advice)
+}
+
+/// ENOENT, EACCES, ENOSPC and EROFS, the same on every system.
+fn errno(kind: ErrorKind) -> Option<i32> {
+    Some(match kind {
+        ErrorKind::NotFound => 2,
+        ErrorKind::PermissionDenied => 13,
+        ErrorKind::StorageFull => 28,
+        ErrorKind::ReadOnlyFilesystem => 30,
+        _ => return None,
+    })
 }
 
 impl From<ReportError> for Failure {
@@ -190,5 +205,14 @@ mod tests {
         assert!(guarded(|| Ok(())).is_ok());
         let failure = guarded(|| rayon::join(|| panic!("in a thread"), || Ok(())).1).unwrap_err();
         assert!(failure.kind == FailureKind::Internal && failure.message.contains("in a thread"));
+    }
+    #[test]
+    fn an_output_that_failed_has_the_number_of_its_reason() {
+        let of = |kind| Failure::from(anyhow::Error::from(io::Error::from(kind)).context("out.glb"));
+        let json = serde_json::to_value(of(ErrorKind::StorageFull)).unwrap();
+        assert_eq!(json["errno"], 28);
+        assert_eq!(json["message"], "out.glb: the disk is full; make room, or choose another disk");
+        let other = serde_json::to_value(of(ErrorKind::BrokenPipe)).unwrap();
+        assert!(other["kind"] == "output" && other.get("errno").is_none());
     }
 }
