@@ -157,10 +157,10 @@ fn reflect<A: Lanes, const N: usize>(v: &[Eight], half_square: Scalars<A>, mut c
             *sum = *sum + v * Scalars::load(arch, &column[row]);
         }
     }
-    let factors = sums.map(|sum| sum / half_square);
+    sums.iter_mut().for_each(|sum| *sum = *sum / half_square);
     for (row, v) in v.iter().enumerate() {
         let v = Scalars::load(arch, v);
-        for (&factor, column) in factors.iter().zip(&mut columns) {
+        for (&factor, column) in sums.iter().zip(&mut columns) {
             column[row] = (Scalars::load(arch, &column[row]) - factor * v).store();
         }
     }

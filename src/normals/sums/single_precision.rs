@@ -343,9 +343,9 @@ fn in_range<A: EightLanes<Element = f32>>(
     edges: [Vectors<A>; 3],
     squared: Scalars<A>,
 ) -> Option<u8> {
-    let [a, b, c] = edges.map(Vectors::squared_length);
+    let (a, b, c) = (edges[0].squared_length(), edges[1].squared_length(), edges[2].squared_length());
     let (shortest, longest) = (a.min(b).min(c), a.max(b).max(c));
-    let [a, b, c] = points.map(largest);
+    let (a, b, c) = (largest(points[0]), largest(points[1]), largest(points[2]));
     let least = Scalars::splat(arch, LEAST_HEIGHT) * longest;
     let relative = Scalars::splat(arch, LEAST_RELATIVE_HEIGHT) * a.max(b).max(c);
     let is_long_enough = Scalars::splat(arch, SQUARED_EDGES.0).less(shortest);
