@@ -1,12 +1,13 @@
 //! Rays of the camera: the first hits of a tile, and the light from there.
 
+use super::bundle::{BUNDLE, first_node};
 use super::hit::SurfaceHit;
 use super::lamp::move_of_pixel;
 use super::ray_tree::RayNode;
-use super::traverse::{Stack, TriangleHit, nearest};
+use super::traverse::{Stack, TriangleHit, WIDENED, nearest};
 use super::whitted::Tracer;
 use super::world::{FrameRay, Met, TracedScene, World};
-use crate::num::{self, Kernel, Lanes};
+use crate::num::{self, Kernel, Lanes, Scalars};
 use crate::raster::coverage::visible_triangle::{PIXELS, place};
 use crate::raster::error::Result;
 use crate::raster::frame::job::Job;
@@ -132,12 +133,20 @@ impl<F: Fn(&FrameRay, &TriangleHit) -> bool> Kernel for FirstHits<'_, F> {
     #[inline(always)]
     fn run<A: Lanes>(self, arch: A) {
         let Self { world, rays, hits, stack, counts } = self;
-        for ray in rays {
-            hits.push(world.enter(ray).and_then(|(before, in_tree)| {
-                let counts = |hit: &TriangleHit| counts(ray, hit);
-                let hit = nearest(arch.singles(), &world.tree, &in_tree, stack, false, &counts)?;
-                Some((before + f64::from(hit.distance), hit))
-            }));
+        let arch = arch.singles();
+        let widened = Scalars::splat(arch, WIDENED);
+        for rays in rays.chunks(BUNDLE) {
+            let mut entered = [None; BUNDLE];
+            entered.iter_mut().zip(rays).for_each(|(entered, ray)| *entered = world.enter(ray));
+            let in_tree = entered.iter().flatten().map(|(_, in_tree)| in_tree);
+            let first = first_node(arch, &world.tree, in_tree, widened);
+            for (ray, entered) in rays.iter().zip(entered) {
+                hits.push(first.as_ref().zip(entered).and_then(|(first, (before, in_tree))| {
+                    let counts = |hit: &TriangleHit| counts(ray, hit);
+                    let hit = nearest(arch, (&world.tree, first), &in_tree, stack, false, &counts)?;
+                    Some((before + f64::from(hit.distance), hit))
+                }));
+            }
         }
     }
 }

@@ -6,6 +6,8 @@ pub(super) mod tree;
 mod build;
 // A ray through a tree: the watertight test of boxes and triangles.
 pub(super) mod traverse;
+// Neighbouring rays that begin below the root.
+mod bundle;
 // Triangles and analytic surfaces of a scene in one frame.
 pub(super) mod world;
 // What a ray meets: position, normals, sides.

@@ -9,15 +9,15 @@ use crate::num::{Arithmetic, EightLanes, Kernel, Lanes, Scalars, Truth};
 use glam::{DVec3, Vec3};
 
 /// 1 + 2γ₃ of single precision, rounded up.
-const WIDENED: f64 = 1.0 + 4e-7;
+pub(super) const WIDENED: f64 = 1.0 + 4e-7;
 
 /// A ray in single precision, prepared for boxes and triangles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TreeRay {
-    origin: Vec3,
-    inverse: [f32; 3],
+    pub(super) origin: Vec3,
+    pub(super) inverse: [f32; 3],
     /// By axis: whether the high side of a box is nearer.
-    turned: [bool; 3],
+    pub(super) turned: [bool; 3],
     /// The two axes across and the one along which the direction is longest.
     axes: [usize; 3],
     /// How coordinates are sheared so that the direction becomes the third axis, and scaled to its length.
@@ -87,14 +87,16 @@ impl<F: Fn(&TriangleHit) -> bool> Kernel for Nearest<'_, F> {
 
     #[inline(always)]
     fn run<A: Lanes>(self, arch: A) -> Option<TriangleHit> {
-        nearest(arch.singles(), self.tree, &self.ray, self.stack, self.any, &self.counts)
+        let root = self.tree.nodes.first()?;
+        nearest(arch.singles(), (self.tree, root), &self.ray, self.stack, self.any, &self.counts)
     }
 }
 
+/// As [`Nearest`]; `first` is the root, or what is left of the tree for this ray.
 #[inline(always)]
 pub(super) fn nearest<S: EightLanes<Element = f32>>(
     arch: S,
-    tree: &Tree,
+    (tree, first): (&Tree, &Node),
     ray: &TreeRay,
     stack: &mut Stack,
     any: bool,
@@ -104,9 +106,7 @@ pub(super) fn nearest<S: EightLanes<Element = f32>>(
     let mut best: Option<TriangleHit> = None;
     let mut reach = ray.reach;
     stack.clear();
-    if !tree.nodes.is_empty() {
-        stack.push((0, 0.0));
-    }
+    lanes.enter(first, ray, reach, stack);
     while let Some((child, distance)) = stack.pop() {
         // As near as the best counts: of equally near triangles the lower number wins.
         if distance > reach {
@@ -190,17 +190,25 @@ impl<S: EightLanes<Element = f32>> LaneRay<S> {
         }
     }
 
+    /// Corners relative to the origin, sheared so that the ray is the third axis. (Not a closure: it would not be inlined.)
+    #[inline(always)]
+    fn sheared(
+        &self,
+        corners: &[[f32; WIDTH]; 3],
+        [first, second, along]: [usize; 3],
+    ) -> (Scalars<S>, Scalars<S>, Scalars<S>) {
+        let z = self.load(&corners[along]) - self.origin[along];
+        let x = self.load(&corners[first]) - self.origin[first];
+        let y = self.load(&corners[second]) - self.origin[second];
+        (x - self.shear[0] * z, y - self.shear[1] * z, z)
+    }
+
     /// Offers the triangles of a leaf that the ray meets.
     #[inline(always)]
     fn meet(&self, leaf: &Leaf, ray: &TreeRay, reach: f32, mut take: impl FnMut(TriangleHit)) {
-        let [first, second, along] = ray.axes;
-        // Relative to the origin, sheared so that the ray is the third axis.
-        let corner = |k: usize| {
-            let axis = |axis: usize| self.load(&leaf.corners[k][axis]) - self.origin[axis];
-            let z = axis(along);
-            (axis(first) - self.shear[0] * z, axis(second) - self.shear[1] * z, z)
-        };
-        let ((ax, ay, az), (bx, by, bz), (cx, cy, cz)) = (corner(0), corner(1), corner(2));
+        let (ax, ay, az) = self.sheared(&leaf.corners[0], ray.axes);
+        let (bx, by, bz) = self.sheared(&leaf.corners[1], ray.axes);
+        let (cx, cy, cz) = self.sheared(&leaf.corners[2], ray.axes);
         let u = cx * by - cy * bx;
         let v = ax * cy - ay * cx;
         let w = bx * ay - by * ax;
