@@ -154,9 +154,11 @@ def test_write_errors_keep_the_old_file(tmp_path):
     with pytest.raises(crease.WriteError, match="write-protected"):
         mesh.write(old)
     assert issubclass(crease.WriteError, OSError)
-    with pytest.raises(crease.WriteError, match="no such file or folder") as error:
-        mesh.write(tmp_path / "missing" / "out.glb")
-    assert error.value.errno == errno.ENOENT and str(tmp_path) in str(error.value)
+    if os.path.exists("/proc/self"):
+        # Linux makes no files there.
+        with pytest.raises(crease.WriteError, match="could not write /proc/out.glb: there is no such file") as error:
+            mesh.write("/proc/out.glb")
+        assert error.value.errno == errno.ENOENT
     assert old.read_bytes() == b"old" and len(list(tmp_path.iterdir())) == 1
 
 
