@@ -157,7 +157,9 @@ fn reflect<A: Lanes, const N: usize>(v: &[Eight], half_square: Scalars<A>, mut c
             *sum = *sum + v * Scalars::load(arch, &column[row]);
         }
     }
-    sums.iter_mut().for_each(|sum| *sum = *sum / half_square);
+    for sum in &mut sums {
+        *sum = *sum / half_square;
+    }
     for (row, v) in v.iter().enumerate() {
         let v = Scalars::load(arch, v);
         for (&factor, column) in sums.iter().zip(&mut columns) {

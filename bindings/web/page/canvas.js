@@ -14,7 +14,7 @@ export function figure(label, caption) {
   const stage = element('div', { class: 'stage' }, canvas);
   const note = element('p', { class: 'missing', hidden: true });
   const keep = async () => {
-    const drawn = await withArrows(canvas, stage.querySelector('svg.arrows'));
+    const drawn = await withArrows(canvas, stage.querySelector('svg.arrows')).catch(() => canvas);
     drawn.toBlob((/** @type {Blob | null} */ blob) => { if (blob) download(`${canvas.dataset.file ?? 'picture'}.png`, blob); });
   };
   const named = { title: text('save-picture'), 'aria-label': `${text('save-picture')}: ${label}` };

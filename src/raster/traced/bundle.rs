@@ -44,24 +44,39 @@ impl Bundle {
     /// Which boxes of a node a ray may meet, a bit for each.
     #[inline(always)]
     fn meets<S: EightLanes<Element = f32>>(&self, arch: S, node: &Node, widened: Scalars<S>) -> u8 {
-        let each = |x: f32| Scalars::new(arch, arch.load(&[x; WIDTH]));
-        let (mut near, mut far) = (each(0.0), each(f32::INFINITY));
+        let (mut near, mut far) = (splat(arch, 0.0), splat(arch, f32::INFINITY));
         for axis in 0..3 {
             let Some(turned) = self.turned[axis] else { continue };
-            let [low, high] = node.sides[axis].each_ref().map(|side| Scalars::new(arch, arch.load(side)));
-            let products = |side: Scalars<S>| {
-                let [a, b] = self.origin[axis].map(|origin| side - each(origin));
-                let [p, q] = self.inverse[axis].map(each);
-                [a * p, a * q, b * p, b * q]
-            };
+            let [low, high] = &node.sides[axis];
             let (first, last) = if turned { (high, low) } else { (low, high) };
-            let [a, b, c, d] = products(first);
+            let [a, b, c, d] = self.products(arch, axis, first);
             near = near.max(a.min(b).min(c.min(d)));
-            let [a, b, c, d] = products(last);
+            let [a, b, c, d] = self.products(arch, axis, last);
             far = far.min(a.max(b).max(c.max(d)));
         }
         !(far * widened).less(near).lane_bits()
     }
+
+    /// Where the ends of the ranges meet a side of each box. (Not a closure: it might not be inlined.)
+    #[inline(always)]
+    fn products<S: EightLanes<Element = f32>>(
+        &self,
+        arch: S,
+        axis: usize,
+        side: &[f32; WIDTH],
+    ) -> [Scalars<S>; 4] {
+        let side = Scalars::new(arch, arch.load(side));
+        let ([low, high], [least, most]) = (self.origin[axis], self.inverse[axis]);
+        let (a, b) = (side - splat(arch, low), side - splat(arch, high));
+        let (p, q) = (splat(arch, least), splat(arch, most));
+        [a * p, a * q, b * p, b * q]
+    }
+}
+
+/// The same number in every lane.
+#[inline(always)]
+fn splat<S: EightLanes<Element = f32>>(arch: S, x: f32) -> Scalars<S> {
+    Scalars::new(arch, arch.load(&[x; WIDTH]))
 }
 
 /// A node whose boxes are all that these rays can meet, from as deep in the tree as there is room for; `None` if they meet nothing.
