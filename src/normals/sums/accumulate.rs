@@ -8,7 +8,7 @@ use crate::normals::sums::corner_terms::CornerTerms;
 use crate::normals::sums::finish::UncertainSlots;
 use crate::normals::sums::partition::{BLOCK, Touched};
 use crate::normals::sums::request::{Sum, SumRequest};
-use crate::normals::sums::scatter::{BlockTerms, Scatter, SumNumber};
+use crate::normals::sums::scatter::{BlockTerms, FaceCounts, Scatter, SumNumber};
 use crate::num::{self, Real};
 use std::ops::Range;
 
@@ -19,6 +19,8 @@ pub(crate) type UnusualFace = (u32, FaceState);
 #[derive(Default)]
 pub(crate) struct Part<T> {
     pub(crate) sums: SumArray<T>,
+    /// The faces of its share and, for the slots that it owns, those of other shares.
+    pub(crate) counts: FaceCounts,
     /// The slots that its share touches.
     pub(crate) touched: Touched,
     /// Faces of its share that are not simply counted.
@@ -91,6 +93,7 @@ pub(crate) fn add_triangles<T: SumNumber>(
     request: &SumRequest,
     walk: Walk,
     sums: &mut [[T; 4]],
+    counts: &mut FaceCounts,
     fill: &mut dyn Fill<T>,
 ) -> bool {
     let (triangles, slots) = (request.faces.corners().as_chunks::<3>().0, request.target.as_chunks::<3>().0);
@@ -107,7 +110,9 @@ pub(crate) fn add_triangles<T: SumNumber>(
                 if !fill.fill(&triangles[faces], &|at| first + at, terms) {
                     return false;
                 }
-                num::dispatch(Scatter { terms, is_equal, slots, sums, first_slot: 0 });
+                let of_slots = counts.from_slot(0);
+                counts.is_exceeded |=
+                    num::dispatch(Scatter { terms, is_equal, slots, sums, counts: of_slots, first_slot: 0 });
             }
         }
         Walk::Listed(faces, first_slot) => {
@@ -123,7 +128,9 @@ pub(crate) fn add_triangles<T: SumNumber>(
                 if !fill.fill(&some_triangles[..count], &|at| faces[at] as usize, terms) {
                     return false;
                 }
-                num::dispatch(Scatter { terms, is_equal, slots, sums, first_slot: first_slot as u32 });
+                let (of_slots, first_slot) = (counts.from_slot(first_slot), first_slot as u32);
+                counts.is_exceeded |=
+                    num::dispatch(Scatter { terms, is_equal, slots, sums, counts: of_slots, first_slot });
             }
         }
     }
@@ -137,11 +144,12 @@ pub(crate) fn add_faces(
     source: &Source,
     walk: Walk,
     sums: &mut [Sum],
+    counts: &mut FaceCounts,
     unusual: &mut Vec<UnusualFace>,
 ) -> bool {
     let mut terms = Terms { request, source, unusual, scalar: CornerTerms::default() };
     if request.faces.is_triangles() {
-        return add_triangles(request, walk, sums, &mut terms);
+        return add_triangles(request, walk, sums, counts, &mut terms);
     }
     match walk {
         Walk::Share(share, mut touched) => {

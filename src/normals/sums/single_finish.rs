@@ -21,22 +21,18 @@ pub(crate) struct FinishSingles<'a, O> {
 }
 
 impl<O: Component> Kernel for FinishSingles<'_, O> {
-    /// The largest sum of weights.
-    type Output = f32;
+    type Output = ();
 
     #[inline(always)]
-    fn run<A: Lanes>(self, arch: A) -> f32 {
+    fn run<A: Lanes>(self, arch: A) {
         let Self { sums, first, unit, state, recount } = self;
         let arch = arch.singles();
         state.fill(SlotState::Good);
-        let mut largest = Scalars::splat(arch, 0.0);
-        let mut largest_alone = 0.0_f32;
         let groups = sums.chunks_mut(LANES).zip(unit.chunks_mut(LANES)).zip(state.chunks_mut(LANES));
         for (first, ((sums, unit), state)) in (first..).step_by(LANES).zip(groups) {
-            if !finish_group(arch, sums, unit, &mut largest) {
+            if !finish_group(arch, sums, unit) {
                 for (slot, ((sum, unit), state)) in (first..).zip(sums.iter().zip(unit).zip(state)) {
                     let [x, y, z, weights] = *sum;
-                    largest_alone = largest_alone.max(weights);
                     let length = (x * x + y * y + z * z).sqrt();
                     if weights == 0.0 {
                         (*unit, *state) = (O::emit_single([0.0, 0.0, 1.0]), SlotState::Empty);
@@ -50,7 +46,6 @@ impl<O: Component> Kernel for FinishSingles<'_, O> {
             }
             sums.fill([0.0; 4]);
         }
-        arch.to_array(largest.value).into_iter().fold(largest_alone, f32::max)
     }
 }
 
@@ -60,7 +55,6 @@ fn finish_group<A: EightLanes<Element = f32>, O: Component>(
     arch: A,
     sums: &[[f32; 4]],
     unit: &mut [[O; 3]],
-    largest: &mut Scalars<A>,
 ) -> bool {
     let (Ok(sums), Ok(unit)) = (<&[[f32; 4]; LANES]>::try_from(sums), <&mut [[O; 3]; LANES]>::try_from(unit))
     else {
@@ -69,7 +63,6 @@ fn finish_group<A: EightLanes<Element = f32>, O: Component>(
     let [x, y, z, weights] = arch.columns(sums.each_ref());
     let (vector, weights) = (Vectors::new(arch, [x, y, z]), Scalars::new(arch, weights));
     let length = vector.squared_length().sqrt();
-    *largest = largest.max(weights);
     let range = [f32::MIN_POSITIVE, f32::MAX].map(|end| Scalars::splat(arch, f64::from(end)));
     let in_range = (Scalars::splat(arch, LEAST_SUM) * weights).less(length)
         & range[0].less(weights)

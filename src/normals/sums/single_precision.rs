@@ -25,7 +25,6 @@ use crate::normals::sums::weight::TriangleMeasures;
 use crate::normals::sums::weighted_sums::{SumScratch, accumulate, finish};
 use crate::num::{self, EightLanes, Kernel, LANES, Lanes, Scalars, Vectors};
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 /// Squares of the shortest and the longest edge: 1e-6 and 1e6 in units of the caller, but for rounding.
 const SQUARED_EDGES: (f64, f64) = (0.999_999e-12, 1.000_001e12);
@@ -65,14 +64,12 @@ pub(crate) fn single_sums_into<O: Component>(
             &copied
         }
     };
-    // Positive numbers are ordered like their bits.
-    let (least, largest) = (AtomicU32::new(f32::MAX.to_bits()), AtomicU32::new(0));
     let partition = Partition::new(faces, target);
     let mut memory = std::mem::take(&mut scratch.single_parts);
     memory.resize_with(partition.parts().max(memory.len()), Default::default);
     let parts = &mut memory[..partition.parts()];
     let most_thin = faces.len() / EXCEPTIONS;
-    let owned = accumulate(request, partition, parts, &|walk, sums, thin| {
+    let owned = accumulate(request, partition, parts, &|walk, sums, counts, thin| {
         // Faces that are added to the sums of another part are listed in theirs.
         let is_share = matches!(walk, Walk::Share(..));
         let mut terms = SingleTerms {
@@ -83,12 +80,9 @@ pub(crate) fn single_sums_into<O: Component>(
             source: None,
             thin,
             most_thin: if is_share { most_thin } else { usize::MAX },
-            least: f32::MAX,
             scalar: CornerTerms::default(),
         };
-        let added = add_triangles(request, walk, sums, &mut terms);
-        least.fetch_min(terms.least.max(0.0).to_bits(), Relaxed);
-        added
+        add_triangles(request, walk, sums, counts, &mut terms)
     });
     let thin: usize = parts.iter().map(|part| part.unusual.len()).sum();
     let mut is_in_range = false;
@@ -99,20 +93,18 @@ pub(crate) fn single_sums_into<O: Component>(
             part.uncertain.clear();
             let (first, sums) = (owned.start as u32, &mut part.sums.get(slots)[owned]);
             let recount = &mut part.uncertain.recount;
-            let weights = num::dispatch(FinishSingles { sums, first, unit, state, recount });
-            largest.fetch_max(weights.to_bits(), Relaxed);
+            num::dispatch(FinishSingles { sums, first, unit, state, recount });
             true
         });
         let mut uncertain = UncertainSlots::default();
         parts.iter().for_each(|part| uncertain.join(&part.uncertain));
-        // All sums are zero again.
-        scratch.single_parts = memory;
-        let [least, largest] = [least, largest].map(|bits| f32::from_bits(bits.into_inner()));
-        // A thousand weights, rounded, sum up to no less than this share of a thousand times the least of them.
-        let are_few = largest < 0.999 * MOST_FACES as f32 * least || have_few_faces(target, slots);
+        // Mostly no slot has 256 faces.
+        let are_few = !parts.iter().any(|part| part.counts.is_exceeded) || have_few_faces(target, slots);
         is_in_range = are_few
             && uncertain.recount.len() <= slots / EXCEPTIONS
             && recheck(request, &uncertain, unit, state);
+        // All sums are zero again.
+        scratch.single_parts = memory;
     }
     scratch.single_positions = copied;
     is_in_range
@@ -160,8 +152,6 @@ struct SingleTerms<'a> {
     /// Takes the thin faces, of which there are this many at most.
     thin: &'a mut Vec<UnusualFace>,
     most_thin: usize,
-    /// The least weight of a corner so far.
-    least: f32,
     scalar: CornerTerms,
 }
 
@@ -180,8 +170,7 @@ impl Fill<f32> for SingleTerms<'_> {
             let triangles = whole_groups(triangles.len());
             in_range = num::dispatch(SingleBlock { points: &points, triangles, weight, terms });
         }
-        let Ok((in_range, least)) = in_range else { return false };
-        self.least = self.least.min(least);
+        let Ok(in_range) = in_range else { return false };
         self.settle(in_range, triangles.len(), face, terms)
     }
 }
@@ -218,16 +207,12 @@ impl SingleTerms<'_> {
             self.thin.push((face as u32, FaceState::Counted));
             terms.vectors[at] = vector;
             terms.weights[at] = std::array::from_fn(|corner| weights[corner.min(2)] as f32);
-            let is_equal = self.weight.is_equal_at_corners();
-            let of_corners =
-                terms.weights[at].map(|weight| if is_equal { vector[3] } else { vector[3] * weight });
-            self.least = of_corners.into_iter().fold(self.least, f32::min);
         }
         true
     }
 }
 
-/// Computes what a block of triangles adds to sums, one bit for each whose shape is in range, and the least weight of a corner.
+/// Computes what a block of triangles adds to sums, and one bit for each whose shape is in range.
 struct SingleBlock<'a> {
     points: &'a [[f32; 3]],
     triangles: &'a [[u32; 3]],
@@ -244,10 +229,10 @@ enum Refusal {
 }
 
 impl Kernel for SingleBlock<'_> {
-    type Output = Result<(Settled, f32), Refusal>;
+    type Output = Result<Settled, Refusal>;
 
     #[inline(always)]
-    fn run<A: Lanes>(self, arch: A) -> Result<(Settled, f32), Refusal> {
+    fn run<A: Lanes>(self, arch: A) -> Result<Settled, Refusal> {
         let Self { points, triangles, weight, terms } = self;
         if !are_in_place(points.len(), triangles) {
             return Err(Refusal::NotInPlace);
@@ -255,14 +240,12 @@ impl Kernel for SingleBlock<'_> {
         let (vectors, weights) = (terms.vectors.as_chunks_mut().0, terms.weights.as_chunks_mut().0);
         let mut in_range = Settled::default();
         let arch = arch.singles();
-        let mut least = Scalars::splat(arch, f64::from(f32::MAX));
         let groups = triangles.as_chunks().0.iter().zip(vectors).zip(weights);
         for (group, ((triangles, vectors), weights)) in groups.enumerate() {
-            let bits = group_terms(arch, points, triangles, weight, vectors, weights, &mut least);
+            let bits = group_terms(arch, points, triangles, weight, vectors, weights);
             in_range.add(group, bits.ok_or(Refusal::OutOfRange)?);
         }
-        let least = arch.to_array(least.value).into_iter().fold(f32::MAX, f32::min);
-        Ok((in_range, least))
+        Ok(in_range)
     }
 }
 
@@ -275,7 +258,6 @@ fn group_terms<A: EightLanes<Element = f32>>(
     weight: Weight,
     vectors: &mut [[f32; 4]; LANES],
     weights: &mut [[f32; 4]; LANES],
-    least: &mut Scalars<A>,
 ) -> Option<u8> {
     let points = points.as_flattened();
     let [x0, y0, z0, _] = arch.columns(rows(points, triangles, 0)?);
@@ -301,13 +283,9 @@ fn group_terms<A: EightLanes<Element = f32>>(
         (false, _) => (face, length) = (vector.scaled(one / squared.sqrt()), one),
     }
     *vectors = arch.rows([face.x.value, face.y.value, face.z.value, length.value]).0;
-    // The minimum of a number and NaN is the number.
-    if weight.is_equal_at_corners() {
-        *least = least.min(length);
-    } else {
+    if !weight.is_equal_at_corners() {
         let [a, b, c] = TriangleMeasures::new(squared.sqrt(), e1, e2, p2 - p1).corner_factors(weight);
         *weights = arch.rows([a.value, b.value, c.value, c.value]).0;
-        *least = least.min(a * length).min(b * length).min(c * length);
     }
     Some(bits)
 }
@@ -482,20 +460,33 @@ mod tests {
         }
     }
 
-    /// A fan of more faces than one sum may have.
+    /// A fan of more faces than one sum may have, by itself and with its faces spread over those of a grid, so that several
+    /// threads add to the sum.
     #[test]
     fn the_valence_has_a_limit() {
+        let (grid, points) = bumpy(150, 3);
         for (valence, is_declined) in [(1000_u32, false), (1001, true)] {
             let rim = (0..valence).map(|i| f64::from(i) * std::f64::consts::TAU / f64::from(valence));
             let rim = rim.map(|angle| DVec3::new(libm::cos(angle), libm::sin(angle), -0.5));
-            let corners = (0..valence).flat_map(|i| [0, 1 + i, 1 + (i + 1) % valence]).collect();
-            let mesh = MeshBuilder {
-                positions: std::iter::once(DVec3::ZERO).chain(rim).collect(),
-                faces: Faces::triangles(corners),
-                ..MeshBuilder::default()
-            };
-            let field = compute(&mesh.build().unwrap(), &fast(Weight::Area));
-            assert_eq!(field.summary.fast_declined, is_declined, "{valence}");
+            let fan: Vec<[u32; 3]> = (0..valence).map(|i| [0, 1 + i, 1 + (i + 1) % valence]).collect();
+            let fan_points: Vec<DVec3> = std::iter::once(DVec3::ZERO).chain(rim).collect();
+            let grid: Vec<[u32; 3]> =
+                grid.iter().map(|face| face.map(|vertex| vertex + valence + 1)).collect();
+            let spread: Vec<[u32; 3]> = grid
+                .chunks(grid.len() / valence as usize)
+                .zip(&fan)
+                .flat_map(|(some, &face)| some.iter().copied().chain([face]))
+                .collect();
+            let all_points: Vec<DVec3> = fan_points.iter().chain(&points).copied().collect();
+            for (positions, faces) in [(fan_points, fan), (all_points, spread)] {
+                let faces = Faces::triangles(faces.as_flattened().to_vec());
+                let positions = positions.into_iter().collect();
+                let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
+                for threads in [1, 2, 3, 8] {
+                    let field = with_threads(threads, || compute(&mesh, &fast(Weight::Area)));
+                    assert_eq!(field.summary.fast_declined, is_declined, "{valence}, {threads} threads");
+                }
+            }
         }
     }
 
