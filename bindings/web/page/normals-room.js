@@ -111,15 +111,31 @@ export function normalsRoom(lab) {
     counts.replaceChildren(table(text('counts'), [], rows), ...(lab.state.subject === 'file' ? value.facts.notes : []).map((/** @type {string} */ note) => element('p', { class: 'hint', lang: 'en' }, note)));
   }
 
+  /** The deviation map that is shown with its numbers: what it depends on, and its size. */
+  const unknown = { key: '', side: 0, file: lab.file };
+  let map = unknown;
+
+  /** What the deviation map depends on: all of a view but light, material and overlays. @param {any} view */
+  function mapKey({ subject, segments, weight, crease, cone, groups, turn, tilt, zoom, against, most }) {
+    return JSON.stringify([subject, segments, weight, crease, cone, groups, turn, tilt, zoom, against, most]);
+  }
+
   /** @param {boolean} dragging */
   async function draw(dragging) {
     const full = stageWidth(figures[0].stage, 480);
     const side = dragging ? Math.max(120, Math.round(full * 0.5)) : full;
     const view = viewOf(lab.state, [side, side]);
+    const { file } = lab;
+    const key = mapKey(view);
+    // The lamp changes the other four pictures only.
+    const isMapped = map.key === key && map.file === file && map.side >= side;
+    if (!isMapped) map = unknown;
     lamps.forEach((mark) => placeLamp(mark, lab.state));
-    legend.textContent = `0° … ${number(lab.state.most)}°`;
+    const ticks = [0, 0.25, 0.5, 0.75, 1].map((share) => `${share === 1 ? '≥ ' : ''}${number(share * lab.state.most)}°`);
+    legend.replaceChildren(...ticks.map((tick) => element('span', {}, tick)));
     try {
-      const answer = await lab.program.latest('draw', { verb: 'draw', view, pictures: KINDS, marks: [] });
+      const pictures = isMapped ? PICTURES : KINDS;
+      const answer = await lab.program.latest('draw', { verb: 'draw', view, pictures, marks: [] });
       if (!answer) return;
       answer.value.pictures.forEach((/** @type {any} */ picture, /** @type {number} */ k) => {
         const { stage, canvas, note } = figures[k];
@@ -131,11 +147,13 @@ export function normalsRoom(lab) {
       });
       room.dataset.drawn = String(Number(room.dataset.drawn ?? 0) + 1);
       const [normals, deviation] = await Promise.all([
-        lab.program.latest('counts', { verb: 'normals', view }),
-        lab.program.latest('deviation', { verb: 'deviation', view }),
+        isMapped ? null : lab.program.latest('counts', { verb: 'normals', view }),
+        isMapped ? null : lab.program.latest('deviation', { verb: 'deviation', view }),
         dragging ? null : showCommands(view),
       ]);
-      if (normals && deviation) showCounts(normals.value, deviation.value);
+      if (!normals || !deviation) return;
+      showCounts(normals.value, deviation.value);
+      map = { key, side, file };
     } catch (error) {
       lab.fail(error);
     }
