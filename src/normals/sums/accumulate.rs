@@ -110,7 +110,7 @@ pub(crate) fn add_triangles<T: SumNumber>(
                 if !fill.fill(&triangles[faces], &|at| first + at, terms) {
                     return false;
                 }
-                let of_slots = counts.from_slot(0);
+                let of_slots = counts.starting_at(0);
                 counts.is_exceeded |=
                     num::dispatch(Scatter { terms, is_equal, slots, sums, counts: of_slots, first_slot: 0 });
             }
@@ -128,7 +128,7 @@ pub(crate) fn add_triangles<T: SumNumber>(
                 if !fill.fill(&some_triangles[..count], &|at| faces[at] as usize, terms) {
                     return false;
                 }
-                let (of_slots, first_slot) = (counts.from_slot(first_slot), first_slot as u32);
+                let (of_slots, first_slot) = (counts.starting_at(first_slot), first_slot as u32);
                 counts.is_exceeded |=
                     num::dispatch(Scatter { terms, is_equal, slots, sums, counts: of_slots, first_slot });
             }

@@ -35,7 +35,7 @@ impl FaceCounts {
     }
 
     /// The counts of the slots from one on. There are none if nothing is counted.
-    pub(crate) fn from_slot(&mut self, first: usize) -> &mut [u8] {
+    pub(crate) fn starting_at(&mut self, first: usize) -> &mut [u8] {
         self.of_slots.get_mut(first..).unwrap_or_default()
     }
 }
