@@ -129,7 +129,9 @@ export function normalsRoom(lab) {
     const key = mapKey(view);
     // The lamp changes the other four pictures only.
     const isMapped = map.key === key && map.file === file && map.side >= side;
-    if (!isMapped) map = unknown;
+    // A map that is asked for later is shown later, and only the last one counts.
+    const waiting = isMapped ? map : { ...unknown };
+    map = waiting;
     lamps.forEach((mark) => placeLamp(mark, lab.state));
     const ticks = [0, 0.25, 0.5, 0.75, 1].map((share) => `${share === 1 ? '≥ ' : ''}${number(share * lab.state.most)}°`);
     legend.replaceChildren(...ticks.map((tick) => element('span', {}, tick)));
@@ -153,7 +155,7 @@ export function normalsRoom(lab) {
       ]);
       if (!normals || !deviation) return;
       showCounts(normals.value, deviation.value);
-      map = { key, side, file };
+      if (map === waiting) map = { key, side, file };
     } catch (error) {
       lab.fail(error);
     }
