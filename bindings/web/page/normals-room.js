@@ -111,8 +111,8 @@ export function normalsRoom(lab) {
     counts.replaceChildren(table(text('counts'), [], rows), ...(lab.state.subject === 'file' ? value.facts.notes : []).map((/** @type {string} */ note) => element('p', { class: 'hint', lang: 'en' }, note)));
   }
 
-  /** The deviation map that is shown with its numbers: what it depends on, and its size. */
   const unknown = { key: '', side: 0, file: lab.file };
+  /** The deviation map that is shown with its numbers: what it depends on, and its size. */
   let map = unknown;
 
   /** What the deviation map depends on: all of a view but light, material and overlays. @param {any} view */
@@ -129,7 +129,7 @@ export function normalsRoom(lab) {
     const key = mapKey(view);
     // The lamp changes the other four pictures only.
     const isMapped = map.key === key && map.file === file && map.side >= side;
-    // A map that is asked for later is shown later, and only the last one counts.
+    // If another map is requested before the numbers of this one arrive, this one is not the map that is shown.
     const waiting = isMapped ? map : { ...unknown };
     map = waiting;
     lamps.forEach((mark) => placeLamp(mark, lab.state));
