@@ -12,16 +12,23 @@ use crate::raster::view::clip::Shares;
 use crate::raster::view::project::ScreenVertex;
 use glam::{DVec3, Vec3};
 
-/// A triangle that is seen, or a piece of one.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Record {
-    /// The x and y of its corners on the picture, in 256ths of a pixel.
-    pub(crate) x: [i32; 3],
-    pub(crate) y: [i32; 3],
+/// What a triangle spreads over its samples: 18 numbers, which vector instructions read four at a time.
+#[derive(Clone, Copy, Debug, Default, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub(crate) struct RecordCorners {
+    /// The x and y of its corners on the picture, in 256ths of a pixel: whole numbers of at most 24 bits.
+    pub(crate) x: [f32; 3],
+    pub(crate) y: [f32; 3],
     /// Their [nearness](crate::raster::view::screen_transform::View::nearness), in perspective.
     pub(crate) nearness: [f32; 3],
     /// What is interpolated, at each corner: a normal or a colour.
     pub(crate) values: [Vec3; 3],
+}
+
+/// A triangle that is seen, or a piece of one.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Record {
+    pub(crate) corners: RecordCorners,
     pub(crate) vertices: [u32; 3],
     pub(crate) triangle: u32,
     pub(crate) face: u32,
@@ -44,10 +51,12 @@ impl Record {
             }),
         };
         Self {
-            x: v.map(|v| v.x),
-            y: v.map(|v| v.y),
-            nearness,
-            values: [Vec3::ZERO; 3],
+            corners: RecordCorners {
+                x: v.map(|v| v.x as f32),
+                y: v.map(|v| v.y as f32),
+                nearness,
+                values: [Vec3::ZERO; 3],
+            },
             vertices,
             triangle,
             face: object.list.face(triangle),
@@ -59,15 +68,17 @@ impl Record {
 
     /// The record of an analytic surface, for all samples that see it.
     pub(crate) fn cast(object: usize) -> Self {
-        Self { nearness: [1.0; 3], object: object as u32, front: true, ..Self::default() }
+        let corners = RecordCorners { nearness: [1.0; 3], ..RecordCorners::default() };
+        Self { corners, object: object as u32, front: true, ..Self::default() }
     }
 
     pub(crate) fn nearness_at(&self, [x, y]: [i32; 2]) -> f32 {
-        let parts = parts(self.x.map(|corner| corner - x), self.y.map(|corner| corner - y));
+        let RecordCorners { x: xs, y: ys, nearness, .. } = self.corners;
+        let parts = parts(xs.map(|corner| corner as i32 - x), ys.map(|corner| corner as i32 - y));
         let sum = |of: [f32; 3]| {
             parts[0] * f64::from(of[0]) + parts[1] * f64::from(of[1]) + parts[2] * f64::from(of[2])
         };
-        (sum(self.nearness) / sum([1.0; 3])) as f32
+        (sum(nearness) / sum([1.0; 3])) as f32
     }
 }
 

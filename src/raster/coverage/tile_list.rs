@@ -87,7 +87,7 @@ impl TileList {
             Owner::Triangle { object, triangle, corners } => {
                 let mut record = Record::new(job, &job.drawn[object], triangle, &corners);
                 if let Some(piece) = self.piece(owner) {
-                    record.nearness = piece.nearness;
+                    record.corners.nearness = piece.nearness;
                 }
                 record
             }

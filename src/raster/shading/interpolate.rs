@@ -1,17 +1,12 @@
-//! Values of corners spread over samples: barycentric, many at once, or by the lectures' scanline algorithm (F19).
-//!
-//! The scanline algorithm is that of Gouraud 1971. It uses the whole polygon, not triangles, so for four corners or
-//! more the result depends on the rotation of the polygon.
+//! Values of corners spread over samples by barycentric coordinates, many at once.
 
-use crate::num::{Arithmetic, EightLanes, Kernel, Lanes};
-use crate::raster::coverage::records::Record;
+use crate::num::{Arithmetic, EightLanes, Kernel, Lanes, Scalars};
+use crate::raster::coverage::records::{Record, RecordCorners};
 use crate::raster::coverage::setup::SIDE;
 use crate::raster::coverage::shown::Block;
 use crate::raster::coverage::visible_triangle::{LANES, PIXELS, place};
-use crate::raster::view::clip::{ClipVertex, Mix, NEAR, clip};
-use crate::raster::view::fixed_point::{BITS, GUARD, ONE, snap};
-use crate::raster::view::screen_transform::{Rays, View, ViewPoint};
-use glam::DVec3;
+use crate::raster::view::fixed_point::{BITS, ONE};
+use crate::raster::view::screen_transform::Rays;
 
 /// Samples that are computed side by side.
 pub(crate) const BATCH: usize = 512;
@@ -68,14 +63,35 @@ fn constant(records: &[Record], shown: &[u32; LANES]) -> [[f32; LANES]; 3] {
     for lane in 0..LANES {
         // Another object's, or any for background: these lanes have no meaning.
         let record = &records[(shown[lane] as usize).min(records.len() - 1)];
-        (values[0][lane], values[1][lane], values[2][lane]) = record.values[0].into();
+        (values[0][lane], values[1][lane], values[2][lane]) = record.corners.values[0].into();
     }
     values
 }
 
-/// Means of the corners' values, triangle by triangle: most blocks show few.
+/// Means of the corners' values: pixel by pixel in blocks that show many triangles, which all are small; else triangle by triangle.
 #[inline(always)]
 fn mean<A: Lanes>(
+    arch: A,
+    records: &[Record],
+    block: Block,
+    shown: &[u32; LANES],
+    corner: [i32; 2],
+    perspective: bool,
+) -> [[f32; LANES]; 3] {
+    let on_diagonal = [shown[0], shown[5], shown[10], shown[15]];
+    let are_many = (1..4).all(|at| !on_diagonal[..at].contains(&on_diagonal[at]));
+    let by_pixel = match are_many {
+        true => mean_by_pixel(arch, records, block, shown, corner, perspective),
+        false => None,
+    };
+    match by_pixel {
+        Some(values) => values,
+        None => mean_by_triangle(arch, records, block, shown, corner, perspective),
+    }
+}
+
+#[inline(always)]
+fn mean_by_triangle<A: Lanes>(
     arch: A,
     records: &[Record],
     block: Block,
@@ -97,8 +113,8 @@ fn mean<A: Lanes>(
         pending &= !u16::from_le_bytes(its);
         let record = &records[number as usize];
         let weights = weights(arch, record, corner, perspective);
-        let [a, b, c] =
-            [record.values[0].to_array(), record.values[1].to_array(), record.values[2].to_array()];
+        let [a, b, c] = record.corners.values;
+        let [a, b, c] = [a.to_array(), b.to_array(), c.to_array()];
         let number = single.splat(f64::from(number));
         for half in 0..2 {
             let distance = single.abs(single.sub(numbers[half], number));
@@ -122,6 +138,79 @@ fn mean<A: Lanes>(
     rows
 }
 
+/// The bits of [`mean_by_triangle`], eight pixels at a time: faster for four triangles or more. `None` unless all are small.
+#[inline(always)]
+fn mean_by_pixel<A: Lanes>(
+    arch: A,
+    records: &[Record],
+    block: Block,
+    shown: &[u32; LANES],
+    [px, py]: [i32; 2],
+    perspective: bool,
+) -> Option<[[f32; LANES]; 3]> {
+    let single = arch.singles();
+    let scalars = |value| Scalars::new(single, value);
+    let (px, py) = (single.splat(f64::from(px)), single.splat(f64::from(py)));
+    let columns = single.load(&COLUMNS.map(|n| n as f32));
+    let mut values = [[0.0; LANES]; 3];
+    for (half, rows) in ROWS.iter().enumerate() {
+        let mut corners = [&records[0].corners; HALF_BLOCK];
+        for (lane, corners) in corners.iter_mut().enumerate() {
+            let lane = block.lane_or_first(half * HALF_BLOCK + lane);
+            *corners = &records[shown[lane] as usize].corners;
+        }
+        let [mut xs, mut ys, mut nearness, a, b, c] = corner_lanes(single, &corners);
+        let mut farthest = scalars(single.splat(0.0));
+        for k in 0..3 {
+            (xs[k], ys[k]) = (single.sub(xs[k], px), single.sub(ys[k], py));
+            farthest = farthest.max(scalars(xs[k]).abs()).max(scalars(ys[k]).abs());
+        }
+        if farthest.less(Scalars::splat(single, f64::from(SMALL))).row_bits() != u8::MAX {
+            return None;
+        }
+        if !perspective {
+            nearness = [single.splat(1.0); 3];
+        }
+        let rows = single.load(&rows.map(|n| n as f32));
+        let [w0, w1, w2] = shares(single, [xs, ys, nearness], [columns, rows]);
+        for component in 0..3 {
+            let (a, b, c) = (a[component], b[component], c[component]);
+            let sum = single.add(single.mul(w0, a), single.mul(w1, b));
+            let sum = single.add(sum, single.mul(w2, c));
+            values[component][half * HALF_BLOCK..][..HALF_BLOCK].copy_from_slice(&single.to_array(sum));
+        }
+    }
+    Some(values)
+}
+
+/// The x, y and nearness of the corners of eight triangles, and the values at each corner, a lane for each triangle.
+#[inline(always)]
+fn corner_lanes<L: EightLanes<Element = f32>>(
+    arch: L,
+    corners: &[&RecordCorners; HALF_BLOCK],
+) -> [[Half<L>; 3]; 6] {
+    let [x0, x1, x2, y0] = four_columns(arch, corners, 0);
+    let [y1, y2, n0, n1] = four_columns(arch, corners, 4);
+    let [n2, a0, a1, a2] = four_columns(arch, corners, 8);
+    let [b0, b1, b2, c0] = four_columns(arch, corners, 12);
+    let [_, _, c1, c2] = four_columns(arch, corners, 14);
+    [[x0, x1, x2], [y0, y1, y2], [n0, n1, n2], [a0, a1, a2], [b0, b1, b2], [c0, c1, c2]]
+}
+
+/// Four of the 18 numbers of eight triangles, from one on.
+#[inline(always)]
+fn four_columns<L: EightLanes<Element = f32>>(
+    arch: L,
+    [a, b, c, d, e, f, g, h]: &[&RecordCorners; HALF_BLOCK],
+    from: usize,
+) -> [Half<L>; 4] {
+    let row = |corners| -> &[f32; 4] {
+        let numbers: &[f32; 18] = bytemuck::cast_ref(corners);
+        numbers[from..].first_chunk().expect("four numbers")
+    };
+    arch.columns([row(*a), row(*b), row(*c), row(*d), row(*e), row(*f), row(*g), row(*h)])
+}
+
 /// The sample of a pixel of a tile, in 256ths of a pixel of the picture.
 #[inline(always)]
 pub(crate) fn sample_at(origin: [i32; 2], pixel: usize) -> [i32; 2] {
@@ -132,7 +221,7 @@ pub(crate) fn sample_at(origin: [i32; 2], pixel: usize) -> [i32; 2] {
 /// Corners nearer than this to a block's first pixel, in 256ths of a pixel, have edge functions that are exact in single precision
 /// at all its pixels: differences of coordinates are below 2¹², and products of two below 2²⁴. Nearness is between 10⁻³⁸ and 10³⁰, so
 /// that its products with them and their sums neither overflow nor lose digits.
-const SMALL: i32 = (1 << 12) - ((SIDE as i32 - 1) << BITS);
+const SMALL: f32 = ((1 << 12) - ((SIDE as i32 - 1) << BITS)) as f32;
 
 /// Numbers in half of a block's pixels.
 type Half<L> = <L as Arithmetic>::Number;
@@ -157,23 +246,25 @@ fn weights<A: Lanes>(
     [px, py]: [i32; 2],
     perspective: bool,
 ) -> [[Half<A::Singles>; 3]; 2] {
-    let Record { x: [x0, x1, x2], y: [y0, y1, y2], .. } = *record;
+    let RecordCorners { x: [x0, x1, x2], y: [y0, y1, y2], nearness, .. } = record.corners;
+    // Whole numbers of 24 bits: exact.
+    let (px, py) = (px as f32, py as f32);
     let (x, y) = ([x0 - px, x1 - px, x2 - px], [y0 - py, y1 - py, y2 - py]);
-    let is_small = x.iter().chain(&y).fold(0, |most, n| n.abs().max(most)) < SMALL;
-    let nearness = if perspective { record.nearness } else { [1.0; 3] };
+    let is_small = x.iter().chain(&y).fold(0.0, |most, n| n.abs().max(most)) < SMALL;
+    let corners = [x, y, if perspective { nearness } else { [1.0; 3] }];
     let single = arch.singles();
     if is_small {
         let columns = single.load(&COLUMNS.map(|n| n as f32));
         let upper = single.load(&ROWS[0].map(|n| n as f32));
         let lower = single.load(&ROWS[1].map(|n| n as f32));
         return [
-            shares(single, x, y, nearness, [columns, upper]),
-            shares(single, x, y, nearness, [columns, lower]),
+            shares(single, splat(single, corners), [columns, upper]),
+            shares(single, splat(single, corners), [columns, lower]),
         ];
     }
     let columns = arch.load(&COLUMNS.map(f64::from));
-    let upper = shares(arch, x, y, nearness, [columns, arch.load(&ROWS[0].map(f64::from))]);
-    let lower = shares(arch, x, y, nearness, [columns, arch.load(&ROWS[1].map(f64::from))]);
+    let upper = shares(arch, splat(arch, corners), [columns, arch.load(&ROWS[0].map(f64::from))]);
+    let lower = shares(arch, splat(arch, corners), [columns, arch.load(&ROWS[1].map(f64::from))]);
     let mut halves = [[single.splat(0.0); 3]; 2];
     for k in 0..3 {
         halves[0][k] = single.load(&arch.to_array(upper[k]).map(|share| share as f32));
@@ -182,25 +273,34 @@ fn weights<A: Lanes>(
     halves
 }
 
-/// Edge functions times nearness, divided by their sum, for a triangle's corners relative to a block and pixels of the block.
+/// The same numbers in all lanes: x, y and nearness of a triangle's corners.
+#[inline(always)]
+fn splat<L: EightLanes>(arch: L, corners: [[f32; 3]; 3]) -> [[Half<L>; 3]; 3] {
+    let mut lanes = [[arch.splat(0.0); 3]; 3];
+    for (lanes, numbers) in lanes.iter_mut().zip(corners) {
+        for (lanes, number) in lanes.iter_mut().zip(numbers) {
+            *lanes = arch.splat(f64::from(number));
+        }
+    }
+    lanes
+}
+
+/// Edge functions times nearness, divided by their sum, at pixels of a block. The x and y of the corners are relative to the block.
 #[inline(always)]
 fn shares<L: EightLanes>(
     arch: L,
-    x: [i32; 3],
-    y: [i32; 3],
-    nearness: [f32; 3],
+    [mut xs, mut ys, nearness]: [[Half<L>; 3]; 3],
     [columns, rows]: [Half<L>; 2],
 ) -> [Half<L>; 3] {
-    let (mut xs, mut ys) = ([columns; 3], [rows; 3]);
     for k in 0..3 {
-        xs[k] = arch.sub(arch.splat(f64::from(x[k])), columns);
-        ys[k] = arch.sub(arch.splat(f64::from(y[k])), rows);
+        xs[k] = arch.sub(xs[k], columns);
+        ys[k] = arch.sub(ys[k], rows);
     }
     let mut shares = xs;
     for k in 0..3 {
         let (a, b) = ((k + 1) % 3, (k + 2) % 3);
         let edge = arch.sub(arch.mul(xs[a], ys[b]), arch.mul(xs[b], ys[a]));
-        shares[k] = arch.mul(edge, arch.splat(f64::from(nearness[k])));
+        shares[k] = arch.mul(edge, nearness[k]);
     }
     let sum = arch.add(arch.add(shares[0], shares[1]), shares[2]);
     let per_sum = arch.div(arch.splat(1.0), sum);
@@ -265,102 +365,12 @@ pub(crate) fn fill_lanes(blocks: &[Block], rows: &mut [Row; 3]) {
     }
 }
 
-impl Mix for DVec3 {
-    fn mix(self, other: Self, [of_self, of_other]: [f64; 2], _: [f64; 2]) -> Self {
-        self * of_self + other * of_other
-    }
-}
-
-/// A polygon on the picture with a value at each corner.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct ScanPolygon {
-    corners: Vec<([f64; 2], DVec3)>,
-}
-
-#[derive(Clone, Copy)]
-struct Crossing {
-    x: f64,
-    value: DVec3,
-}
-
-impl ScanPolygon {
-    /// Clips a polygon to the near plane and places it on the picture, snapped like everything that covers pixels.
-    pub(crate) fn new(view: &View, corners: impl Iterator<Item = (ViewPoint, DVec3)>) -> Self {
-        // Out of the guard band there is no grid and no need of one.
-        let reach = f64::from(2 * GUARD);
-        let on_grid =
-            |place: f64| if place.abs() < reach { f64::from(snap(place)) / f64::from(ONE) } else { place };
-        let mut polygon = Self::unsnapped(view, corners);
-        for (place, _) in &mut polygon.corners {
-            *place = place.map(on_grid);
-        }
-        polygon
-    }
-
-    /// The same without snapping.
-    pub(crate) fn unsnapped(view: &View, corners: impl Iterator<Item = (ViewPoint, DVec3)>) -> Self {
-        let mut polygon: Vec<_> = corners.map(|(point, attribute)| ClipVertex { point, attribute }).collect();
-        clip(view, 1 << NEAR, &mut polygon, &mut Vec::new());
-        Self { corners: polygon.iter().map(|v| (view.on_picture(v.point), v.attribute)).collect() }
-    }
-
-    /// The value at a place of the picture.
-    ///
-    /// Edges are half-open in y, so that a scanline through a corner crosses an even number of edges; level edges are
-    /// skipped. Of the spans between pairs of crossings the one that holds the place counts; if rounding excludes the
-    /// place from all of them, the nearest one.
-    pub(crate) fn value(&self, [x, y]: [f64; 2]) -> DVec3 {
-        let next = self.corners.iter().cycle().skip(1);
-        let mut crossings: Vec<Crossing> = self
-            .corners
-            .iter()
-            .zip(next)
-            .filter(|((a, _), (b, _))| (a[1] <= y) != (b[1] <= y))
-            .map(|(&(a, value_a), &(b, value_b))| {
-                let t = (y - a[1]) / (b[1] - a[1]);
-                Crossing { x: a[0] + (b[0] - a[0]) * t, value: value_a + (value_b - value_a) * t }
-            })
-            .collect();
-        crossings.sort_by(|a, b| a.x.total_cmp(&b.x));
-        let outside = |span: &&[Crossing]| (span[0].x - x).max(x - span[1].x).max(0.0);
-        let spans = crossings.chunks_exact(2);
-        match spans.min_by(|a, b| outside(a).total_cmp(&outside(b))) {
-            Some([left, right]) if right.x > left.x => {
-                let t = ((x - left.x) / (right.x - left.x)).clamp(0.0, 1.0);
-                left.value + (right.value - left.value) * t
-            }
-            Some(span) => span[0].value,
-            // A polygon that covers the place only as its triangles do, not as a polygon: it crosses itself.
-            None => self.nearest([x, y]),
-        }
-    }
-
-    fn nearest(&self, [x, y]: [f64; 2]) -> DVec3 {
-        let distance = |&&([a, b], _): &&([f64; 2], DVec3)| (a - x) * (a - x) + (b - y) * (b - y);
-        let nearest = self.corners.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
-        nearest.map_or(DVec3::ZERO, |&(_, value)| value)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::num;
     use crate::num::test_numbers::Numbers;
-
-    fn polygon(corners: &[([f64; 2], [f64; 3])]) -> ScanPolygon {
-        ScanPolygon { corners: corners.iter().map(|&(place, value)| (place, value.into())).collect() }
-    }
-
-    fn diamond(degrees: f64) -> ScanPolygon {
-        // Exercise 1.6.25: v1 and v3 on the scanline through the centre, v2 and v4 on the vertical.
-        let colours = [[0.0, 0.4, 0.4], [0.0, 0.2, 0.2], [0.2, 0.6, 0.6], [0.4, 0.4, 0.0]];
-        let corner = |k: usize| {
-            let turn = (degrees + 90.0 * k as f64).to_radians();
-            ([10.0 * libm::cos(turn), 10.0 * libm::sin(turn)], colours[k])
-        };
-        polygon(&[0, 1, 2, 3].map(corner))
-    }
+    use crate::raster::coverage::visible_triangle::NOTHING;
 
     /// The shares at the pixels of a block, in both precisions.
     struct BothShares<'a>(&'a Record, [i32; 2]);
@@ -393,12 +403,13 @@ mod tests {
             let at = [0; 2].map(|_| numbers.below(1 << 20) as i32);
             let mut place = || [0; 2].map(|_| numbers.below(2 * size) as i32 - size as i32);
             let corners = [place(), place(), place()];
-            let record = Record {
-                x: corners.map(|[x, _]| at[0] + x),
-                y: corners.map(|[_, y]| at[1] + y),
+            let corners_on_picture = RecordCorners {
+                x: corners.map(|[x, _]| (at[0] + x) as f32),
+                y: corners.map(|[_, y]| (at[1] + y) as f32),
                 nearness: [0; 3].map(|_| (0.1 + numbers.unit() as f32) * unit),
-                ..Record::default()
+                values: Default::default(),
             };
+            let record = Record { corners: corners_on_picture, ..Record::default() };
             let found = num::dispatch(BothShares(&record, at));
             for (lane, found) in found.into_iter().enumerate() {
                 let [px, py] = [(lane % SIDE) as i32 * ONE, (lane / SIDE) as i32 * ONE];
@@ -412,7 +423,7 @@ mod tests {
                     continue;
                 }
                 inside[usize::from(size > 3000)] += 1;
-                let parts = [0, 1, 2].map(|k| edges[k] as f64 * f64::from(record.nearness[k]));
+                let parts = [0, 1, 2].map(|k| edges[k] as f64 * f64::from(record.corners.nearness[k]));
                 let sum: f64 = parts.iter().sum();
                 for k in 0..3 {
                     let expected = parts[k] / sum;
@@ -421,6 +432,56 @@ mod tests {
             }
         }
         assert!(inside.iter().all(|&inside| inside > 1000), "{inside:?}");
+    }
+
+    /// Means of values by triangle and by pixel.
+    struct BothMeans<'a>(&'a [Record], Block, &'a [u32; LANES], [i32; 2], bool);
+
+    impl Kernel for BothMeans<'_> {
+        type Output = [Option<[[f32; LANES]; 3]>; 2];
+
+        fn run<A: Lanes>(self, arch: A) -> [Option<[[f32; LANES]; 3]>; 2] {
+            let Self(records, block, shown, corner, perspective) = self;
+            let by_triangle = mean_by_triangle(arch, records, block, shown, corner, perspective);
+            [Some(by_triangle), mean_by_pixel(arch, records, block, shown, corner, perspective)]
+        }
+    }
+
+    #[test]
+    fn means_by_pixel_have_the_bits_of_means_by_triangle() {
+        let mut numbers = Numbers::new(18);
+        let (mut compared, mut declined) = (0, 0);
+        for round in 0..3000 {
+            let at = [0; 2].map(|_| numbers.below(1 << 22) as i32 & !0xff);
+            let size = [600, 3000, 5000][round % 3];
+            let mut place =
+                |at: i32| [0; 3].map(|_| (at + numbers.below(2 * size) as i32 - size as i32) as f32);
+            let mut records: Vec<Record> = (0..9)
+                .map(|_| RecordCorners { x: place(at[0]), y: place(at[1]), ..RecordCorners::default() })
+                .map(|corners| Record { corners, ..Record::default() })
+                .collect();
+            for RecordCorners { nearness, values, .. } in records.iter_mut().map(|it| &mut it.corners) {
+                *nearness = [0; 3].map(|_| 0.1 + numbers.unit() as f32);
+                *values = [0; 3].map(|_| [0; 3].map(|_| numbers.unit() as f32 - 0.5).into());
+            }
+            let lanes = [u16::MAX, numbers.below(65_535) as u16 + 1][round % 2];
+            let shown = std::array::from_fn(|lane| match lanes >> lane & 1 {
+                0 => NOTHING,
+                _ => numbers.below(records.len()) as u32,
+            });
+            let block = Block { number: 0, lanes };
+            let found = num::dispatch(BothMeans(&records, block, &shown, at, round % 4 < 2));
+            let [Some(by_triangle), Some(by_pixel)] = found else {
+                declined += 1;
+                continue;
+            };
+            for lane in block.shown() {
+                let bits = |rows: [[f32; LANES]; 3]| rows.map(|row| row[lane].to_bits());
+                assert_eq!(bits(by_pixel), bits(by_triangle), "{round} {lane}");
+                compared += 1;
+            }
+        }
+        assert!(compared > 10_000 && declined > 500, "{compared} {declined}");
     }
 
     /// Rows of a full block, one of two lanes, and no block.
@@ -436,45 +497,5 @@ mod tests {
                 assert_eq!(found, from + expected as f32, "{at}");
             }
         }
-    }
-
-    /// The closed form of reference §4.1, and the two printed values.
-    #[test]
-    fn the_diamond_turns_its_centre() {
-        for step in 0..=18 {
-            let degrees = 5.0 * f64::from(step);
-            let (sin, cos) = libm::sincos(degrees.to_radians());
-            let (c13, c24) = (DVec3::new(0.2, 1.0, 1.0) * 0.5, DVec3::new(0.4, 0.6, 0.2) * 0.5);
-            let expected = (c13 * cos + c24 * sin) / (cos + sin);
-            let got = diamond(degrees).value([0.0, 0.0]);
-            assert!(got.distance(expected) < 1e-14, "{degrees}: {got} is not {expected}");
-        }
-        assert!(diamond(0.0).value([0.0, 0.0]).distance(DVec3::new(0.1, 0.5, 0.5)) < 1e-15);
-        assert!(diamond(90.0).value([0.0, 0.0]).distance(DVec3::new(0.2, 0.3, 0.1)) < 1e-15);
-    }
-
-    /// Exercise 1.6.24 with a triangle that fits its figure: in triangles it is barycentric.
-    #[test]
-    fn triangles_are_barycentric() {
-        let triangle = polygon(&[
-            ([2.0, 1.0], [1.0, 0.0, 0.8]),
-            ([6.0, 5.0], [0.6, 0.4, 0.8]),
-            ([10.0, 1.0], [0.2, 0.8, 0.0]),
-        ]);
-        assert!(triangle.value([6.0, 3.0]).distance(DVec3::new(0.6, 0.4, 0.6)) < 1e-15);
-    }
-
-    #[test]
-    fn level_edges_corners_and_dents_are_handled() {
-        let value = |place: [f64; 2]| [place[0], place[1], 0.0];
-        // A U: linear in the corners' places, so linear everywhere.
-        let places =
-            [[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [4.0, 4.0], [4.0, 2.0], [2.0, 2.0], [2.0, 4.0], [0.0, 4.0]];
-        let dented = polygon(&places.map(|place| (place, value(place))));
-        for [x, y] in [[1.0, 3.0], [5.0, 3.0], [3.0, 1.0], [1.0, 2.0], [0.0, 0.0], [5.5, 3.999]] {
-            assert!(dented.value([x, y]).distance(DVec3::new(x, y, 0.0)) < 1e-14, "{x} {y}");
-        }
-        // Below the last scanline nothing crosses.
-        assert_eq!(dented.value([5.9, 4.0]), DVec3::new(6.0, 4.0, 0.0));
     }
 }

@@ -13,10 +13,11 @@ use crate::raster::frame::job::{Job, Prepared};
 use crate::raster::settings::{Interpolation, Show};
 use crate::raster::shading::false_colour;
 use crate::raster::shading::interpolate::{
-    BATCH, Interpolate, Positions, Row, ScanPolygon, Spread, fill_lanes, sample_at,
+    BATCH, Interpolate, Positions, Row, Spread, fill_lanes, sample_at,
 };
 use crate::raster::shading::lighting::{Lit, PointLight};
 use crate::raster::shading::ray_cast::{Hits, cast};
+use crate::raster::shading::scan_polygon::ScanPolygon;
 use crate::raster::shading::surface_colour::{ObjectColour, Shaders};
 use crate::raster::view::fixed_point::ONE;
 use crate::shade::SurfaceRows;
@@ -78,13 +79,13 @@ impl Painter {
             (ValueKind::Nothing, _) => return Ok(()),
             (ValueKind::FaceNormal, _) => {
                 for record in records {
-                    record.values = [object.face_normal(record.face, record.turned); 3];
+                    record.corners.values = [object.face_normal(record.face, record.turned); 3];
                 }
                 return Ok(());
             }
             (ValueKind::FaceColour, ObjectColour::Given(colours)) => {
                 for record in records {
-                    record.values = [mean_colour(colours, face_corners(object, drawn, record)); 3];
+                    record.corners.values = [mean_colour(colours, face_corners(object, drawn, record)); 3];
                 }
                 return Ok(());
             }
@@ -94,19 +95,19 @@ impl Painter {
             (ValueKind::CornerNormals, _) => {
                 for record in records.iter_mut() {
                     let [a, b, c] = triangle_corners(drawn, record);
-                    record.values =
+                    record.corners.values =
                         [object.corner_normal(a), object.corner_normal(b), object.corner_normal(c)];
                 }
             }
             (ValueKind::CornerColours, ObjectColour::Given(colours)) => {
                 for record in records.iter_mut() {
-                    record.values = record.vertices.map(|vertex| single(colours[vertex as usize]));
+                    record.corners.values = record.vertices.map(|vertex| single(colours[vertex as usize]));
                 }
             }
             (ValueKind::CornerColours, ObjectColour::Lit(_)) if let Some(lit) = lit_before => {
                 for record in records.iter_mut() {
                     let [a, b, c] = record.vertices;
-                    record.values = [lit[a as usize], lit[b as usize], lit[c as usize]];
+                    record.corners.values = [lit[a as usize], lit[b as usize], lit[c as usize]];
                 }
             }
             (ValueKind::CornerColours, ObjectColour::Lit(shaders)) => {
@@ -114,14 +115,15 @@ impl Painter {
                 self.light.corners(&Lit { job, object, drawn, shaders }, corners)?;
                 for (at, record) in records.iter_mut().enumerate() {
                     let colour = |k: usize| self.light.colour(3 * at + k);
-                    record.values = [colour(0), colour(1), colour(2)];
+                    record.corners.values = [colour(0), colour(1), colour(2)];
                 }
             }
         }
         if !list.pieces.is_empty() {
             for (record, &owner) in records.iter_mut().zip(owners) {
                 if let Some(piece) = list.piece(owner) {
-                    record.values = piece_values(record.values, piece, object.settings.interpolation);
+                    record.corners.values =
+                        piece_values(record.corners.values, piece, object.settings.interpolation);
                 }
             }
         }
@@ -137,7 +139,7 @@ impl Painter {
             let normal = |record: &Record| lit.object.face_normal(record.face, record.turned);
             self.light.faces(lit, records.iter().map(|record| (corners(record), normal(record))))?;
             for (at, record) in records.iter_mut().enumerate() {
-                record.values = [self.light.colour(at); 3];
+                record.corners.values = [self.light.colour(at); 3];
             }
             return Ok(());
         }
@@ -146,7 +148,7 @@ impl Painter {
         for record in records {
             let count = corners(record).len();
             let colours = (first..first + count).map(|corner| self.light.colour(corner).as_dvec3());
-            record.values = [(colours.sum::<DVec3>() / count as f64).as_vec3(); 3];
+            record.corners.values = [(colours.sum::<DVec3>() / count as f64).as_vec3(); 3];
             first += count;
         }
         Ok(())
