@@ -123,8 +123,8 @@ fn optics(
         return Err(out_of_range(place(), found));
     }
     let lost = factor * (1.0 - metallic);
-    // 0 asks for a surface without Fresnel's share, which the index 1 has.
-    let ior = if thickness > 0.0 && ior != 0.0 { ior } else { 1.0 };
+    // An index below 1 is reported where it matters, also that of a thin wall.
+    let ior = if thickness > 0.0 || lost > 0.0 && ior < 1.0 { ior } else { 1.0 };
     let absorb = match thickness > 0.0 && distance.is_finite() {
         true => colour.map(|share| -libm::log(share.max(LEAST_SHARE)) / distance),
         false => [0.0; 3],

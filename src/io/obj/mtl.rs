@@ -220,7 +220,12 @@ fn materials(library: &[u8]) -> Vec<tobj::Material> {
             "newmtl" => Some(argument.to_owned()),
             _ if word.starts_with('#') => None,
             "Ka" | "Kd" | "Ks" | "Ke" | "Tf" => colour(argument),
-            "Ns" | "Ni" | "d" | "Tr" => numbers(argument).next().map(|number| number.to_string()),
+            // Any number: an impossible refractive index is reported where it matters.
+            "Ni" => {
+                let index = argument.split_whitespace().next().and_then(|word| word.parse::<f32>().ok());
+                index.map(|index| index.to_string())
+            }
+            "Ns" | "d" | "Tr" => numbers(argument).next().map(|number| number.to_string()),
             "illum" => argument.parse::<u8>().ok().map(|model| model.to_string()),
             // Textures, and what is named as omitted.
             _ => Some(argument.to_owned()),

@@ -2,7 +2,7 @@
 
 use super::axis::Fitted;
 use super::draw::kept;
-use super::series::{Mark, Plot, series_styles};
+use super::series::{Mark, Plot, Series, SeriesStyle, series_styles};
 use crate::report::panel::{draw_text, text_width};
 use crate::report::picture::Picture;
 
@@ -81,19 +81,25 @@ impl Plot {
         write(&mut picture, &self.y.label, [gap, 0.5 * gap]);
         write(&mut picture, &self.x.label, [left, bottom + 0.5 * gap + line]);
         let stroke = (height / 220.0).max(1.6);
-        for (series, style) in self.series.iter().zip(&styles) {
+        let draw = |picture: &mut Picture, style: &SeriesStyle, places: &[[f64; 2]], are_dots: bool| {
             let colour = shares(style.colour);
-            let places: Vec<[f64; 2]> = kept(self, series).map(|point| field.place(point)).collect();
-            if matches!(series.mark, Mark::Points | Mark::Hollow) {
-                places.iter().for_each(|&at| segment(&mut picture, [at, at], 3.0 * stroke, colour));
+            if are_dots {
+                places.iter().for_each(|&at| segment(picture, [at, at], 3.0 * stroke, colour));
             } else {
-                places.windows(2).for_each(|ends| segment(&mut picture, [ends[0], ends[1]], stroke, colour));
+                places.windows(2).for_each(|ends| segment(picture, [ends[0], ends[1]], stroke, colour));
             }
+        };
+        let are_dots = |series: &Series| matches!(series.mark, Mark::Points | Mark::Hollow);
+        for (series, style) in self.series.iter().zip(&styles) {
+            let places: Vec<[f64; 2]> = kept(self, series).map(|point| field.place(point)).collect();
+            draw(&mut picture, style, &places, are_dots(series));
         }
         for (series, style, [x, y]) in rows {
             let y = bottom + 0.5 * gap + 2.0 * line + gap + y;
             let middle = y + 0.55 * f64::from(text);
-            segment(&mut picture, [[x, middle], [x + line, middle]], stroke, shares(style.colour));
+            let sample = [[x, middle], [x + 0.5 * line, middle], [x + line, middle]];
+            let places = if are_dots(series) { &sample[1..2] } else { &sample };
+            draw(&mut picture, style, places, are_dots(series));
             write(&mut picture, &series.name, [x + line + gap, y]);
         }
         picture

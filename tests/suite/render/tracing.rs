@@ -40,6 +40,40 @@ fn invalid_optics_and_limits_are_errors_at_their_line() {
     assert!(code(&output) == 2 && text(&output.stderr).contains("below 1"), "{}", text(&output.stderr));
 }
 
+/// MTL's numbers that are no index were once dropped, and glTF's below 1 ignored, both without a word.
+#[test]
+fn impossible_indices_of_files_are_reported() {
+    let body =
+        "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl a\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    for index in ["0.5", "0", "-3", "nan", "inf"] {
+        let material = format!("newmtl a\nillum 7\nTf 0.9 0.5 0.5\nNi {index}\n");
+        let work = folder(&[("a.obj", body), ("m.mtl", &material)]);
+        let found = notes(&[path(work.path().join("a.obj"))]);
+        assert!(
+            found.contains("refractive index of `a` is") && found.contains("not bend light"),
+            "{index}: {found}"
+        );
+    }
+    for (index, is_reported) in [("0.5", true), ("0", true), ("-1", true), ("1", false), ("1.4", false)] {
+        let extensions = format!(
+            r#""KHR_materials_transmission": {{"transmissionFactor": 1}}, "KHR_materials_ior": {{"ior": {index}}}"#
+        );
+        let file = format!(
+            r#"{{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}], "nodes": [{{"mesh": 0}}],
+            "materials": [{{"name": "a", "pbrMetallicRoughness": {{"metallicFactor": 0}}, "extensions": {{{extensions}}}}}],
+            "buffers": [{{"byteLength": 36, "uri":
+            "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}}],
+            "bufferViews": [{{"buffer": 0, "byteLength": 36}}],
+            "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+            "min": [0, 0, 0], "max": [1, 1, 0]}}],
+            "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}, "material": 0}}]}}]}}"#
+        );
+        let work = folder(&[("a.gltf", &file)]);
+        let found = notes(&[path(work.path().join("a.gltf"))]);
+        assert_eq!(found.contains("refractive index of `a` is"), is_reported, "{index}: {found}");
+    }
+}
+
 #[test]
 fn open_bodies_untraced_materials_and_cut_light_are_noted() {
     let open = GLASS.replace("sphere.radius = 1", "plane = { width = 2, height = 2 }");
