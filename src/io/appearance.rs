@@ -86,10 +86,13 @@ pub enum ImageKind {
 }
 
 impl ImageKind {
-    /// By the first bytes of a file.
+    /// Bytes of a PNG up to the end of its header chunk.
+    pub(super) const HEAD: usize = 33;
+
+    /// By the first bytes of a file, [`HEAD`](Self::HEAD) or more. A PNG has its header whole.
     pub(super) fn of(bytes: &[u8]) -> Option<Self> {
         if bytes.starts_with(b"\x89PNG\r\n\x1a\n") {
-            return Some(Self::Png);
+            return (bytes.len() >= Self::HEAD && bytes[12..].starts_with(b"IHDR")).then_some(Self::Png);
         }
         bytes.starts_with(b"\xff\xd8\xff").then_some(Self::Jpeg)
     }

@@ -171,11 +171,19 @@ fn placed(
 }
 
 fn convert(parts: &mut [Part], conversion: AxisConversion) -> Result<(), WriteError> {
+    let largest =
+        |part: &Part| part.mesh.bounds().map_or(0.0, |(low, high)| low.abs().max(high.abs()).max_element());
     for part in parts {
+        let before = largest(part);
         part.mesh = part.mesh.converted(conversion).map_err(|TransformFault::Overflow| {
             let text = "the scale moves a vertex out of range; use a smaller --scale".to_owned();
             WriteError::Unsupported(text)
         })?;
+        if before > 0.0 && largest(part) < f64::from(f32::MIN_POSITIVE) {
+            let text =
+                "the scale makes all coordinates smaller than 1.2e-38; use a larger --scale".to_owned();
+            return Err(WriteError::Unsupported(text));
+        }
     }
     Ok(())
 }

@@ -80,8 +80,8 @@ fn the_report_has_the_matrix_and_the_text_names_the_change() {
 fn options_that_cannot_apply_are_usage_errors() {
     let (stl, glb) = (path(data("part.stl")), path(data("sphere-seam.glb")));
     for (args, found) in [
-        (vec![&*stl, "--to", "stl", "--up", "z"], "stl is the format of the input"),
-        (vec![&*glb, "--to", "gltf", "--scale", "2"], "gltf is the format of the input"),
+        (vec![&*stl, "--to", "stl", "--up", "z"], "stl to stl keeps them"),
+        (vec![&*glb, "--to", "gltf", "--scale", "2"], "glb to gltf keeps them"),
         (vec![&*stl, "--to", "ply", "--up", "z"], "no fixed up axis"),
         (vec![&*stl, "--to", "obj", "--scale", "mm"], "--scale takes a factor"),
         (vec![&*stl, "--to", "glb", "--scale", "0"], "a factor above 0"),
@@ -96,6 +96,10 @@ fn options_that_cannot_apply_are_usage_errors() {
     let refused = normals([&*stl, "--to", "glb", "--dry-run", "--scale", "1e38"]);
     let (status, message) = (code(&refused), text(&refused.stderr));
     assert!(status == 4 && message.contains("out of the range"), "{status}, {message}");
+    // All vertices would be in one point.
+    let refused = normals([&*stl, "--to", "glb", "--dry-run", "--scale", "1e-46"]);
+    let (status, message) = (code(&refused), text(&refused.stderr));
+    assert!(status == 4 && message.contains("use a larger --scale"), "{status}, {message}");
 }
 
 #[test]

@@ -196,7 +196,9 @@ fn objects_and_materials_of_obj_become_those_of_gltf() {
         *red,
         serde_json::json!({"baseColorFactor": [0.5, 0.25, 0, 1], "metallicFactor": 0, "roughnessFactor": 0.5})
     );
-    assert_eq!(json["materials"][1], serde_json::json!({"name": "plain"}));
+    // Not a rough metal, which a material without members would be.
+    let plain = serde_json::json!({"metallicFactor": 0, "roughnessFactor": 0.6});
+    assert_eq!(json["materials"][1], serde_json::json!({"name": "plain", "pbrMetallicRoughness": plain}));
     let said: Vec<String> = written.notes.iter().map(ToString::to_string).collect();
     assert_eq!(
         said,

@@ -137,6 +137,7 @@ fn exact_merging_in_gltf_keeps_all_corners() {
     let usual = converted(&glb, Crease::Default, Format::Glb, Merge::FacetWise);
     assert!(corners(&read(&edited, Format::Glb)) == corners(&read(&usual, Format::Glb)));
     assert_eq!((edited.vertices, edited.merged_vertices, usual.vertices), (66, 126, 192));
+    assert!(2 * edited.bytes.len() < usual.bytes.len(), "the old vertices are gone: {}", edited.bytes.len());
 }
 
 #[test]

@@ -34,7 +34,7 @@ meshcompression-meshopt = without loss by meshopt (EXT_meshopt_compression), whi
 
 tangentpolicy-auto = computed by MikkTSpace where normals change, from the texture coordinates of the normal or anisotropy
     texture. Without coordinates they stay if normals rotate by less than 30°, else they are omitted with a warning
-tangentpolicy-drop = omitted, with a note; viewers then generate them if there is a normal texture
+tangentpolicy-drop = omitted, with a warning; viewers then generate them if there is a normal texture
 tangentpolicy-keep = kept unchanged
 tangentpolicy-regenerate = computed by MikkTSpace, also where normals do not change; omitted without coordinates
 

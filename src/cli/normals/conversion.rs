@@ -25,7 +25,7 @@ pub fn conversion(args: &MeshArgs, from: Format, to: Format) -> Result<Option<Co
     }
     if to.edits(from) {
         return Err(Failure::usage(format!(
-            "--up and --scale change positions, but {to} is the format of the input, whose positions stay\n\
+            "--up and --scale change positions, but {from} to {to} keeps them\n\
              help: choose another format with --to"
         )));
     }
@@ -33,7 +33,7 @@ pub fn conversion(args: &MeshArgs, from: Format, to: Format) -> Result<Option<Co
     if needs_gltf && !from.is_gltf() && !to.is_gltf() {
         return Err(Failure::usage(format!(
             "{from} and {to} have no fixed up axis and no fixed unit: --up and units convert to or from glTF\n\
-             help: --scale takes a factor, such as 0.001"
+             help: without --up, --scale takes a factor, such as 0.001"
         )));
     }
     let up = args.up.unwrap_or_default();

@@ -152,7 +152,7 @@ impl GltfDocument {
             let materials = counted(materials, "material", "materials");
             left.push(format!("properties of {materials}"));
         }
-        for (list, one, many) in LISTS {
+        for (list, one, many) in LISTS.into_iter().filter(|(list, ..)| !has_library || *list != "textures") {
             let count = json.items(json.root(), list).count();
             left.extend((count > 0).then(|| counted(count, one, many)));
         }

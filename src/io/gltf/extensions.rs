@@ -92,7 +92,8 @@ pub fn check(root: &Fields<'_>, allowed: &[String], notes: &mut Vec<Note>) -> Re
         return Err(ReadError::new(Problem::Unsupported, place, found, advice));
     }
     if names("extensionsUsed")?.iter().any(|name| name == INSTANCING) {
-        let text = "EXT_mesh_gpu_instancing: only one of the instances is written to other formats";
+        let text =
+            "EXT_mesh_gpu_instancing: of the instances of a node only one is read; glTF files keep all";
         notes.push(Note::warning(Place::File, text));
     }
     Ok(())

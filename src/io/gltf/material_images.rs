@@ -113,7 +113,7 @@ impl Images<'_> {
                 let (_, path) = file.ok_or("was not found")?;
                 let mut head = Vec::new();
                 fs::File::open(path)
-                    .and_then(|file| file.take(8).read_to_end(&mut head))
+                    .and_then(|file| file.take(ImageKind::HEAD as u64).read_to_end(&mut head))
                     .map_err(|_| "cannot be read")?;
                 let bare = || path.file_name().map(|name| name.to_string_lossy().into_owned());
                 let name = output_name(Path::new(""), &name).or_else(bare).ok_or("was not found")?;

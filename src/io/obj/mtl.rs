@@ -148,7 +148,7 @@ impl Search<'_> {
     fn notes(&self, used: &[String]) -> Vec<Note> {
         let missing = self.missing.iter();
         let missing = missing.map(|(refusal, names)| (names, refusal.in_note()));
-        let text = "cannot be copied with the output, because its name leads out of the folder";
+        let text = "is not copied next to a new OBJ, because its name leads out of the folder";
         let not_copied = Some((&self.not_copied, text.to_owned())).filter(|(names, _)| !names.is_empty());
         let mut notes: Vec<Note> =
             missing.chain(not_copied).map(|(names, text)| listed(names, &text)).collect();
@@ -207,6 +207,9 @@ fn split_names(names: &str) -> Vec<&str> {
     }
 }
 
+/// Behind the keyword of a statement whose numbers make no sense.
+const NOT_UNDERSTOOD: char = '?';
+
 /// The materials of a library. Statements that are understood here are handed on with the numbers that make sense: `tobj` panics
 /// at a colour with fewer than three, and gives up at bytes that are not UTF-8 and at numbers that are none.
 fn materials(library: &[u8]) -> Vec<tobj::Material> {
@@ -215,10 +218,10 @@ fn materials(library: &[u8]) -> Vec<tobj::Material> {
         let line = name_text(line.trim_ascii());
         let Some((word, argument)) = line.split_once(char::is_whitespace) else { continue };
         let argument = argument.trim();
+        let is_ignored = argument.is_empty() || word.starts_with('#');
         let argument = match word {
-            _ if argument.is_empty() => None,
+            _ if is_ignored => None,
             "newmtl" => Some(argument.to_owned()),
-            _ if word.starts_with('#') => None,
             "Ka" | "Kd" | "Ks" | "Ke" | "Tf" => colour(argument),
             // Any number: an impossible refractive index is reported where it matters.
             "Ni" => {
@@ -230,8 +233,11 @@ fn materials(library: &[u8]) -> Vec<tobj::Material> {
             // Textures, and what is named as omitted.
             _ => Some(argument.to_owned()),
         };
-        if let Some(argument) = argument {
-            kept.push_str(&format!("{word} {argument}\n"));
+        match argument {
+            Some(argument) => kept.push_str(&format!("{word} {argument}\n")),
+            // To be named as omitted.
+            None if !is_ignored => kept.push_str(&format!("{word}{NOT_UNDERSTOOD} yes\n")),
+            None => {}
         }
     }
     tobj::load_mtl_buf(&mut Cursor::new(kept)).map(|(materials, _)| materials).unwrap_or_default()
@@ -296,7 +302,10 @@ fn omitted(material: &tobj::Material) -> Vec<String> {
         !is_texture(word) && *word != "Tr" && !value.split_whitespace().all(is_neutral)
     };
     let known = known.into_iter().filter(|(_, has_effect)| *has_effect).map(|(word, _)| word.to_owned());
-    let others = material.unknown_param.iter().filter(has_effect).map(|(word, _)| shown(word.as_bytes()));
+    let others = material.unknown_param.iter().filter(has_effect).map(|(word, _)| {
+        let known = word.strip_suffix(NOT_UNDERSTOOD);
+        known.map_or_else(|| shown(word.as_bytes()), |known| format!("{known} (not understood)"))
+    });
     // Not in the order of a hash map.
     known.chain(others).collect::<BTreeSet<_>>().into_iter().collect()
 }

@@ -9,7 +9,9 @@ use std::path::{Path, PathBuf};
 
 pub(super) fn is_texture(word: &str) -> bool {
     let word = word.to_ascii_lowercase();
-    word.starts_with("map_") || ["bump", "norm", "disp", "decal", "refl"].contains(&&*word)
+    // `map_aat` is a switch, without a file.
+    word.starts_with("map_") && word != "map_aat"
+        || ["bump", "norm", "disp", "decal", "refl"].contains(&&*word)
 }
 
 /// The texture statements of a material by keyword, in a fixed order. `tobj` keeps one of `map_Bump`, `map_bump` and `bump`.
@@ -102,7 +104,7 @@ impl Found {
         let mut head = Vec::new();
         let opened = fs::File::open(&path);
         let size = opened.as_ref().ok().and_then(|file| Some(file.metadata().ok()?.len())).unwrap_or(0);
-        let read = opened.and_then(|file| file.take(26).read_to_end(&mut head));
+        let read = opened.and_then(|file| file.take(ImageKind::HEAD as u64).read_to_end(&mut head));
         let kind = ImageKind::of(&head).filter(|_| read.is_ok());
         // The colour types 0 and 4 of the header chunk (PNG specification, 11.2.1).
         let is_grey = kind == Some(ImageKind::Png) && matches!(head.get(25), Some(0 | 4));
@@ -144,7 +146,7 @@ pub(super) fn images(material: &tobj::Material, found: &Found) -> FileImages {
 }
 
 fn image(arguments: &Arguments<'_>, is_bump: bool, found: &Found) -> Result<FileImage, &'static str> {
-    let file = found.0.get(arguments.file).ok_or("was not found")?;
+    let file = found.0.get(arguments.file).ok_or("was not read")?;
     let kind = file.kind.ok_or("is not a PNG or JPEG")?;
     if file.is_large {
         return Err("exceeds the size limit of one input");

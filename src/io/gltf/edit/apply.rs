@@ -17,8 +17,8 @@ use crate::io::gltf::json::{Json, Value, quoted};
 use crate::io::gltf::splice::{Splices, changed_object};
 use crate::io::gltf::tangent_space::MaterialUses;
 use crate::io::{
-    Emit, Format, Loaded, Note, OutputContent, OutputFile, Part, PartEdit, Place, Severity, WriteError,
-    WriteOptions, Written,
+    Emit, Format, Loaded, Merge, Note, OutputContent, OutputFile, Part, PartEdit, Place, Severity,
+    WriteError, WriteOptions, Written,
 };
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -92,7 +92,8 @@ fn apply(
     }
     package.copy_images();
     let mut written = package.written;
-    if options.compact && to == Format::Glb {
+    let merged = options.merge == Merge::Exact && added < 0;
+    if (options.compact || merged) && to == Format::Glb {
         match compact(&written.bytes)? {
             Some(bytes) => written.bytes = bytes,
             None => written.notes.push(Note::remark(

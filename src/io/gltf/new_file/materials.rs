@@ -41,6 +41,10 @@ impl<'a> File<'a> {
             };
             members = material_members(known, textures.of_material(known, has_uvs, &mut embed)?);
         }
+        // Without colour and gloss glTF would make it a rough metal, which is almost black in most viewers.
+        if self.fallback == MaterialFallback::Plastic && !members.starts_with(",\"pbrMetallicRoughness\"") {
+            members.insert_str(0, ",\"pbrMetallicRoughness\":{\"metallicFactor\":0,\"roughnessFactor\":0.6}");
+        }
         self.materials.push(format!("{{\"name\":{}{members}}}", quoted(name)));
         self.material_numbers.insert(key, self.materials.len() - 1);
         Ok(self.materials.len() - 1)
