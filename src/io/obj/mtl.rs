@@ -373,7 +373,7 @@ mod tests {
             said.iter().any(|text| text.contains("`gone.png`") || text.contains("was not found")),
             "{said:?}"
         );
-        assert!(said.iter().any(|text| text.contains("`../../in/v.png` cannot be copied")), "{said:?}");
+        assert!(said.iter().any(|text| text.contains("`../../in/v.png` is not copied")), "{said:?}");
     }
 
     #[test]
