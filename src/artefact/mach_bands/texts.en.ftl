@@ -53,7 +53,7 @@ flat-caption =
     In these pictures, luminance { $white } is white, and { $dark } or less is black.
 flat-seen = Each facet is visible as a stripe of one grey.
 fine-seen = The slope jumps are about a quarter as large.
-exact-title = exact cylinder
+exact-title = exact, black { $dark }, white { $white }
 exact-caption = The cylinder with its exact normal at every pixel: the only band is where the light ends.
 phong-80-jumps-seen = Phong shading has the larger slope jumps here.
 gouraud-80-jumps-seen = Gouraud shading has the smaller slope jumps here.

@@ -57,7 +57,7 @@ flat-caption =
     Nestas imagens, a luminância { $white } é branca, e { $dark } ou menos é preta.
 flat-seen = Cada faceta é visível como uma faixa de um só tom de cinza.
 fine-seen = Os saltos de inclinação têm cerca de um quarto do tamanho.
-exact-title = cilindro exato
+exact-title = exato, preto { $dark }, branco { $white }
 exact-caption = O cilindro com a normal exata em cada pixel: a única banda está onde a luz termina.
 phong-80-jumps-seen = Aqui a tonalização de Phong tem os maiores saltos de inclinação.
 gouraud-80-jumps-seen = Aqui a tonalização de Gouraud tem os menores saltos de inclinação.
