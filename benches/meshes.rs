@@ -9,11 +9,14 @@ pub struct Mesh {
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// A displaced square grid of about this many triangles.
+/// A displaced square grid of about this many triangles, whose vertices are moved along the plane by up to 0.3 cells: triangles
+/// differ in size, as those of real meshes do.
 pub fn grid(triangles: usize) -> Mesh {
     let n = ((triangles / 2) as f64).sqrt().round() as u32;
     let position = |i: u32| {
-        let (x, y) = (f64::from(i % (n + 1)) / f64::from(n), f64::from(i / (n + 1)) / f64::from(n));
+        let moved =
+            |cell: u32, step: f64| (f64::from(cell) + 0.3 * libm::sin(step * f64::from(i))) / f64::from(n);
+        let (x, y) = (moved(i % (n + 1), 12.9898), moved(i / (n + 1), 78.233));
         let height = 0.1 * libm::sin(17.0 * x) * libm::cos(13.0 * y) + 1e-3 * libm::sin(900.0 * x * y);
         [x as f32, y as f32, height as f32]
     };

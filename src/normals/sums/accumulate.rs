@@ -8,7 +8,7 @@ use crate::normals::sums::corner_terms::CornerTerms;
 use crate::normals::sums::finish::UncertainSlots;
 use crate::normals::sums::partition::{BLOCK, Touched};
 use crate::normals::sums::request::{Sum, SumRequest};
-use crate::normals::sums::scatter::{BlockTerms, FaceCounts, Scatter, SumNumber};
+use crate::normals::sums::scatter::{BlockTerms, Scatter, SumNumber};
 use crate::num::{self, Real};
 use std::ops::Range;
 
@@ -19,8 +19,6 @@ pub(crate) type UnusualFace = (u32, FaceState);
 #[derive(Default)]
 pub(crate) struct Part<T> {
     pub(crate) sums: SumArray<T>,
-    /// The faces of its share and, for the slots that it owns, those of other shares.
-    pub(crate) counts: FaceCounts,
     /// The slots that its share touches.
     pub(crate) touched: Touched,
     /// Faces of its share that are not simply counted.
@@ -85,6 +83,9 @@ pub(crate) trait Fill<T> {
         face: &dyn Fn(usize) -> usize,
         terms: &mut BlockTerms<T>,
     ) -> bool;
+
+    /// The weight that every term in single precision has at least.
+    fn least_weight(&self) -> T;
 }
 
 /// Adds triangles to the sums of their corners, block by block: all of a block is computed before any is added, so that one
@@ -93,11 +94,11 @@ pub(crate) fn add_triangles<T: SumNumber>(
     request: &SumRequest,
     walk: Walk,
     sums: &mut [[T; 4]],
-    counts: &mut FaceCounts,
     fill: &mut dyn Fill<T>,
 ) -> bool {
     let (triangles, slots) = (request.faces.corners().as_chunks::<3>().0, request.target.as_chunks::<3>().0);
     let is_equal = request.weight.is_equal_at_corners();
+    let least_weight = fill.least_weight();
     let terms = &mut BlockTerms::zero();
     match walk {
         Walk::Share(share, mut touched) => {
@@ -110,9 +111,7 @@ pub(crate) fn add_triangles<T: SumNumber>(
                 if !fill.fill(&triangles[faces], &|at| first + at, terms) {
                     return false;
                 }
-                let of_slots = counts.starting_at(0);
-                counts.is_exceeded |=
-                    num::dispatch(Scatter { terms, is_equal, slots, sums, counts: of_slots, first_slot: 0 });
+                num::dispatch(Scatter { terms, is_equal, slots, sums, first_slot: 0, least_weight });
             }
         }
         Walk::Listed(faces, first_slot) => {
@@ -128,9 +127,8 @@ pub(crate) fn add_triangles<T: SumNumber>(
                 if !fill.fill(&some_triangles[..count], &|at| faces[at] as usize, terms) {
                     return false;
                 }
-                let (of_slots, first_slot) = (counts.starting_at(first_slot), first_slot as u32);
-                counts.is_exceeded |=
-                    num::dispatch(Scatter { terms, is_equal, slots, sums, counts: of_slots, first_slot });
+                let first_slot = first_slot as u32;
+                num::dispatch(Scatter { terms, is_equal, slots, sums, first_slot, least_weight });
             }
         }
     }
@@ -144,12 +142,11 @@ pub(crate) fn add_faces(
     source: &Source,
     walk: Walk,
     sums: &mut [Sum],
-    counts: &mut FaceCounts,
     unusual: &mut Vec<UnusualFace>,
 ) -> bool {
     let mut terms = Terms { request, source, unusual, scalar: CornerTerms::default() };
     if request.faces.is_triangles() {
-        return add_triangles(request, walk, sums, counts, &mut terms);
+        return add_triangles(request, walk, sums, &mut terms);
     }
     match walk {
         Walk::Share(share, mut touched) => {
@@ -190,6 +187,10 @@ impl Fill<f64> for Terms<'_> {
         };
         self.settle(settled, triangles.len(), face, terms);
         true
+    }
+
+    fn least_weight(&self) -> f64 {
+        0.0
     }
 }
 

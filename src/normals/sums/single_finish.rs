@@ -14,6 +14,8 @@ pub(crate) struct FinishSingles<'a, O> {
     pub(crate) sums: &'a mut [[f32; 4]],
     /// The first of those slots.
     pub(crate) first: u32,
+    /// Up to this sum of weights a sum does not have too many faces.
+    pub(crate) most_weight: f32,
     pub(crate) unit: &'a mut [[O; 3]],
     pub(crate) state: &'a mut [SlotState],
     /// Takes the slots whose sums are out of range.
@@ -21,19 +23,22 @@ pub(crate) struct FinishSingles<'a, O> {
 }
 
 impl<O: Component> Kernel for FinishSingles<'_, O> {
-    type Output = ();
+    /// Whether all sums of weights are up to the largest.
+    type Output = bool;
 
     #[inline(always)]
-    fn run<A: Lanes>(self, arch: A) {
-        let Self { sums, first, unit, state, recount } = self;
+    fn run<A: Lanes>(self, arch: A) -> bool {
+        let Self { sums, first, most_weight, unit, state, recount } = self;
         let arch = arch.singles();
+        let mut are_light = true;
         state.fill(SlotState::Good);
         let groups = sums.chunks_mut(LANES).zip(unit.chunks_mut(LANES)).zip(state.chunks_mut(LANES));
         for (first, ((sums, unit), state)) in (first..).step_by(LANES).zip(groups) {
-            if !finish_group(arch, sums, unit) {
+            if !finish_group(arch, sums, most_weight, unit) {
                 for (slot, ((sum, unit), state)) in (first..).zip(sums.iter().zip(unit).zip(state)) {
                     let [x, y, z, weights] = *sum;
                     let length = (x * x + y * y + z * z).sqrt();
+                    are_light &= weights <= most_weight;
                     if weights == 0.0 {
                         (*unit, *state) = (O::emit_single([0.0, 0.0, 1.0]), SlotState::Empty);
                     } else if weights.is_normal() && length >= LEAST_SUM as f32 * weights {
@@ -46,6 +51,7 @@ impl<O: Component> Kernel for FinishSingles<'_, O> {
             }
             sums.fill([0.0; 4]);
         }
+        are_light
     }
 }
 
@@ -54,6 +60,7 @@ impl<O: Component> Kernel for FinishSingles<'_, O> {
 fn finish_group<A: EightLanes<Element = f32>, O: Component>(
     arch: A,
     sums: &[[f32; 4]],
+    most_weight: f32,
     unit: &mut [[O; 3]],
 ) -> bool {
     let (Ok(sums), Ok(unit)) = (<&[[f32; 4]; LANES]>::try_from(sums), <&mut [[O; 3]; LANES]>::try_from(unit))
@@ -63,7 +70,8 @@ fn finish_group<A: EightLanes<Element = f32>, O: Component>(
     let [x, y, z, weights] = arch.columns(sums.each_ref());
     let (vector, weights) = (Vectors::new(arch, [x, y, z]), Scalars::new(arch, weights));
     let length = vector.squared_length().sqrt();
-    let range = [f32::MIN_POSITIVE, f32::MAX].map(|end| Scalars::splat(arch, f64::from(end)));
+    let range =
+        [f32::MIN_POSITIVE, most_weight.min(f32::MAX)].map(|end| Scalars::splat(arch, f64::from(end)));
     let in_range = (Scalars::splat(arch, LEAST_SUM) * weights).less(length)
         & range[0].less(weights)
         & weights.less(range[1]);

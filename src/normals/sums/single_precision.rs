@@ -16,7 +16,7 @@ use crate::normals::sums::block::{ALL, Settled};
 use crate::normals::sums::corner_terms::CornerTerms;
 use crate::normals::sums::finish::UncertainSlots;
 use crate::normals::sums::gather::{are_in_place, copied, rows, whole_groups};
-use crate::normals::sums::partition::Partition;
+use crate::normals::sums::partition::{BLOCK, Partition};
 use crate::normals::sums::recheck::Recheck;
 use crate::normals::sums::request::{SlotState, SumRequest, Sums};
 use crate::normals::sums::scatter::BlockTerms;
@@ -64,43 +64,43 @@ pub(crate) fn single_sums_into<O: Component>(
             &copied
         }
     };
+    let least_weight = least_weight(request, points);
     let partition = Partition::new(faces, target);
     let mut memory = std::mem::take(&mut scratch.single_parts);
     memory.resize_with(partition.parts().max(memory.len()), Default::default);
     let parts = &mut memory[..partition.parts()];
     let most_thin = faces.len() / EXCEPTIONS;
-    let owned = accumulate(request, partition, parts, &|walk, sums, counts, thin| {
+    let owned = accumulate(request, partition, parts, &|walk, sums, thin| {
         // Faces that are added to the sums of another part are listed in theirs.
         let is_share = matches!(walk, Walk::Share(..));
         let mut terms = SingleTerms {
             faces,
             weight: request.weight,
             points,
+            least_weight,
             positions: request.positions,
             source: None,
             thin,
             most_thin: if is_share { most_thin } else { usize::MAX },
             scalar: CornerTerms::default(),
         };
-        add_triangles(request, walk, sums, counts, &mut terms)
+        add_triangles(request, walk, sums, &mut terms)
     });
     let thin: usize = parts.iter().map(|part| part.unusual.len()).sum();
     let mut is_in_range = false;
     if let Some(owned) = owned
         && thin <= most_thin
     {
-        finish(slots, parts, &owned, unit, state, &|part, owned, unit, state| {
+        let most_weight = least_weight * MOST_FACES as f32;
+        let are_light = finish(slots, parts, &owned, unit, state, &|part, owned, unit, state| {
             part.uncertain.clear();
             let (first, sums) = (owned.start as u32, &mut part.sums.get(slots)[owned]);
             let recount = &mut part.uncertain.recount;
-            num::dispatch(FinishSingles { sums, first, unit, state, recount });
-            true
+            num::dispatch(FinishSingles { sums, first, most_weight, unit, state, recount })
         });
         let mut uncertain = UncertainSlots::default();
         parts.iter().for_each(|part| uncertain.join(&part.uncertain));
-        // Mostly no slot has 256 faces.
-        let are_few = !parts.iter().any(|part| part.counts.is_exceeded) || have_few_faces(target, slots);
-        is_in_range = are_few
+        is_in_range = (are_light || have_few_faces(target, slots))
             && uncertain.recount.len() <= slots / EXCEPTIONS
             && recheck(request, &uncertain, unit, state);
         // All sums are zero again.
@@ -108,6 +108,47 @@ pub(crate) fn single_sums_into<O: Component>(
     }
     scratch.single_positions = copied;
     is_in_range
+}
+
+/// The least weight of a term in the sums of weights, which then bound the number of faces: with k faces a sum of weights is
+/// at least k times this. It is an eighth of the lower quartile of weights of some faces, so that a sum of some faces of usual
+/// size is below [`MOST_FACES`] times it, and larger weights do not hide a sum that cancels.
+fn least_weight(request: &SumRequest, points: &[[f32; 3]]) -> f32 {
+    let (faces, weight) = (request.faces.corners().as_chunks::<3>().0, request.weight);
+    let count = BLOCK.min(faces.len());
+    let triangles: Vec<[u32; 3]> = (0..count).map(|at| faces[at * (faces.len() / count)]).collect();
+    let mut terms = BlockTerms::zero();
+    if single_block(points, &triangles, weight, 0.0, &mut terms).is_none() {
+        // Weights that do not exist bound nothing.
+        return 0.0;
+    }
+    let factor = |weights: &[f32; 4]| if weight.is_equal_at_corners() { 1.0 } else { weights[0] };
+    let weights =
+        terms.vectors.iter().zip(&terms.weights).map(|(vector, weights)| vector[3] * factor(weights));
+    let mut weights: Vec<f32> = weights.take(count).filter(|weight| weight.is_normal()).collect();
+    weights.sort_unstable_by(f32::total_cmp);
+    weights.get(weights.len() / 4).map_or(0.0, |quartile| quartile / 8.0)
+}
+
+/// Computes what a block of triangles adds to sums, and one bit for each whose shape is in range; `None` if a length is out of
+/// range or a vertex does not exist.
+fn single_block(
+    points: &[[f32; 3]],
+    triangles: &[[u32; 3]],
+    weight: Weight,
+    least_weight: f32,
+    terms: &mut BlockTerms<f32>,
+) -> Option<Settled> {
+    let block = SingleBlock { points, triangles, weight, least_weight, terms };
+    match num::dispatch(block) {
+        Ok(in_range) => Some(in_range),
+        Err(Refusal::OutOfRange) => None,
+        Err(Refusal::NotInPlace) => {
+            let points = &copied(points, triangles)?;
+            let triangles = whole_groups(triangles.len());
+            num::dispatch(SingleBlock { points, triangles, weight, least_weight, terms }).ok()
+        }
+    }
 }
 
 /// Whether no slot has more than [`MOST_FACES`] corners.
@@ -145,6 +186,7 @@ struct SingleTerms<'a> {
     faces: FacesRef<'a>,
     weight: Weight,
     points: &'a [[f32; 3]],
+    least_weight: f32,
     /// The positions in the type that they came in.
     positions: PositionsRef<'a>,
     /// Where double precision reads the positions of thin faces, once there is one.
@@ -163,15 +205,13 @@ impl Fill<f32> for SingleTerms<'_> {
         face: &dyn Fn(usize) -> usize,
         terms: &mut BlockTerms<f32>,
     ) -> bool {
-        let Self { weight, points, .. } = *self;
-        let mut in_range = num::dispatch(SingleBlock { points, triangles, weight, terms });
-        if let Err(Refusal::NotInPlace) = in_range {
-            let Some(points) = copied(points, triangles) else { return false };
-            let triangles = whole_groups(triangles.len());
-            in_range = num::dispatch(SingleBlock { points: &points, triangles, weight, terms });
-        }
-        let Ok(in_range) = in_range else { return false };
-        self.settle(in_range, triangles.len(), face, terms)
+        let Self { weight, points, least_weight, .. } = *self;
+        let in_range = single_block(points, triangles, weight, least_weight, terms);
+        in_range.is_some_and(|in_range| self.settle(in_range, triangles.len(), face, terms))
+    }
+
+    fn least_weight(&self) -> f32 {
+        self.least_weight
     }
 }
 
@@ -193,7 +233,8 @@ impl SingleTerms<'_> {
             let source = self.source.get_or_insert_with(|| Source::new(self.positions));
             let (face, scalar) = (face(at), &mut self.scalar);
             scalar.fill(self.faces, source, self.weight, face, |_| false);
-            let vector = scalar.vector.map(|x| x as f32);
+            let [x, y, z, length] = scalar.vector.map(|x| x as f32);
+            let vector = [x, y, z, length.max(self.least_weight)];
             let weights = &scalar.weights;
             let are_finite =
                 vector.iter().all(|x| x.is_finite()) && weights.iter().all(|&x| (x as f32).is_finite());
@@ -217,6 +258,7 @@ struct SingleBlock<'a> {
     points: &'a [[f32; 3]],
     triangles: &'a [[u32; 3]],
     weight: Weight,
+    least_weight: f32,
     terms: &'a mut BlockTerms<f32>,
 }
 
@@ -233,7 +275,7 @@ impl Kernel for SingleBlock<'_> {
 
     #[inline(always)]
     fn run<A: Lanes>(self, arch: A) -> Result<Settled, Refusal> {
-        let Self { points, triangles, weight, terms } = self;
+        let Self { points, triangles, weight, least_weight, terms } = self;
         if !are_in_place(points.len(), triangles) {
             return Err(Refusal::NotInPlace);
         }
@@ -242,7 +284,7 @@ impl Kernel for SingleBlock<'_> {
         let arch = arch.singles();
         let groups = triangles.as_chunks().0.iter().zip(vectors).zip(weights);
         for (group, ((triangles, vectors), weights)) in groups.enumerate() {
-            let bits = group_terms(arch, points, triangles, weight, vectors, weights);
+            let bits = group_terms(arch, points, triangles, weight, least_weight, vectors, weights);
             in_range.add(group, bits.ok_or(Refusal::OutOfRange)?);
         }
         Ok(in_range)
@@ -256,6 +298,7 @@ fn group_terms<A: EightLanes<Element = f32>>(
     points: &[[f32; 3]],
     triangles: &[[u32; 3]; LANES],
     weight: Weight,
+    least_weight: f32,
     vectors: &mut [[f32; 4]; LANES],
     weights: &mut [[f32; 4]; LANES],
 ) -> Option<u8> {
@@ -278,7 +321,10 @@ fn group_terms<A: EightLanes<Element = f32>>(
     let (face, length);
     match (weight.has_area_factor(), weight.is_equal_at_corners()) {
         // Only an upper bound, which saves the root.
-        (true, true) => (face, length) = (vector, vector.sum_of_magnitudes()),
+        (true, true) => {
+            let least_weight = Scalars::splat(arch, f64::from(least_weight));
+            (face, length) = (vector, vector.sum_of_magnitudes().max(least_weight));
+        }
         (true, false) => (face, length) = (vector, squared.sqrt()),
         (false, _) => (face, length) = (vector.scaled(one / squared.sqrt()), one),
     }
@@ -461,13 +507,19 @@ mod tests {
     }
 
     /// A fan of more faces than one sum may have, by itself and with its faces spread over those of a grid, so that several
-    /// threads add to the sum.
+    /// threads add to the sum. Its faces are smaller than those of the grid, of about the same size, or larger.
     #[test]
     fn the_valence_has_a_limit() {
         let (grid, points) = bumpy(150, 3);
-        for (valence, is_declined) in [(1000_u32, false), (1001, true)] {
+        for (valence, scale, is_declined) in [
+            (1000_u32, 1.0, false),
+            (1000, 30.0, false),
+            (1001, 1e-3, true),
+            (1001, 1.0, true),
+            (1001, 30.0, true),
+        ] {
             let rim = (0..valence).map(|i| f64::from(i) * std::f64::consts::TAU / f64::from(valence));
-            let rim = rim.map(|angle| DVec3::new(libm::cos(angle), libm::sin(angle), -0.5));
+            let rim = rim.map(|angle| scale * DVec3::new(libm::cos(angle), libm::sin(angle), -0.5));
             let fan: Vec<[u32; 3]> = (0..valence).map(|i| [0, 1 + i, 1 + (i + 1) % valence]).collect();
             let fan_points: Vec<DVec3> = std::iter::once(DVec3::ZERO).chain(rim).collect();
             let grid: Vec<[u32; 3]> =
@@ -484,7 +536,7 @@ mod tests {
                 let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
                 for threads in [1, 2, 3, 8] {
                     let field = with_threads(threads, || compute(&mesh, &fast(Weight::Area)));
-                    assert_eq!(field.summary.fast_declined, is_declined, "{valence}, {threads} threads");
+                    assert_eq!(field.summary.fast_declined, is_declined, "{valence} {scale} {threads}");
                 }
             }
         }

@@ -7,7 +7,7 @@ use crate::normals::sums::finish::{Finish, UncertainSlots};
 use crate::normals::sums::partition::Partition;
 use crate::normals::sums::recheck::Recheck;
 use crate::normals::sums::request::{SlotState, Sum, SumRequest, Sums};
-use crate::normals::sums::scatter::{FaceCounts, SumNumber};
+use crate::normals::sums::scatter::SumNumber;
 use crate::num::{self, Real};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -56,8 +56,8 @@ pub(crate) fn weighted_sums_into<O: Component>(
     let mut memory = std::mem::take(&mut scratch.parts);
     memory.resize_with(partition.parts().max(memory.len()), Part::default);
     let parts = &mut memory[..partition.parts()];
-    let add = |walk: Walk, sums: &mut [Sum], counts: &mut FaceCounts, unusual: &mut Vec<UnusualFace>| {
-        add_faces(request, source, walk, sums, counts, unusual)
+    let add = |walk: Walk, sums: &mut [Sum], unusual: &mut Vec<UnusualFace>| {
+        add_faces(request, source, walk, sums, unusual)
     };
     let Some(owned) = accumulate(request, partition, parts, &add) else {
         return Outcome { vertex_missing: true, ..Outcome::default() };
@@ -85,8 +85,7 @@ pub(crate) fn weighted_sums_into<O: Component>(
 }
 
 /// Adds the faces of a walk to sums; false if that cannot be done.
-pub(crate) type Add<'a, T> =
-    dyn Fn(Walk, &mut [[T; 4]], &mut FaceCounts, &mut Vec<UnusualFace>) -> bool + Sync + 'a;
+pub(crate) type Add<'a, T> = dyn Fn(Walk, &mut [[T; 4]], &mut Vec<UnusualFace>) -> bool + Sync + 'a;
 
 /// Sums of all parts, and the slots that each owns; `None` if some faces cannot be added.
 pub(crate) fn accumulate<T: SumNumber>(
@@ -98,13 +97,12 @@ pub(crate) fn accumulate<T: SumNumber>(
     let slots = request.slots;
     let alone = parts.len() == 1;
     let add_share = |(number, part): (usize, &mut Part<T>)| {
-        let Part { sums, counts, touched, unusual, .. } = part;
+        let Part { sums, touched, unusual, .. } = part;
         sums.reserve(slots);
-        counts.reset(if T::COUNTS_FACES { slots } else { 0 });
         touched.clear();
         unusual.clear();
         let walk = Walk::Share(partition.share(number), (!alone).then_some(touched));
-        add(walk, sums.get(slots), counts, unusual)
+        add(walk, sums.get(slots), unusual)
     };
     if !for_each_part(parts, add_share).into_iter().all(|found| found) {
         return None;
@@ -114,12 +112,12 @@ pub(crate) fn accumulate<T: SumNumber>(
         part.hand_over(request, partition.share(number), owned[number].start)
     });
     for_each_part(parts, |(number, part)| {
-        let Part { sums, counts, unusual, .. } = part;
+        let Part { sums, unusual, .. } = part;
         // The parts in whose share these faces are have found the unusual ones too.
         let found = unusual.len();
         for faces in &outside[number + 1..] {
             let sums = &mut sums.get(slots)[..owned[number].end];
-            add(Walk::Listed(faces, owned[number].start), sums, counts, unusual);
+            add(Walk::Listed(faces, owned[number].start), sums, unusual);
         }
         unusual.truncate(found);
     });

@@ -104,4 +104,13 @@ impl EightLanes for AvxSingles {
         let term = sse._mm_mul_ps(pulp::cast(*row), sse._mm_set1_ps(factor));
         *sum = pulp::cast(sse._mm_add_ps(pulp::cast(*sum), term));
     }
+
+    #[inline(always)]
+    fn add_bounded_row(self, sum: &mut [f32; 4], row: &[f32; 4], factor: f32, least: f32) {
+        let sse = self.token.sse;
+        let none = f32::NEG_INFINITY;
+        let term = sse._mm_mul_ps(pulp::cast(*row), sse._mm_set1_ps(factor));
+        let term = sse._mm_max_ps(term, pulp::cast([none, none, none, least]));
+        *sum = pulp::cast(sse._mm_add_ps(pulp::cast(*sum), term));
+    }
 }

@@ -141,6 +141,20 @@ pub(crate) trait EightLanes: Arithmetic<Number: Pod> {
     /// sum += factor · row, rounded twice.
     fn add_scaled_row(self, sum: &mut [Self::Element; 4], row: &[Self::Element; 4], factor: Self::Element);
 
+    /// sum += factor · row, rounded twice, except that the last number of the term is at least `least`.
+    #[inline(always)]
+    fn add_bounded_row(
+        self,
+        sum: &mut [Self::Element; 4],
+        row: &[Self::Element; 4],
+        factor: Self::Element,
+        least: Self::Element,
+    ) {
+        let [x, y, z, last] = row.map(|x| x * factor);
+        let last = if last > least { last } else { least };
+        self.add_row(sum, &[x, y, z, last]);
+    }
+
     /// The mask, one bit a row.
     #[inline(always)]
     fn row_bits(self, mask: Self::Mask) -> u8 {
@@ -305,6 +319,7 @@ mod tests {
         let mut sum = *rows[0];
         arch.add_row(&mut sum, rows[1]);
         arch.add_scaled_row(&mut sum, rows[2], rows[3][0]);
+        arch.add_bounded_row(&mut sum, rows[4], rows[5][0], rows[6][0]);
         found.extend(sum);
         found.into_iter().map(f32::to_bits).collect()
     }

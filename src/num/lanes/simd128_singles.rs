@@ -96,4 +96,13 @@ impl EightLanes for Simd128Singles {
         let term = simd.f32x4_mul(pulp::cast(*row), simd.f32x4_splat(factor));
         *sum = pulp::cast(simd.f32x4_add(pulp::cast(*sum), term));
     }
+
+    #[inline(always)]
+    fn add_bounded_row(self, sum: &mut [f32; 4], row: &[f32; 4], factor: f32, least: f32) {
+        let simd = self.token.simd128;
+        let none = f32::NEG_INFINITY;
+        let term = simd.f32x4_mul(pulp::cast(*row), simd.f32x4_splat(factor));
+        let term = simd.f32x4_max(term, pulp::cast([none, none, none, least]));
+        *sum = pulp::cast(simd.f32x4_add(pulp::cast(*sum), term));
+    }
 }
