@@ -1,7 +1,7 @@
 //! What readers and writers of all formats check: sizes, positions, faces, and features that a format does not have.
 
 use super::{Format, Limits, NonFinite, Note, Part, Place, Problem, ReadError, ReadOptions, WriteError};
-use crate::mesh::{Columns, Faces, Mesh, MeshBuilder, MeshError, PositionsRef};
+use crate::mesh::{ColumnIndex, Columns, Faces, Mesh, MeshBuilder, MeshError, NONE, PositionsRef};
 use crate::num::parallel;
 use glam::DVec3;
 
@@ -103,7 +103,22 @@ pub(super) fn unsupported_notes(format: Format, parts: &[Part]) -> Vec<Note> {
         without.contains(&format) && parts.iter().any(|part| has(part.mesh.columns()))
     });
     let text = |name| format!("{title} has no {name}; they were omitted");
-    lost.map(|(name, ..)| Note::warning(Place::File, text(name))).collect()
+    let lost = lost.map(|(name, ..)| Note::warning(Place::File, text(name)));
+    let nouns = ["corner without texture coordinates was", "corners without texture coordinates were"];
+    let blank = blank_uvs(format, parts);
+    lost.chain(Note::counted(blank, nouns, format_args!("written to the {title} with (0, 0)"))).collect()
+}
+
+/// How many corners get a texture coordinate that they do not have, as others of their mesh in the new file have one.
+fn blank_uvs(format: Format, parts: &[Part]) -> usize {
+    let is_one_mesh = format == Format::Ply && parts.iter().any(|part| part.mesh.columns().uvs.is_some());
+    let blank = |part: &Part| match part.mesh.columns().uvs.as_ref().map(|uvs| &uvs.index) {
+        Some(ColumnIndex::PerCorner(index)) => index.iter().filter(|&&uv| uv == NONE).count(),
+        None if is_one_mesh => part.mesh.faces().corners().len(),
+        _ => 0,
+    };
+    // OBJ omits the index of such a corner, and STL all texture coordinates.
+    if format.is_gltf() || format == Format::Ply { parts.iter().map(blank).sum() } else { 0 }
 }
 
 /// The error about a mesh with a position that is infinite as `f32`.

@@ -286,6 +286,19 @@ fn positions_that_are_let_pass_are_reported() {
     );
 }
 
+/// An OBJ may have texture coordinates at some corners only.
+#[test]
+fn corners_without_texture_coordinates_are_reported() {
+    let obj = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.5 0.5\nf 1/1 2/1 3/1\nf 1 3 4\n".to_vec();
+    let loaded = io::read_bytes(obj, Some(Format::Obj), None, &ReadOptions::default()).unwrap();
+    let blank = |format: &str| {
+        format!("3 corners without texture coordinates were written to the {format} with (0, 0)")
+    };
+    assert_eq!(notes(&loaded, Format::Glb), [blank("glTF")]);
+    assert_eq!(notes(&loaded, Format::Ply), [blank("PLY")]);
+    assert_eq!(notes(&loaded, Format::Obj), [] as [&str; 0]);
+}
+
 #[test]
 fn points_and_lines_go_where_they_can() {
     let obj = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\np 1\n".to_vec();
