@@ -103,22 +103,26 @@ pub(super) fn unsupported_notes(format: Format, parts: &[Part]) -> Vec<Note> {
         without.contains(&format) && parts.iter().any(|part| has(part.mesh.columns()))
     });
     let text = |name| format!("{title} has no {name}; they were omitted");
-    let lost = lost.map(|(name, ..)| Note::warning(Place::File, text(name)));
-    let nouns = ["corner without texture coordinates was", "corners without texture coordinates were"];
-    let blank = blank_uvs(format, parts);
-    lost.chain(Note::counted(blank, nouns, format_args!("written to the {title} with (0, 0)"))).collect()
+    lost.map(|(name, ..)| Note::warning(Place::File, text(name))).collect()
 }
 
-/// How many corners get a texture coordinate that they do not have, as others of their mesh in the new file have one.
-fn blank_uvs(format: Format, parts: &[Part]) -> usize {
-    let is_one_mesh = format == Format::Ply && parts.iter().any(|part| part.mesh.columns().uvs.is_some());
-    let blank = |part: &Part| match part.mesh.columns().uvs.as_ref().map(|uvs| &uvs.index) {
+/// A warning about corners that the new file gives a texture coordinate, as others of their mesh have one. `is_one_mesh` if all
+/// parts become one.
+pub(super) fn blank_uv_note<'a>(
+    title: &str,
+    parts: impl Iterator<Item = &'a Part> + Clone,
+    is_one_mesh: bool,
+) -> Option<Note> {
+    let meshes = parts.map(|part| &part.mesh);
+    let are_wanted = is_one_mesh && meshes.clone().any(|mesh| mesh.columns().uvs.is_some());
+    let blank = |mesh: &Mesh| match mesh.columns().uvs.as_ref().map(|uvs| &uvs.index) {
         Some(ColumnIndex::PerCorner(index)) => index.iter().filter(|&&uv| uv == NONE).count(),
-        None if is_one_mesh => part.mesh.faces().corners().len(),
+        None if are_wanted => mesh.faces().corners().len(),
         _ => 0,
     };
-    // OBJ omits the index of such a corner, and STL all texture coordinates.
-    if format.is_gltf() || format == Format::Ply { parts.iter().map(blank).sum() } else { 0 }
+    let blank = meshes.map(blank).sum();
+    let nouns = ["corner without texture coordinates was", "corners without texture coordinates were"];
+    Note::counted(blank, nouns, format_args!("written to the {title} with (0, 0)"))
 }
 
 /// The error about a mesh with a position that is infinite as `f32`.

@@ -297,6 +297,14 @@ fn corners_without_texture_coordinates_are_reported() {
     assert_eq!(notes(&loaded, Format::Glb), [blank("glTF")]);
     assert_eq!(notes(&loaded, Format::Ply), [blank("PLY")]);
     assert_eq!(notes(&loaded, Format::Obj), [] as [&str; 0]);
+    // An object without texture coordinates has none in its own mesh.
+    let obj = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.5 0.5\no a\nf 1/1 2/1 3/1\no b\nf 1 3 4\n".to_vec();
+    let loaded = io::read_bytes(obj, Some(Format::Obj), None, &ReadOptions::default()).unwrap();
+    assert_eq!(notes(&loaded, Format::Glb), [] as [&str; 0]);
+    let glb = write(&loaded, Format::Glb);
+    let have_uvs: Vec<bool> = glb.parts.iter().map(|part| part.mesh.columns().uvs.is_some()).collect();
+    assert_eq!(have_uvs, [true, false]);
+    assert!(notes(&loaded, Format::Ply).contains(&blank("PLY")));
 }
 
 #[test]

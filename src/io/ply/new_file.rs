@@ -1,7 +1,7 @@
 //! A new PLY from any meshes.
 
 use super::scalar::{Encoding, Scalar};
-use crate::io::mesh_checks::{needs_f64, unsupported_notes};
+use crate::io::mesh_checks::{blank_uv_note, needs_f64, unsupported_notes};
 use crate::io::split_mesh::SplitMesh;
 use crate::io::{Emit, Format, Note, Part, Place, WriteError, WriteOptions, Written};
 use crate::mesh::{Mesh, NONE, Storage};
@@ -190,6 +190,7 @@ impl Writer {
 
 fn notes(parts: &[Part], without_normal: usize) -> Vec<Note> {
     let mut notes = unsupported_notes(Format::Ply, parts);
+    notes.extend(blank_uv_note("PLY", parts.iter(), true));
     if parts.len() > 1 {
         let text = format!("a PLY has one mesh: {} meshes were merged, and their names omitted", parts.len());
         notes.push(Note::warning(Place::File, text));

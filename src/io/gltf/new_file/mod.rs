@@ -16,7 +16,7 @@ use super::extensions::QUANTIZATION;
 use super::glb;
 use super::json::quoted;
 use super::records::{Component, Format as ElementFormat};
-use crate::io::mesh_checks::{beyond_f32, displacement_note, unsupported_notes};
+use crate::io::mesh_checks::{beyond_f32, blank_uv_note, displacement_note, unsupported_notes};
 use crate::io::split_mesh::SplitMesh;
 use crate::io::text::counted;
 use crate::io::{
@@ -59,6 +59,7 @@ pub(in crate::io) fn write(
     let old: usize = parts.iter().map(|part| part.mesh.vertex_count()).sum();
     written.count_change(old);
     written.notes.extend(notes(parts, unused, file.textures.note()));
+    written.notes.extend(blank_uv_note("glTF", pieces.iter().map(|piece| &**piece), false));
     written.companions.append(&mut file.textures.companions);
     let length = file.blob.length as usize;
     if to == Format::Glb {

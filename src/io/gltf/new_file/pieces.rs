@@ -114,7 +114,9 @@ impl<'a> Cutter<'a> {
         }
         let columns = Columns {
             normals: old.normals.as_ref().map(|column| cut(mesh, column, &corners, &mut self.normals)),
-            uvs: old.uvs.as_ref().map(|column| cut(mesh, column, &corners, &mut self.uvs)),
+            // An object may have none.
+            uvs: (old.uvs.as_ref().map(|column| cut(mesh, column, &corners, &mut self.uvs)))
+                .filter(|column| !column.values.is_empty()),
             smoothing: old.smoothing.as_ref().map(|groups| SmoothingGroups {
                 of_face: numbers.iter().map(|&face| groups.of_face[face as usize]).collect(),
                 before_first: numbers.partition_point(|&face| (face as usize) < groups.before_first),
