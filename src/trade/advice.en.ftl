@@ -31,7 +31,10 @@ shading =
 
 # On a user mesh.
 few-triangles =
-    Costs were measured on { $triangles } triangles. On a mesh this small, most of the cost is constant per call, and
+    Costs were measured on { $triangles } { $triangles ->
+        [one] triangle
+       *[other] triangles
+    }. On a mesh this small, most of the cost is constant per call, and
     ratios vary between runs. `crease trade` without a file measures large meshes.
 alike = { $share } of the normals are the same with every weighting.
 too-few =

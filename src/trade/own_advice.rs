@@ -63,7 +63,7 @@ impl OwnMesh {
             }
         }
         if (1..SMALL).contains(&self.timed_triangles) {
-            let triangles = self.timed_triangles.to_string().into();
+            let triangles = self.timed_triangles.into();
             reasons.push(sentence("few-triangles", &[("triangles", triangles)]));
         }
         self.reasons = reasons;

@@ -34,7 +34,7 @@ impl Reference {
 impl Reference {
     /// The better of jet and quadric, and its estimated error.
     pub(super) fn of(fits: &FitDifferences) -> (Self, f64) {
-        let (jet, quadric) = (fits.jet_error(), fits.quadric);
+        let (jet, quadric) = (fits.jet_error(), fits.quadric_error());
         if jet <= quadric { (Reference::Jet, jet) } else { (Reference::Quadric, quadric) }
     }
 }

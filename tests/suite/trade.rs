@@ -217,6 +217,14 @@ fn stored_normals_are_taken_for_the_truth() {
     let without = crease(&["trade", "data/gear.obj", "--truth", "stored"]).output().unwrap();
     assert_eq!(without.status.code(), Some(3));
     assert!(String::from_utf8_lossy(&without.stderr).contains("omit --truth stored"));
+    // Facet normals are not those of the surface.
+    let work = tempfile::tempdir().unwrap();
+    let folder = work.path().join("pages");
+    let stl = ["trade", "data/part.stl", "--truth", "stored", "-o", folder.to_str().unwrap()];
+    let facets = crease(&stl).output().unwrap();
+    assert_eq!(facets.status.code(), Some(3));
+    assert!(String::from_utf8_lossy(&facets.stderr).contains("normals of its facets"));
+    assert!(!folder.exists(), "an input that is refused leaves no folder");
 }
 
 #[test]

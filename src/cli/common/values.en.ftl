@@ -17,7 +17,8 @@ hardedge-authored = edges whose stored normals on both sides differ by more than
 slivers-exclude = ignored, unless a smooth group has no other face
 slivers-keep = averaged like any other face
 
-precision-faithful = correct to the last bit, at any magnitude, offset or thinness
+precision-faithful = each component of a face normal within 1 ulp of its exact value (f32 triangles and quads), at any
+    magnitude, offset or thinness
 precision-fast = f32 arithmetic for well-shaped faces with edges of 1e-6 to 1e6, else as faithful; cheaper (see `crease
     trade`)
 

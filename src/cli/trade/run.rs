@@ -9,7 +9,7 @@ use crate::cli::common::options::Color;
 use crate::cli::common::output::{Target, make_folder};
 use crate::cli::common::progress::Progress;
 use crate::cli::usage::usage_error;
-use crease::io::ReadOptions;
+use crease::io::{Format, ReadOptions};
 use crease::mesh::Mesh;
 use crease::normals::{Crease, NormalRecipe};
 use crease::report::{own_page, trade_page};
@@ -50,9 +50,8 @@ fn measure(
     console: &Console,
     report: &mut Report,
 ) -> Result<Exit, Failure> {
-    if let Some(folder) = &args.output {
-        make_folder(folder)?;
-    }
+    // Before the measurement, which takes long, and after the input has been checked.
+    let prepare = || args.output.as_deref().map_or(Ok(()), make_folder);
     let progress = Progress::of_steps(console);
     let observe = |step| progress.step(step);
     let page;
@@ -70,11 +69,19 @@ fn measure(
                 "the mesh stores no normals\nhelp: omit --truth stored to estimate them",
             ));
         }
+        if truth == Truth::Stored && loaded.format == Format::Stl {
+            return Err(Failure::input(
+                "an STL stores the normals of its facets, not those of the surface at its vertices\nhelp: omit --truth \
+                 stored to estimate these",
+            ));
+        }
+        prepare()?;
         let own = OwnMesh::measure(&meshes, &recipe, truth, &observe);
         page = args.output.is_some().then(|| own_page(&own, &meshes, &recipe, &input.name())).transpose()?;
         report.advice = Some(own.reasons.clone());
         report.mesh = Some(own);
     } else {
+        prepare()?;
         let trade = Trade::measure(args.effort(), &observe).map_err(Failure::input)?;
         page = args.output.is_some().then(|| trade_page(&trade)).transpose()?;
         report.advice = Some(advice(&trade));

@@ -89,11 +89,11 @@ pub(crate) fn choose(rings: &Rings<'_>, means: &[DVec3], more_rings: usize) -> C
     squares.sort_by(|a, b| size(a).total_cmp(&size(b)));
     let overall = differences(&squares);
     let trimmed = &squares[..fitted - (OUTLIERS * fitted as f64) as usize];
-    let (differences, squares) = match overall.jet_error() > VETO * overall.quadric {
+    let (differences, squares) = match overall.jet_error() > VETO * overall.quadric_error() {
         true => (overall, &squares[..]),
         false => (differences(trimmed), trimmed),
     };
-    let (jet, quadric) = (differences.jet_error(), differences.quadric);
+    let (jet, quadric) = (differences.jet_error(), differences.quadric_error());
     let is_jet_better = jet <= quadric;
     let rms = |of| rms(squares, of);
     let angle = if is_jet_better { rms(|it| it.jet_to_mean) } else { rms(|it| it.quadric_to_mean) };

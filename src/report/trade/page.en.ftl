@@ -26,7 +26,7 @@ convergence-lead =
     The order is the slope of the error over the edge length on logarithmic axes. Sums of face normals are of first
     order on irregular meshes. On regular grids they are of second order, because errors of opposite faces cancel.
     Quadrics are of second order on both, jets of third order.
-convergence-caption = Dotted lines: slopes of order 1 and 2.
+convergence-caption = Dotted lines: slopes of orders 1 and 2.
 spread-title = Distribution of errors
 spread-caption = Meshes of about 64 × 32 cells. Weightings that are exact here have no outline.
 
