@@ -534,9 +534,15 @@ mod tests {
                 let faces = Faces::triangles(faces.as_flattened().to_vec());
                 let positions = positions.into_iter().collect();
                 let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
-                for threads in [1, 2, 3, 8] {
-                    let field = with_threads(threads, || compute(&mesh, &fast(Weight::Area)));
-                    assert_eq!(field.summary.fast_declined, is_declined, "{valence} {scale} {threads}");
+                for (weight, threads) in [Weight::Area, Weight::Angle, Weight::Uniform]
+                    .into_iter()
+                    .flat_map(|it| [1, 2, 3, 8].map(|n| (it, n)))
+                {
+                    let field = with_threads(threads, || compute(&mesh, &fast(weight)));
+                    assert_eq!(
+                        field.summary.fast_declined, is_declined,
+                        "{weight:?} {valence} {scale} {threads}"
+                    );
                 }
             }
         }
